@@ -31,8 +31,8 @@ Measured measure(const diagrams::Subject& subject, const diagrams::Elements& ele
     Measured result{std::numeric_limits<double>::infinity(), subject.name, 0, 0};
     for (int round = 0; round < 10; ++round) {
         const double begin = thread_cpu_seconds();
-        const diagrams::Picture picture = diagrams::draw(subject, {elements, nullptr, nullptr});
-        const std::string text = diagrams::svg(picture, elements);
+        const diagrams::Picture picture = diagrams::draw_subject(subject, {elements, nullptr, nullptr});
+        const std::string text = diagrams::render_svg(picture, elements);
         result.milliseconds = std::min(result.milliseconds, 1000 * (thread_cpu_seconds() - begin));
         result.boxes = picture.boxes.size();
         result.lines = picture.lines.size();
@@ -46,7 +46,7 @@ void draw_all(const std::string& path,
     diagnostics::Diagnostics findings;
     const auto model = frontend::load_project(sources, path, findings);
     const diagrams::Elements elements(*model);
-    for (const diagrams::Subject& subject : diagrams::subjects(*model, sources)) look(subject, elements);
+    for (const diagrams::Subject& subject : diagrams::find_subjects(*model, sources)) look(subject, elements);
 }
 
 /// -1 if there is no box.
@@ -75,7 +75,7 @@ nlohmann::json picture_json(const diagrams::Picture& picture) {
 
 void print_pictures(const std::string& path) {
     draw_all(path, [&](const diagrams::Subject& subject, const diagrams::Elements& elements) {
-        nlohmann::json json = picture_json(diagrams::draw(subject, {elements, nullptr, nullptr}));
+        nlohmann::json json = picture_json(diagrams::draw_subject(subject, {elements, nullptr, nullptr}));
         json["file"] = path;
         fmt::print("{}\n", json.dump());
     });

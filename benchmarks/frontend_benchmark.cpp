@@ -64,7 +64,7 @@ void measure_load(const std::string& folder, Reading& reading) {
     diagnostics::Diagnostics findings;
     const auto model = frontend::load_project(sources, folder, findings);
     reading.load = seconds() - begin;
-    if (findings.errors() == 0 && !model->files.empty()) return;
+    if (findings.error_count() == 0 && !model->files.empty()) return;
     std::fprintf(stderr, "the generated project has errors\n");
     std::exit(70);
 }

@@ -77,9 +77,9 @@ public:
 
 private:
     void receive(const Json& message) {
-        server_.receive(robochart::diagnostics::json_text(message));
-        while (server_.has_work()) server_.step();
-        server_.idle();
+        server_.receive_message(robochart::diagnostics::json_text(message));
+        while (server_.has_work()) server_.handle_next();
+        server_.use_idle_time();
     }
 
     std::size_t bytes_ = 0;

@@ -36,9 +36,9 @@ double median(std::vector<double> values) {
 class Side {
 public:
     Side(const Study& study, const simulation::Scenario& scenario, bool watched)
-        : plan_(simulation::bind(scenario, study.loaded->emission, diagnostics_)),
+        : plan_(simulation::bind_scenario(scenario, study.loaded->emission, diagnostics_)),
           stage_(simulation::embedded_stage(scenario, 0, diagnostics_)),
-          trace_(watched ? study.monitors->beside({})(0) : nullptr) {
+          trace_(watched ? study.monitors->make_observer({})(0) : nullptr) {
         if (stage_ == nullptr) return;
         options_.record = false;
         options_.trace = trace_.get();
@@ -73,7 +73,7 @@ bool run_round(const Study& study, const simulation::Scenario& scenario, std::ui
     Side plain(study, scenario, false);
     Side watched(study, scenario, true);
     if (!plain.ready() || !watched.ready()) return false;
-    const std::size_t blocks = (scenario.steps() + block - 1) / block;
+    const std::size_t blocks = (scenario.step_count() + block - 1) / block;
     measured.plain.resize(blocks, 1e300);
     measured.watched.resize(blocks, 1e300);
     for (std::size_t b = 0; b < blocks; ++b) {
@@ -97,7 +97,7 @@ bool compare(const Study& study, std::uint32_t robots, int rounds) {
     Measured measured;
     for (int round = 0; round < rounds; ++round)
         if (!run_round(study, scenario, block, round % 2 == 0, measured)) return false;
-    const double steps = static_cast<double>(scenario.steps()) * robots;
+    const double steps = static_cast<double>(scenario.step_count()) * robots;
     const double plain = std::accumulate(measured.plain.begin(), measured.plain.end(), 0.0);
     const double watched = std::accumulate(measured.watched.begin(), measured.watched.end(), 0.0);
     fmt::print(

@@ -12,12 +12,12 @@
 #include <optional>
 #include <string>
 
+#include "base/diagnostics/budget.hpp"
 #include "prism/checks/check.hpp"
-#include "prism/session/experiment.hpp"
 #include "prism/explore/state_space.hpp"
+#include "prism/session/experiment.hpp"
 #include "prism/session/simulation.hpp"
 #include "prism/syntax/reader.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace {
 

@@ -18,13 +18,13 @@
 #include <iostream>
 #include <string>
 
+#include "base/diagnostics/render.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/refine/levels/level_search.hpp"
 #include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/verdict/monitors.hpp"
-#include "base/diagnostics/render.hpp"
 
 namespace {
 
@@ -66,7 +66,7 @@ Measured measure(const lts::TransitionSystem& system, const Count& count) {
     std::vector<RankFigures> figures(ranks);
     std::vector<refine::Exchange::Traffic> traffic(count.programs);
     std::vector<std::unique_ptr<lts::TransitionSystem>> systems;
-    for (unsigned rank = 0; rank < ranks; ++rank) systems.push_back(system.another());
+    for (unsigned rank = 0; rank < ranks; ++rank) systems.push_back(system.clone_for_thread());
     const refine::Limits limits;
     const auto search_as_rank = [&](refine::Exchange& exchange) {
         refine::StateMonitor monitor(false);
@@ -204,7 +204,7 @@ int run(const std::string& path, std::size_t number, unsigned times, const std::
     const cspm::Assertion& assertion = assertions[number - 1]->assertion;
     const bool refinement = assertion.kind == cspm::AssertionKind::refinement;
     const auto system = session.system(refinement ? assertion.implementation : assertion.specification);
-    if (!system->another()) {
+    if (!system->clone_for_thread()) {
         std::cerr << "the process stays a term\n";
         return 2;
     }

@@ -21,7 +21,7 @@ double robot_steps_a_second(const app::Simulation& loaded, const simulation::Sce
     double best = 0;
     for (int run = 0; run < 3; ++run) {
         diagnostics::Diagnostics diagnostics;
-        const simulation::Plan plan = simulation::bind(scenario, loaded.emission, diagnostics);
+        const simulation::Plan plan = simulation::bind_scenario(scenario, loaded.emission, diagnostics);
         const auto stage = make(scenario, 0, diagnostics);
         if (stage == nullptr) return 0;
         simulation::TrialOptions options;

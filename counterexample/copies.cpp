@@ -19,12 +19,12 @@ std::optional<std::uint32_t> Copies::of_event(const std::string& name) const {
     return whole && copy < meaning_->count ? std::optional(copy) : std::nullopt;
 }
 
-std::optional<std::string> Copies::words(const std::string& name) const {
+std::optional<std::string> Copies::words_for(const std::string& name) const {
     if (!of_event(name)) return std::nullopt;
     return meaning_->channels.at(name.substr(0, name.find('.')));
 }
 
-void Copies::number(const std::vector<bool>& of_model) {
+void Copies::number_leaves(const std::vector<bool>& of_model) {
     leaves_.clear();
     const auto all = static_cast<std::size_t>(std::ranges::count(of_model, true));
     if (!meaning_ || all == 0 || all % meaning_->count != 0) return;
@@ -40,7 +40,7 @@ std::optional<std::uint32_t> Copies::of_leaf(Leaf leaf) const {
     return leaf < leaves_.size() ? leaves_[leaf] : std::nullopt;
 }
 
-std::string Copies::named(const std::string& component, std::optional<std::uint32_t> copy) const {
+std::string Copies::name_with_copy(const std::string& component, std::optional<std::uint32_t> copy) const {
     if (!meaning_ || !copy) return component;
     const std::string one = fmt::format("{} {}", meaning_->word, *copy);
     return component.empty() ? one : fmt::format("{} of {}", component, one);

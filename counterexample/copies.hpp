@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "csp_emit/emit.hpp"
 #include "counterexample/timeline.hpp"
+#include "csp_emit/emit.hpp"
 
 namespace robochart::runs {
 
@@ -22,15 +22,15 @@ public:
     /// The copy that performs an event, given the event's name in the whole process.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
     /// What the copy does, in words, if the component's own events do not show it; no value otherwise.
-    [[nodiscard]] std::optional<std::string> words(const std::string& name) const;
+    [[nodiscard]] std::optional<std::string> words_for(const std::string& name) const;
     /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
     /// in the order of the copies.
-    void number(const std::vector<bool>& of_model);
+    void number_leaves(const std::vector<bool>& of_model);
     /// Must be called if the leaves cannot be distinguished.
-    void forget() { leaves_.clear(); }
+    void forget_leaves() { leaves_.clear(); }
     [[nodiscard]] std::optional<std::uint32_t> of_leaf(Leaf leaf) const;
     /// "P::M::c::s of robot 1"; "robot 1" if the event belongs to no component of the copy; unchanged without a copy.
-    [[nodiscard]] std::string named(const std::string& component, std::optional<std::uint32_t> copy) const;
+    [[nodiscard]] std::string name_with_copy(const std::string& component, std::optional<std::uint32_t> copy) const;
 
 private:
     const std::optional<csp_emit::CopiesMeaning>& meaning_;

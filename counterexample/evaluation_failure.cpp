@@ -76,7 +76,7 @@ std::string missing_element(const cspm::EvaluationError& error) {
 
 }  // namespace
 
-std::string failure(const cspm::EvaluationError& error, const ir::System& system) {
+std::string failure_text(const cspm::EvaluationError& error, const ir::System& system) {
     const std::string element = ir::element_at(system, error.span);
     const std::string missing = missing_element(error);
     return (missing.empty() ? error.what() : missing) + (element.empty() ? "" : ", in " + element) +
@@ -85,8 +85,8 @@ std::string failure(const cspm::EvaluationError& error, const ir::System& system
 
 std::string placed_failure(const cspm::EvaluationError& error, const ir::System& system,
                            const diagnostics::SourceManager& sources) {
-    const std::string place = sources.place(error.span);
-    return (place.empty() ? "" : diagnostics::shown(place) + ": ") + failure(error, system);
+    const std::string place = sources.path_and_line(error.span);
+    return (place.empty() ? "" : diagnostics::escape_for_display(place) + ": ") + failure_text(error, system);
 }
 
 }  // namespace robochart::runs

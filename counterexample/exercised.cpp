@@ -19,11 +19,11 @@ public:
     Exercised run(TermId process, std::uint64_t most, const std::function<void()>& poll);
 
 private:
-    void meet(TermId term) {
+    void meet_term(TermId term) {
         if (seen_.insert(term).second) waiting_.push_back(term);
     }
-    void note(TermId term, const Transition& step);
-    void note(const ComponentStep& step);
+    void note_step(TermId term, const Transition& step);
+    void note_step(const ComponentStep& step);
 
     StepReader& reader_;
     Exercised result_;
@@ -33,21 +33,21 @@ private:
     std::set<std::tuple<TermId, process::Event, TermId>> noted_;
 };
 
-void Search::note(const ComponentStep& step) {
-    const std::set<std::string> elements = reader_.elements(step);
+void Search::note_step(const ComponentStep& step) {
+    const std::set<std::string> elements = reader_.elements_of(step);
     if (elements.size() == 1) result_.certain.insert(*elements.begin());
     result_.possible.insert(elements.begin(), elements.end());
 }
 
-void Search::note(TermId term, const Transition& step) {
-    for (const process::Move& move : reader_.context().session.moves(term, step)) {
+void Search::note_step(TermId term, const Transition& step) {
+    for (const process::Move& move : reader_.context().session.split_transition(term, step)) {
         const process::Event event = move.step.event == process::tau ? move.step.revealed : move.step.event;
-        if (noted_.insert({move.part, event, move.step.target}).second) note(reader_.component_step(move));
+        if (noted_.insert({move.part, event, move.step.target}).second) note_step(reader_.component_step(move));
     }
 }
 
 Exercised Search::run(TermId process, std::uint64_t most, const std::function<void()>& poll) {
-    for (meet(process); !waiting_.empty(); waiting_.pop_front()) {
+    for (meet_term(process); !waiting_.empty(); waiting_.pop_front()) {
         if (result_.states == most) {
             result_.all = false;
             break;
@@ -56,8 +56,8 @@ Exercised Search::run(TermId process, std::uint64_t most, const std::function<vo
         poll();
         const TermId term = waiting_.front();
         for (const Transition& step : reader_.context().session.transitions(term)) {
-            note(term, step);
-            meet(step.target);
+            note_step(term, step);
+            meet_term(step.target);
         }
     }
     return std::move(result_);
@@ -65,7 +65,7 @@ Exercised Search::run(TermId process, std::uint64_t most, const std::function<vo
 
 }  // namespace
 
-Exercised exercised(StepReader& reader, TermId process, std::uint64_t most, const std::function<void()>& poll) {
+Exercised find_exercised(StepReader& reader, TermId process, std::uint64_t most, const std::function<void()>& poll) {
     return Search(reader).run(process, most, poll);
 }
 

@@ -27,7 +27,7 @@ struct Exercised {
 
 /// Explores at most `most` states. `poll` is called for each state and may throw. Throws like
 /// cspm::Session::transitions.
-[[nodiscard]] Exercised exercised(StepReader&, process::TermId process, std::uint64_t most,
-                                  const std::function<void()>& poll);
+[[nodiscard]] Exercised find_exercised(StepReader&, process::TermId process, std::uint64_t most,
+                                       const std::function<void()>& poll);
 
 }  // namespace robochart::runs

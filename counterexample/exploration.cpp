@@ -19,7 +19,7 @@ class Table {
 public:
     explicit Table(std::vector<Item>& items) : items_(items) {}
 
-    std::size_t number(Item item) {
+    std::size_t number_of(Item item) {
         const auto [found, added] = numbers_.try_emplace(std::move(item), items_.size());
         if (added) items_.push_back(found->first);
         return found->second;
@@ -37,11 +37,11 @@ public:
         (void)number_of(initial);
     }
 
-    Exploration explore() {
+    Exploration explore_all() {
         try {
-            while (result_.states.size() < found_.size() && !ends()) {
+            while (result_.states.size() < found_.size() && !limit_reached()) {
                 budget_.poll();
-                result_.states.push_back(state(found_[result_.states.size()]));
+                result_.states.push_back(describe_state(found_[result_.states.size()]));
                 transitions_ += result_.states.back().offers.size();
             }
         } catch (const diagnostics::LimitReached& limit) {
@@ -58,7 +58,7 @@ private:
         return found->second;
     }
 
-    bool ends() {
+    bool limit_reached() {
         if (result_.states.size() >= limits_.states)
             result_.limit = fmt::format("the limit of {} states was reached", limits_.states);
         else if (transitions_ >= limits_.transitions)
@@ -66,16 +66,18 @@ private:
         return !result_.limit.empty();
     }
 
-    Exploration::State state(process::TermId term) {
+    Exploration::State describe_state(process::TermId term) {
         Exploration::State result;
         Stepper stepper(reader_, term);
         try {
-            for (Machine& each : stepper.machines()) result.machines.push_back(machines_.number(std::move(each)));
-            for (const Offer& each : stepper.offers())
+            for (Machine& each : stepper.current_machines())
+                result.machines.push_back(machines_.number_of(std::move(each)));
+            for (const Offer& each : stepper.current_offers())
                 result.offers.push_back(
-                    {labels_.number({each.happening, each.name, each.hidden}), number_of(each.step.target)});
-            for (Absence& each : stepper.absences()) result.absences.push_back(absences_.number(std::move(each)));
-            if (const auto& whole = stepper.structure()) result.structure = part(*whole);
+                    {labels_.number_of({each.happening, each.name, each.hidden}), number_of(each.step.target)});
+            for (Absence& each : stepper.explain_absences())
+                result.absences.push_back(absences_.number_of(std::move(each)));
+            if (const auto& whole = stepper.current_structure()) result.structure = add_part(*whole);
         } catch (const cspm::EvaluationError& error) {
             const Context& context = reader_.context();
             result.error = placed_failure(error, context.system, context.sources);
@@ -86,11 +88,11 @@ private:
     }
 
     /// The recursion ends, because behaviour() limits the depth of a structure.
-    std::size_t part(const process::Behaviour& whole) {
+    std::size_t add_part(const process::Behaviour& whole) {
         Exploration::Part result{part_text(whole), {}, {}};
-        for (const process::Behaviour& each : whole.parts) result.parts.push_back(part(each));
+        for (const process::Behaviour& each : whole.parts) result.parts.push_back(add_part(each));
         if (whole.parts.empty()) result.offers = offers_text(whole, reader_.context().session.event_table());
-        return parts_.number(std::move(result));
+        return parts_.number_of(std::move(result));
     }
 
     void forget_unexplored() {
@@ -116,9 +118,9 @@ private:
 
 }  // namespace
 
-Exploration explore(StepReader& reader, process::TermId initial, const ExplorationLimits& limits,
-                    diagnostics::Budget& budget) {
-    return Explorer(reader, initial, limits, budget).explore();
+Exploration explore_process(StepReader& reader, process::TermId initial, const ExplorationLimits& limits,
+                            diagnostics::Budget& budget) {
+    return Explorer(reader, initial, limits, budget).explore_all();
 }
 
 }  // namespace robochart::runs

@@ -63,6 +63,7 @@ struct ExplorationLimits {
 
 /// The part of a process that can be reached from a state. Polls the budget; if its limit is reached, the result
 /// contains what was explored until then.
-[[nodiscard]] Exploration explore(StepReader&, process::TermId initial, const ExplorationLimits&, diagnostics::Budget&);
+[[nodiscard]] Exploration explore_process(StepReader&, process::TermId initial, const ExplorationLimits&,
+                                          diagnostics::Budget&);
 
 }  // namespace robochart::runs

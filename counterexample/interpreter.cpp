@@ -61,25 +61,25 @@ private:
     }
     [[nodiscard]] const std::string& name(process::Event event) const { return reader_.name(event); }
     void tell_copies_apart(const Timeline& line);
-    [[nodiscard]] Happening happening(const Moment& moment, const std::vector<ComponentStep>& moves);
+    [[nodiscard]] Happening happening_at(const Moment& moment, const std::vector<ComponentStep>& moves);
     [[nodiscard]] Happening said_of_copy(Happening happening, const std::string& whole) const;
-    [[nodiscard]] Event offer(TermId term, const process::Transition& step);
+    [[nodiscard]] Event event_of_offer(TermId term, const process::Transition& step);
     std::vector<ComponentStep> moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before);
     std::vector<Machine> machines_at(const std::vector<std::optional<TermId>>& leaves);
     std::vector<Machine> machines_described(const std::string& state);
-    [[nodiscard]] std::vector<Change> changes(std::size_t steps, const std::vector<Machine>& after) const;
+    [[nodiscard]] std::vector<Change> collect_changes(std::size_t steps, const std::vector<Machine>& after) const;
     std::vector<Event> offers_at(TermId term);
     void add_offers(std::size_t raw, Step& step);
 
     [[nodiscard]] EndKind end_kind() const;
     [[nodiscard]] bool time_passes_in_loop() const;
     [[nodiscard]] std::vector<process::Transition> transitions_at(TermId term) const;
-    [[nodiscard]] std::vector<Event> named(const process::EventSet& set) const;
+    [[nodiscard]] std::vector<Event> events_of_set(const process::EventSet& set) const;
     [[nodiscard]] bool writes_are_urgent() const;
-    [[nodiscard]] std::vector<Cause> causes() const;
+    [[nodiscard]] std::vector<Cause> collect_causes() const;
     [[nodiscard]] std::string accepting_run() const;
-    [[nodiscard]] std::string why() const;
-    [[nodiscard]] std::vector<Event> refused() const;
+    [[nodiscard]] std::string explain_end() const;
+    [[nodiscard]] std::vector<Event> missing_events() const;
     [[nodiscard]] const std::vector<Machine>& last_machines() const;
     std::vector<Event> offered_at_the_end();
 
@@ -105,7 +105,7 @@ std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<Te
     std::vector<Machine> result;
     for (const auto& [copy, own] : calls)
         for (Machine& each : reader_.machines_of(own)) {
-            each.component = copies_.named(each.component, copy);
+            each.component = copies_.name_with_copy(each.component, copy);
             result.push_back(std::move(each));
         }
     return result;
@@ -121,7 +121,7 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
     };
     look(line.initial);
     for (const Moment& moment : line.moments) look(moment.leaves);
-    copies_.number(of_model);
+    copies_.number_leaves(of_model);
     for (const Moment& moment : line.moments) {
         if (!moment.shown) continue;
         const refine::Step& raw = raw_step(moment.raw);
@@ -132,31 +132,31 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
             std::ranges::any_of(moment.movers, [&](const Mover& each) { return copies_.of_leaf(each.leaf) == copy; });
         const bool of_none = std::ranges::none_of(
             moment.movers, [&](const Mover& each) { return copies_.of_leaf(each.leaf).has_value(); });
-        if (!of_it && !of_none) return copies_.forget();
+        if (!of_it && !of_none) return copies_.forget_leaves();
     }
 }
 
 /// The actions in a moment, separately for each copy that takes part; the copy that the event belongs to comes first.
-Happening Interpreter::happening(const Moment& moment, const std::vector<ComponentStep>& moves) {
+Happening Interpreter::happening_at(const Moment& moment, const std::vector<ComponentStep>& moves) {
     const refine::Step& raw = raw_step(moment.raw);
     const std::string& whole = moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau);
     std::map<std::optional<std::uint32_t>, std::vector<ComponentStep>> apart;
     for (std::size_t i = 0; i < moves.size(); ++i) apart[copies_.of_leaf(moment.movers[i].leaf)].push_back(moves[i]);
     apart.erase(std::nullopt);
-    Happening all = reader_.happens(moves, whole);
+    Happening all = reader_.happening_of(moves, whole);
     if (all.event.kind == Kind::tock) return all;
     if (apart.empty()) return said_of_copy(std::move(all), whole);
     const auto actor = copies_.of_event(whole);
     const auto first = actor && apart.contains(actor) ? apart.find(actor) : apart.begin();
-    Happening result = reader_.happens(first->second, whole);
+    Happening result = reader_.happening_of(first->second, whole);
     const auto name_all = [&](Happening& each, std::optional<std::uint32_t> copy) {
-        each.event.component = copies_.named(each.event.component, copy);
-        for (Event& other : each.with) other.component = copies_.named(other.component, copy);
+        each.event.component = copies_.name_with_copy(each.event.component, copy);
+        for (Event& other : each.with) other.component = copies_.name_with_copy(other.component, copy);
     };
     name_all(result, first->first);
     for (const auto& [copy, own] : apart) {
         if (copy == first->first) continue;
-        Happening other = reader_.happens(own, whole);
+        Happening other = reader_.happening_of(own, whole);
         name_all(other, copy);
         result.with.push_back(std::move(other.event));
         result.with.insert(result.with.end(), other.with.begin(), other.with.end());
@@ -166,11 +166,11 @@ Happening Interpreter::happening(const Moment& moment, const std::vector<Compone
 
 /// An event in which no machine of the model takes part.
 Happening Interpreter::said_of_copy(Happening happening, const std::string& whole) const {
-    const auto words = copies_.words(whole);
+    const auto words = copies_.words_for(whole);
     if (!words) return happening;
     happening.event.kind = words->empty() ? Kind::internal : Kind::event;
     if (!words->empty()) happening.event.text = *words;
-    happening.event.component = copies_.named("", copies_.of_event(whole));
+    happening.event.component = copies_.name_with_copy("", copies_.of_event(whole));
     return happening;
 }
 
@@ -188,7 +188,7 @@ const Machine* Interpreter::last_known(const std::string& component, std::size_t
 
 /// Changes since this number of steps. Clocks and countdowns change with time, and temporary values are not variables
 /// of the model, so both are ignored.
-std::vector<Change> Interpreter::changes(std::size_t steps, const std::vector<Machine>& after) const {
+std::vector<Change> Interpreter::collect_changes(std::size_t steps, const std::vector<Machine>& after) const {
     std::vector<Change> result;
     for (const Machine& now : after) {
         const Machine* was = last_known(now.component, steps);
@@ -229,7 +229,7 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     step.units = event.kind == Kind::tock ? 1 : 0;
     step.event = std::move(event);
     step.with = std::move(with);
-    step.changes = changes(run_.steps.size(), machines);
+    step.changes = collect_changes(run_.steps.size(), machines);
     step.machines = std::move(machines);
     if (raw >= counterexample_.steps.size() && !run_.loop_start) run_.loop_start = run_.steps.size();
     run_.steps.push_back(std::move(step));
@@ -252,7 +252,7 @@ void Interpreter::complete_last(bool shown, std::vector<Machine> machines) {
     }
     Step& last = run_.steps.back();
     if (shown) ++last.count;
-    last.changes = changes(run_.steps.size() - 1, machines);
+    last.changes = collect_changes(run_.steps.size() - 1, machines);
     last.machines = std::move(machines);
 }
 
@@ -260,7 +260,7 @@ void Interpreter::complete_last(bool shown, std::vector<Machine> machines) {
 bool Interpreter::read_apart() {
     const auto behaviour = context_.session.behaviour(counterexample_, false);
     if (!behaviour) return false;
-    const Timeline line = timeline(*behaviour, counterexample_.steps.size() + counterexample_.loop.size());
+    const Timeline line = timeline_of(*behaviour, counterexample_.steps.size() + counterexample_.loop.size());
     tell_copies_apart(line);
     run_.initial = machines_at(line.initial);
     const std::vector<std::optional<TermId>>* before = &line.initial;
@@ -268,7 +268,7 @@ bool Interpreter::read_apart() {
         const bool none = counterexample_.steps.empty() && counterexample_.loop.empty();
         if (none) break;
         const std::vector<ComponentStep> moves = moves_of(moment, *before);
-        auto [event, with] = happening(moment, moves);
+        auto [event, with] = happening_at(moment, moves);
         if (!moves.empty() && belongs_to_last(moment.raw, moves.front().name, event))
             complete_last(moment.shown, machines_at(moment.leaves));
         else
@@ -281,7 +281,7 @@ bool Interpreter::read_apart() {
 /// The machines of a state, from its text. If the state has as many definitions as any state of the run, they are in
 /// the order of the copies. Otherwise some copy has no definition, and the definitions cannot be assigned to copies.
 std::vector<Machine> Interpreter::machines_described(const std::string& state) {
-    const std::vector<Call> calls = reader_.meanings().calls(state);
+    const std::vector<Call> calls = reader_.meanings().calls_in(state);
     const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;
     if (copies == 1 || calls.size() != described_ || calls.size() % copies != 0) return reader_.machines_of({calls});
     std::vector<Machine> result;
@@ -289,7 +289,7 @@ std::vector<Machine> Interpreter::machines_described(const std::string& state) {
     for (std::uint32_t copy = 0; copy < copies; ++copy) {
         const auto begin = calls.begin() + copy * each;
         for (Machine& machine : reader_.machines_of({std::vector<Call>(begin, begin + each)})) {
-            machine.component = copies_.named(machine.component, copy);
+            machine.component = copies_.name_with_copy(machine.component, copy);
             result.push_back(std::move(machine));
         }
     }
@@ -299,12 +299,12 @@ std::vector<Machine> Interpreter::machines_described(const std::string& state) {
 void Interpreter::read_whole() {
     for (const std::vector<refine::Step>* steps : {&counterexample_.steps, &counterexample_.loop})
         for (const refine::Step& step : *steps)
-            described_ = std::max(described_, reader_.meanings().calls(step.state).size());
+            described_ = std::max(described_, reader_.meanings().calls_in(step.state).size());
     run_.initial = machines_described(counterexample_.initial);
     for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
         const std::string& name = reader_.name_of(step.event, step.revealed);
-        Event event = said_of_copy({reader_.meanings().event(name), {}}, name).event;
+        Event event = said_of_copy({reader_.meanings().event_of(name), {}}, name).event;
         std::vector<Machine> machines = machines_described(step.state);
         if (belongs_to_last(raw, name, event))
             complete_last(true, std::move(machines));
@@ -345,7 +345,7 @@ void Interpreter::fold_tocks() {
         last->machines = std::move(step.machines);
         last->changes = std::move(step.changes);
         for (Event& offered : step.offered)
-            if (!among(last->offered, offered)) last->offered.push_back(std::move(offered));
+            if (!is_among(last->offered, offered)) last->offered.push_back(std::move(offered));
         last->more_offered = std::max(last->more_offered, step.more_offered);
     }
     for (Step& step : folded)
@@ -367,13 +367,13 @@ std::vector<process::Transition> Interpreter::transitions_at(TermId term) const 
 }
 
 /// The event of a step that was not taken.
-Event Interpreter::offer(TermId term, const process::Transition& step) {
+Event Interpreter::event_of_offer(TermId term, const process::Transition& step) {
     const std::string& whole = reader_.name_of(step.event, step.revealed);
-    Happening result = reader_.happens(term, step);
+    Happening result = reader_.happening_of(term, step);
     const auto copy = copies_.of_event(whole);
     if (!copy) return result.event;
     if (result.event.component.empty()) return said_of_copy(std::move(result), whole).event;
-    result.event.component = copies_.named(result.event.component, copy);
+    result.event.component = copies_.name_with_copy(result.event.component, copy);
     return result.event;
 }
 
@@ -385,12 +385,12 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
         for (const process::Transition& each : transitions_at(term)) {
             if (++looked_at_ > most_looked_at) break;
             if (reader_.meanings().is_memory(reader_.name_of(each.event, each.revealed))) continue;
-            found->second.emplace_back(each, offer(term, each));
+            found->second.emplace_back(each, event_of_offer(term, each));
         }
     const refine::Step& taken = raw_step(raw);
     for (const auto& [transition, event] : found->second) {
         const bool this_one = transition.event == taken.event && transition.revealed == taken.revealed;
-        if (this_one || same(event, step.event) || among(step.offered, event)) continue;
+        if (this_one || same_event(event, step.event) || is_among(step.offered, event)) continue;
         if (step.offered.size() < most_offers)
             step.offered.push_back(event);
         else
@@ -404,21 +404,21 @@ void Interpreter::add_offers() {
         if (step.count > 0) add_offers(step.raw, step);
 }
 
-std::vector<Event> Interpreter::named(const process::EventSet& set) const {
+std::vector<Event> Interpreter::events_of_set(const process::EventSet& set) const {
     std::vector<Event> result;
-    for (const process::Event event : set) result.push_back(reader_.meanings().event(name(event)));
+    for (const process::Event event : set) result.push_back(reader_.meanings().event_of(name(event)));
     return result;
 }
 
 std::vector<Event> Interpreter::offered_at_the_end() {
     // The state after a forbidden event was not explored.
     if (counterexample_.terms.empty() || counterexample_.kind == ViolationKind::trace || run_.loop_start)
-        return named(counterexample_.offered);
+        return events_of_set(counterexample_.offered);
     std::vector<Event> result;
     for (const process::Transition& each : transitions_at(counterexample_.terms.back())) {
         if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
-        Event event = offer(counterexample_.terms.back(), each);
-        if (!among(result, event)) result.push_back(std::move(event));
+        Event event = event_of_offer(counterexample_.terms.back(), each);
+        if (!is_among(result, event)) result.push_back(std::move(event));
     }
     return result;
 }
@@ -479,14 +479,14 @@ EndKind Interpreter::end_kind() const {
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
     return std::ranges::any_of(counterexample_.offered, [&](process::Event offered) {
-        const Event event = reader_.meanings().event(name(offered));
+        const Event event = reader_.meanings().event_of(name(offered));
         return event.kind == Kind::assignment && std::ranges::none_of(machines, [&](const Machine& machine) {
                    return machine.component == event.component;
                });
     });
 }
 
-std::vector<Cause> Interpreter::causes() const {
+std::vector<Cause> Interpreter::collect_causes() const {
     std::vector<Cause> result;
     for (const Machine& machine : last_machines())
         for (const Variable& each : machine.variables)
@@ -502,7 +502,7 @@ std::vector<Cause> Interpreter::causes() const {
     return result;
 }
 
-std::string list(const std::vector<Event>& events) {
+std::string list_events(const std::vector<Event>& events) {
     constexpr std::size_t shown = 12;
     std::vector<std::string> texts;
     for (const Event& event : events) {
@@ -528,22 +528,22 @@ std::string Interpreter::accepting_run() const {
         if (step.event.kind == Kind::tock)
             steps.push_back(fmt::format("{} time unit{}", step.units, step.units == 1 ? "" : "s"));
         else if (is_news(step))
-            steps.push_back(text(step.event, step.with));
+            steps.push_back(text_of(step.event, step.with));
     }
     const std::size_t more = steps.size() > shown ? steps.size() - shown : 0;
     steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(more));
     return fmt::format("; it is accepted in the run {}{}", more > 0 ? "..., " : "", fmt::join(steps, ", "));
 }
 
-std::string Interpreter::why() const {
+std::string Interpreter::explain_end() const {
     const End& end = run_.end;
     switch (end.kind) {
         case EndKind::forbidden:
             if (context_.provenance.copies && !obligation_.reason.empty()) return obligation_.reason;
             if (end.event && end.event->kind == Kind::tock)
-                return fmt::format("the last time unit is not allowed to pass; allowed: {}", list(end.allowed));
+                return fmt::format("the last time unit is not allowed to pass; allowed: {}", list_events(end.allowed));
             return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step",
-                               list(end.allowed));
+                               list_events(end.allowed));
         case EndKind::timelock:
         case EndKind::refusal: {
             std::vector<std::string> reasons;
@@ -557,13 +557,13 @@ std::string Interpreter::why() const {
                     "it comes to rest, offering {}; the specification has no stable state after these events, since "
                     "its "
                     "internal steps never end, and so allows none",
-                    list(end.offered));
+                    list_events(end.offered));
             std::vector<std::string> alternatives;
             for (const auto& each : end.required)
-                alternatives.push_back(each.size() < 2    ? list(each)
-                                       : each.size() == 2 ? fmt::format("both of {}", list(each))
-                                                          : fmt::format("all of {}", list(each)));
-            return fmt::format("it offers {}, and must offer at least {}", list(end.offered),
+                alternatives.push_back(each.size() < 2    ? list_events(each)
+                                       : each.size() == 2 ? fmt::format("both of {}", list_events(each))
+                                                          : fmt::format("all of {}", list_events(each)));
+            return fmt::format("it offers {}, and must offer at least {}", list_events(end.offered),
                                fmt::join(alternatives, ", or "));
         }
         case EndKind::divergence:
@@ -592,13 +592,13 @@ std::string Interpreter::why() const {
 }
 
 /// Events that are required in some alternative but not offered.
-std::vector<Event> Interpreter::refused() const {
+std::vector<Event> Interpreter::missing_events() const {
     std::vector<Event> result;
     for (const process::EventSet& set : counterexample_.required)
         for (const process::Event event : set) {
             if (std::ranges::find(counterexample_.offered, event) != counterexample_.offered.end()) continue;
-            Event missing = reader_.meanings().event(name(event));
-            if (!among(result, missing)) result.push_back(std::move(missing));
+            Event missing = reader_.meanings().event_of(name(event));
+            if (!is_among(result, missing)) result.push_back(std::move(missing));
         }
     return result;
 }
@@ -612,15 +612,15 @@ void Interpreter::read_end() {
         std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& each) { return each.count > 0; });
     if (counterexample_.kind == ViolationKind::trace && last != run_.steps.rend()) end.event = last->event;
     if (counterexample_.kind == ViolationKind::nondeterminism && counterexample_.event)
-        end.event = reader_.meanings().event(name(*counterexample_.event));
+        end.event = reader_.meanings().event_of(name(*counterexample_.event));
     if (counterexample_.kind == ViolationKind::trace && !counterexample_.required.empty())
-        end.allowed = named(counterexample_.required.front());
+        end.allowed = events_of_set(counterexample_.required.front());
     if (counterexample_.kind == ViolationKind::refusal) {
-        for (const process::EventSet& set : counterexample_.required) end.required.push_back(named(set));
-        end.refused = refused();
+        for (const process::EventSet& set : counterexample_.required) end.required.push_back(events_of_set(set));
+        end.refused = missing_events();
     }
-    if (end.kind == EndKind::timelock) end.causes = causes();
-    end.why = why();
+    if (end.kind == EndKind::timelock) end.causes = collect_causes();
+    end.why = explain_end();
 }
 
 void Interpreter::read_raw() {
@@ -653,7 +653,7 @@ void Interpreter::name_watched() {
     const std::string& title = obligation_.component;  // "state machine P::S"
     const std::string watched = obligation_.property == ir::no_id
                                     ? title.substr(title.rfind(' ') + 1)
-                                    : ir::qualified(context_.system.properties[obligation_.property].subject);
+                                    : ir::qualified_name(context_.system.properties[obligation_.property].subject);
     const auto rename = [&](std::string& component) {
         if (component == copy || component.starts_with(copy + "::")) component.replace(0, copy.size(), watched);
     };
@@ -672,8 +672,8 @@ void Interpreter::name_watched() {
 
 }  // namespace
 
-Run interpret(const Context& context, const csp_emit::Obligation& obligation,
-              const refine::Counterexample& counterexample) {
+Run interpret_counterexample(const Context& context, const csp_emit::Obligation& obligation,
+                             const refine::Counterexample& counterexample) {
     return Interpreter(context, obligation, counterexample).run();
 }
 

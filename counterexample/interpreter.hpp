@@ -4,13 +4,13 @@
 // component (in a check, a composition or a CSP block) do not affect the meaning.
 #pragma once
 
-#include "csp_emit/emit.hpp"
 #include "counterexample/run.hpp"
 #include "counterexample/step_reader.hpp"
+#include "csp_emit/emit.hpp"
 
 namespace robochart::runs {
 
 /// The run of a counterexample to one of the obligation's assertions, with the violation at its end.
-[[nodiscard]] Run interpret(const Context&, const csp_emit::Obligation&, const refine::Counterexample&);
+[[nodiscard]] Run interpret_counterexample(const Context&, const csp_emit::Obligation&, const refine::Counterexample&);
 
 }  // namespace robochart::runs

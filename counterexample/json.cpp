@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* word(Kind kind) {
+const char* json_word(Kind kind) {
     switch (kind) {
         case Kind::transition:
             return "transition";
@@ -41,7 +41,7 @@ const char* word(Kind kind) {
     return "";
 }
 
-const char* word(VariableKind kind) {
+const char* json_word(VariableKind kind) {
     switch (kind) {
         case VariableKind::variable:
             return "variable";
@@ -57,7 +57,7 @@ const char* word(VariableKind kind) {
     return "";
 }
 
-const char* word(EndKind kind) {
+const char* json_word(EndKind kind) {
     switch (kind) {
         case EndKind::forbidden:
             return "forbidden";
@@ -103,52 +103,52 @@ void add_text(Json& json, const char* key, const std::string& text) {
 }
 
 template <class Item, class Write>
-Json array(const std::vector<Item>& items, const Write& write) {
+Json json_array(const std::vector<Item>& items, const Write& write) {
     Json list = Json::array();
     for (const Item& item : items) list.push_back(write(item));
     return list;
 }
 
-Json value(const Value& value) {
+Json value_json(const Value& value) {
     Json json{{"value", value.text}};
     add_text(json, "type", value.type);
     return json;
 }
 
 void add_event(Json& json, const Event& event) {
-    json["kind"] = word(event.kind);
+    json["kind"] = json_word(event.kind);
     json["text"] = event.text;
     add_text(json, "component", event.component);
     add_text(json, "element", event.element);
     add_text(json, "via", event.via);
     add_place(json, event.place);
-    if (!event.values.empty()) json["values"] = array(event.values, value);
+    if (!event.values.empty()) json["values"] = json_array(event.values, value_json);
 }
 
-Json event(const Event& event) {
+Json event_json(const Event& event) {
     Json json;
     add_event(json, event);
     return json;
 }
 
-Json events(const std::vector<Event>& list) {
-    return array(list, event);
+Json events_json(const std::vector<Event>& list) {
+    return json_array(list, event_json);
 }
 
-Json variable(const Variable& variable) {
-    Json json{{"name", variable.name}, {"kind", word(variable.kind)}};
+Json variable_json(const Variable& variable) {
+    Json json{{"name", variable.name}, {"kind", json_word(variable.kind)}};
     add_text(json, "type", variable.type);
     json["value"] = variable.value ? Json(*variable.value) : Json(nullptr);
     add_text(json, "deadline", variable.deadline);
     return json;
 }
 
-Json machine(const Machine& machine) {
+Json machine_json(const Machine& machine) {
     Json json{{"component", machine.component},
               {"machine", machine.machine},
               {"text", machine.text},
               {"active", machine.active}};
-    json["variables"] = array(machine.variables, variable);
+    json["variables"] = json_array(machine.variables, variable_json);
     add_place(json, machine.place);
     return json;
 }
@@ -160,7 +160,7 @@ Json change(const Change& change) {
     return json;
 }
 
-Json step(const Step& step, std::size_t number) {
+Json step_json(const Step& step, std::size_t number) {
     Json json{{"n", number}};
     if (step.time) json["time"] = *step.time;
     if (step.units > 0) json["units"] = step.units;
@@ -168,15 +168,15 @@ Json step(const Step& step, std::size_t number) {
     json["hidden"] = step.hidden;
     json["raw"] = step.raw;
     json["rawCount"] = step.count;
-    if (!step.with.empty()) json["with"] = events(step.with);
-    json["changes"] = array(step.changes, change);
-    json["machines"] = array(step.machines, machine);
-    json["offered"] = events(step.offered);
+    if (!step.with.empty()) json["with"] = events_json(step.with);
+    json["changes"] = json_array(step.changes, change);
+    json["machines"] = json_array(step.machines, machine_json);
+    json["offered"] = events_json(step.offered);
     if (step.more_offered > 0) json["moreOffered"] = step.more_offered;
     return json;
 }
 
-Json cause(const Cause& cause) {
+Json cause_json(const Cause& cause) {
     Json json{{"text", cause.text}};
     add_text(json, "component", cause.component);
     add_place(json, cause.place);
@@ -184,24 +184,24 @@ Json cause(const Cause& cause) {
 }
 
 Json end(const End& end) {
-    Json json{{"kind", word(end.kind)}, {"why", end.why}};
-    if (end.event) json["event"] = event(*end.event);
-    json["offered"] = events(end.offered);
-    if (end.kind == EndKind::forbidden || !end.allowed.empty()) json["allowed"] = events(end.allowed);
-    if (!end.required.empty()) json["required"] = array(end.required, events);
-    if (!end.refused.empty()) json["refused"] = events(end.refused);
-    if (!end.causes.empty()) json["causes"] = array(end.causes, cause);
+    Json json{{"kind", json_word(end.kind)}, {"why", end.why}};
+    if (end.event) json["event"] = event_json(*end.event);
+    json["offered"] = events_json(end.offered);
+    if (end.kind == EndKind::forbidden || !end.allowed.empty()) json["allowed"] = events_json(end.allowed);
+    if (!end.required.empty()) json["required"] = json_array(end.required, events_json);
+    if (!end.refused.empty()) json["refused"] = events_json(end.refused);
+    if (!end.causes.empty()) json["causes"] = json_array(end.causes, cause_json);
     return json;
 }
 
 }  // namespace
 
-Json json(const Run& run) {
+Json run_json(const Run& run) {
     Json json{{"schema", "robochart-verify/run/1"}, {"timed", run.timed}};
     if (run.timed) json["time"] = run.time;
-    json["initial"] = array(run.initial, machine);
+    json["initial"] = json_array(run.initial, machine_json);
     json["steps"] = Json::array();
-    for (std::size_t i = 0; i < run.steps.size(); ++i) json["steps"].push_back(step(run.steps[i], i + 1));
+    for (std::size_t i = 0; i < run.steps.size(); ++i) json["steps"].push_back(step_json(run.steps[i], i + 1));
     json["loopStart"] = run.loop_start ? Json(*run.loop_start + 1) : Json(nullptr);
     json["end"] = end(run.end);
     return json;

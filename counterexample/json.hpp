@@ -8,6 +8,6 @@
 
 namespace robochart::runs {
 
-[[nodiscard]] nlohmann::ordered_json json(const Run&);
+[[nodiscard]] nlohmann::ordered_json run_json(const Run&);
 
 }  // namespace robochart::runs

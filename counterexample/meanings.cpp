@@ -81,12 +81,12 @@ std::string with_values(const EventMeaning& event, const std::vector<Value>& val
 }
 
 /// True if the parameter is no longer read, so that the evaluator stores no value for it.
-bool unread(const std::string& value) {
+bool is_unread(const std::string& value) {
     return value == "_" || value == "'_'";
 }
 
 /// The text, states and values that all alternatives have in common.
-Call common(const std::vector<Call>& alternatives) {
+Call common_meaning(const std::vector<Call>& alternatives) {
     Call result = alternatives.front();
     if (alternatives.size() == 1) return result;
     auto merged = std::make_shared<DefinitionMeaning>(*result.definition);
@@ -146,7 +146,7 @@ bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
 
 }  // namespace
 
-const EventMeaning* Meanings::meaning(const std::string& name, std::string& arguments) const {
+const EventMeaning* Meanings::meaning_of(const std::string& name, std::string& arguments) const {
     std::string prefix = name;
     while (true) {
         if (const auto found = provenance_.events.find(prefix); found != provenance_.events.end()) {
@@ -159,21 +159,21 @@ const EventMeaning* Meanings::meaning(const std::string& name, std::string& argu
     }
 }
 
-bool Meanings::knows(const std::string& name) const {
+bool Meanings::knows_event(const std::string& name) const {
     std::string arguments;
-    return meaning(name, arguments) != nullptr;
+    return meaning_of(name, arguments) != nullptr;
 }
 
 bool Meanings::is_memory(const std::string& name) const {
     std::string arguments;
-    const EventMeaning* found = meaning(name, arguments);
+    const EventMeaning* found = meaning_of(name, arguments);
     return found != nullptr && found->kind == MeaningKind::memory;
 }
 
-Event Meanings::event(const std::string& name) const {
+Event Meanings::event_of(const std::string& name) const {
     Event result;
     std::string arguments;
-    const EventMeaning* found = meaning(name, arguments);
+    const EventMeaning* found = meaning_of(name, arguments);
     if (found == nullptr) {
         result.kind = name == "✓" ? Kind::terminate : name == "τ" ? Kind::internal : Kind::event;
         result.text = name == "✓" ? "termination" : name == "τ" ? "an internal step" : name;
@@ -182,9 +182,9 @@ Event Meanings::event(const std::string& name) const {
     result.kind = kind_of(found->kind);
     result.component = found->component;
     result.element = found->origin.element;
-    result.place = place(found->origin.span);
+    result.place = place_of(found->origin.span);
     if (found->kind == MeaningKind::refusal) {
-        const Event refused = event(arguments);
+        const Event refused = event_of(arguments);
         result.text = found->text + " " + (refused.kind == Kind::tock ? "the passing of time" : refused.text);
         result.component = refused.component;
         result.element = refused.element;
@@ -197,7 +197,8 @@ Event Meanings::event(const std::string& name) const {
     return result;
 }
 
-Meanings::Offers Meanings::possible(const std::string& name, const Call& before, const std::vector<Call>& after) {
+Meanings::Offers Meanings::possible_offers(const std::string& name, const Call& before,
+                                           const std::vector<Call>& after) {
     const std::string owner = before.definition->component + "::";
     if (!name.starts_with(owner)) return {};
     const std::string relative = name.substr(owner.size());
@@ -209,51 +210,53 @@ Meanings::Offers Meanings::possible(const std::string& name, const Call& before,
     return offers;
 }
 
-Event Meanings::event(const std::string& name, const Call& before, const std::vector<Call>& after) const {
-    Event result = event(name);
-    const Offers offers = possible(name, before, after);
+Event Meanings::event_of(const std::string& name, const Call& before, const std::vector<Call>& after) const {
+    Event result = event_of(name);
+    const Offers offers = possible_offers(name, before, after);
     if (offers.size() != 1) return result;
     result.via = offers.front()->text;
     result.element = offers.front()->origin.element;
-    if (const auto at = place(offers.front()->origin.span)) result.place = at;
+    if (const auto at = place_of(offers.front()->origin.span)) result.place = at;
     return result;
 }
 
-std::vector<std::string> Meanings::elements(const std::string& name, const Call& before,
-                                            const std::vector<Call>& after) const {
+std::vector<std::string> Meanings::elements_of(const std::string& name, const Call& before,
+                                               const std::vector<Call>& after) const {
     std::vector<std::string> result;
-    for (const csp_emit::OfferMeaning* offer : possible(name, before, after)) result.push_back(offer->origin.element);
-    if (const Event whole = event(name); result.empty() && !whole.element.empty()) result.push_back(whole.element);
+    for (const csp_emit::OfferMeaning* offer : possible_offers(name, before, after))
+        result.push_back(offer->origin.element);
+    if (const Event whole = event_of(name); result.empty() && !whole.element.empty()) result.push_back(whole.element);
     return result;
 }
 
-std::optional<Call> Meanings::call(std::string_view text) const {
+std::optional<Call> Meanings::call_of(std::string_view text) const {
     const auto bracket = text.find('(');
     const auto found = provenance_.definitions.find(std::string(text.substr(0, bracket)));
     if (found == provenance_.definitions.end()) return std::nullopt;
     // A pointer without ownership: the provenance outlives the result.
     Call known{{std::shared_ptr<void>(), &found->second}, {}};
     if (bracket != std::string_view::npos && text.back() == ')')
-        for (const std::string& argument : split(text.substr(bracket + 1, text.size() - bracket - 2), ","))
-            known.arguments.emplace_back(trim(argument));
+        for (const std::string& argument :
+             split_outside_brackets(text.substr(bracket + 1, text.size() - bracket - 2), ","))
+            known.arguments.emplace_back(trim_blanks(argument));
     return known;
 }
 
-std::vector<Call> Meanings::calls(const std::string& description) const {
+std::vector<Call> Meanings::calls_in(const std::string& description) const {
     std::vector<Call> result;
-    for (const std::string& part : split(description, "‖")) {
-        std::string_view text = trim(part);
+    for (const std::string& part : split_outside_brackets(description, "‖")) {
+        std::string_view text = trim_blanks(part);
         const bool grouped = text.size() > 1 && text.front() == '(' && text.back() == ')';
         if (grouped) text = text.substr(1, text.size() - 2);
         std::vector<Call> alternatives;
-        for (const std::string& each : split(text, "⊓"))
-            if (auto known = call(trim(each))) alternatives.push_back(std::move(*known));
-        if (!alternatives.empty()) result.push_back(common(alternatives));
+        for (const std::string& each : split_outside_brackets(text, "⊓"))
+            if (auto known = call_of(trim_blanks(each))) alternatives.push_back(std::move(*known));
+        if (!alternatives.empty()) result.push_back(common_meaning(alternatives));
     }
     return result;
 }
 
-std::vector<Variable> Meanings::variables(const Call& call) const {
+std::vector<Variable> Meanings::variables_of(const Call& call) const {
     const DefinitionMeaning& definition = *call.definition;
     std::vector<Variable> result;
     for (std::size_t i = 0; i < call.arguments.size() && i < definition.parameters.size(); ++i) {
@@ -262,31 +265,32 @@ std::vector<Variable> Meanings::variables(const Call& call) const {
         variable.name = definition.parameters[i];
         if (i < definition.kinds.size()) variable.kind = kind_of(definition.kinds[i]);
         const ir::TypeId type = i < definition.types.size() ? definition.types[i] : ir::TypeId{};
-        if (type.valid()) variable.type = system_.type(type).name;
-        if (!unread(call.arguments[i])) variable.value = value_text(system_, instantiation_, type, call.arguments[i]);
-        if (i < definition.deadlines.size() && definition.deadlines[i].span.known()) {
+        if (type.is_valid()) variable.type = system_.type(type).name;
+        if (!is_unread(call.arguments[i]))
+            variable.value = value_text(system_, instantiation_, type, call.arguments[i]);
+        if (i < definition.deadlines.size() && definition.deadlines[i].span.is_known()) {
             variable.deadline = definition.deadlines[i].element;
-            variable.place = place(definition.deadlines[i].span);
+            variable.place = place_of(definition.deadlines[i].span);
         }
         result.push_back(std::move(variable));
     }
     return result;
 }
 
-Machine Meanings::machine(const Call& call) const {
+Machine Meanings::machine_of(const Call& call) const {
     const DefinitionMeaning& definition = *call.definition;
     Machine result;
     result.component = definition.component;
     result.machine = definition.machine;
     result.text = definition.text;
     for (const ir::Origin& state : definition.active) result.active.push_back(state.element);
-    result.variables = variables(call);
-    result.place = place(definition.origin.span);
+    result.variables = variables_of(call);
+    result.place = place_of(definition.origin.span);
     return result;
 }
 
-std::optional<Place> Meanings::place(diagnostics::Span span) const {
-    if (!span.known()) return std::nullopt;
+std::optional<Place> Meanings::place_of(diagnostics::Span span) const {
+    if (!span.is_known()) return std::nullopt;
     const auto begin = sources_.position(span.source, span.begin);
     const auto end = sources_.position(span.source, span.end);
     return Place{sources_.path(span.source), begin.line, begin.column, end.line, end.column};

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "csp_emit/emit.hpp"
 #include "base/diagnostics/source.hpp"
 #include "counterexample/run.hpp"
+#include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -29,30 +29,31 @@ public:
         : provenance_(provenance), system_(system), instantiation_(instantiation), sources_(sources) {}
 
     /// True if the provenance contains the event.
-    [[nodiscard]] bool knows(const std::string& name) const;
+    [[nodiscard]] bool knows_event(const std::string& name) const;
     /// True if the event is between a machine and the process that stores one of its variables.
     [[nodiscard]] bool is_memory(const std::string& name) const;
     /// The event with this full name. An unknown event keeps its name and has Kind::event.
-    [[nodiscard]] Event event(const std::string& name) const;
+    [[nodiscard]] Event event_of(const std::string& name) const;
     /// The event as performed in the definition `before`. The transition or statement that causes it is added if only
     /// one is possible.
-    [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
+    [[nodiscard]] Event event_of(const std::string& name, const Call& before, const std::vector<Call>& after) const;
     /// The transitions and statements that may cause the event; several if the definitions do not determine the cause.
-    [[nodiscard]] std::vector<std::string> elements(const std::string& name, const Call& before,
-                                                    const std::vector<Call>& after) const;
+    [[nodiscard]] std::vector<std::string> elements_of(const std::string& name, const Call& before,
+                                                       const std::vector<Call>& after) const;
     /// The known definitions in the description of a process.
-    [[nodiscard]] std::vector<Call> calls(const std::string& description) const;
+    [[nodiscard]] std::vector<Call> calls_in(const std::string& description) const;
     /// The machine of this definition.
-    [[nodiscard]] Machine machine(const Call&) const;
-    [[nodiscard]] std::vector<Variable> variables(const Call&) const;
-    [[nodiscard]] std::optional<Place> place(diagnostics::Span) const;
+    [[nodiscard]] Machine machine_of(const Call&) const;
+    [[nodiscard]] std::vector<Variable> variables_of(const Call&) const;
+    [[nodiscard]] std::optional<Place> place_of(diagnostics::Span) const;
 
 private:
-    [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
-    [[nodiscard]] std::optional<Call> call(std::string_view text) const;
+    [[nodiscard]] const csp_emit::EventMeaning* meaning_of(const std::string& name, std::string& arguments) const;
+    [[nodiscard]] std::optional<Call> call_of(std::string_view text) const;
     using Offers = std::vector<const csp_emit::OfferMeaning*>;
     /// The transitions and statements that may cause the event.
-    [[nodiscard]] static Offers possible(const std::string& name, const Call& before, const std::vector<Call>& after);
+    [[nodiscard]] static Offers possible_offers(const std::string& name, const Call& before,
+                                                const std::vector<Call>& after);
 
     const csp_emit::Provenance& provenance_;
     const ir::System& system_;

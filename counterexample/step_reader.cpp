@@ -29,13 +29,13 @@ std::string element_in(const std::string& component, const std::string& element)
     return component + " " + element;
 }
 
-bool same(const Event& one, const Event& other) {
+bool same_event(const Event& one, const Event& other) {
     return one.kind == other.kind && one.component == other.component && one.text == other.text &&
            one.element == other.element;
 }
 
-bool among(const std::vector<Event>& events, const Event& event) {
-    return std::ranges::any_of(events, [&](const Event& each) { return same(each, event); });
+bool is_among(const std::vector<Event>& events, const Event& event) {
+    return std::ranges::any_of(events, [&](const Event& each) { return same_event(each, event); });
 }
 
 const std::vector<Call>& StepReader::calls_of(TermId term) {
@@ -43,8 +43,8 @@ const std::vector<Call>& StepReader::calls_of(TermId term) {
     if (!added) return found->second;
     process::TermStore& terms = context_.session.terms();
     for (std::size_t i = 0; i < most_unfoldings; ++i) {
-        found->second = meanings_.calls(process::describe(terms, term));
-        const TermId next = found->second.empty() ? terms.unfolded(term, 1) : term;
+        found->second = meanings_.calls_in(process::describe(terms, term));
+        const TermId next = found->second.empty() ? terms.unfold_calls(term, 1) : term;
         if (next == term) break;
         term = next;
     }
@@ -58,19 +58,19 @@ std::vector<Machine> StepReader::machines_of(const std::vector<std::vector<Call>
     for (const std::vector<Call>& component : components)
         for (const Call& call : component) {
             (call.definition->memory ? memories : owners).push_back(&call);
-            if (!call.definition->memory) result.push_back(meanings_.machine(call));
+            if (!call.definition->memory) result.push_back(meanings_.machine_of(call));
         }
     for (const Call* memory : memories)
         for (std::size_t i = 0; i < owners.size(); ++i)
             if (owners[i]->definition->component == memory->definition->component) {
-                for (Variable& variable : meanings_.variables(*memory))
+                for (Variable& variable : meanings_.variables_of(*memory))
                     add_remembered(*owners[i]->definition, std::move(variable), result[i]);
                 break;
             }
     return result;
 }
 
-Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std::string& whole) const {
+Happening StepReader::happening_of(const std::vector<ComponentStep>& steps, const std::string& whole) const {
     struct Candidate {
         Event event;
         bool known, machine;
@@ -78,10 +78,10 @@ Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std
     std::vector<Candidate> candidates;
     for (const ComponentStep& move : steps) {
         const bool machine = !move.before.empty() && !move.before.front().definition->memory;
-        const bool known = meanings_.knows(move.name);
+        const bool known = meanings_.knows_event(move.name);
         candidates.push_back(
-            {machine ? meanings_.event(move.name, move.before.front(), move.after) : meanings_.event(move.name), known,
-             machine});
+            {machine ? meanings_.event_of(move.name, move.before.front(), move.after) : meanings_.event_of(move.name),
+             known, machine});
     }
     const auto rank = [](const Candidate& each) {
         const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
@@ -92,27 +92,27 @@ Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std
     const auto tock =
         std::ranges::find_if(candidates, [](const Candidate& each) { return each.event.kind == Kind::tock; });
     if (tock != candidates.end()) return {tock->event, {}};
-    if (candidates.empty() || (!candidates.front().known && meanings_.knows(whole)))
-        return {meanings_.event(whole), {}};
+    if (candidates.empty() || (!candidates.front().known && meanings_.knows_event(whole)))
+        return {meanings_.event_of(whole), {}};
     std::vector<Event> with;
     for (std::size_t i = 1; i < candidates.size(); ++i) {
         const Candidate& each = candidates[i];
         const bool other = each.known && each.machine && each.event.component != candidates.front().event.component;
-        if (other && !among(with, each.event)) with.push_back(each.event);
+        if (other && !is_among(with, each.event)) with.push_back(each.event);
     }
     return {candidates.front().event, with};
 }
 
 ComponentStep StepReader::component_step(const process::Move& move) {
     return {name_of(move.step.event, move.step.revealed), calls_of(move.part),
-            meanings_.calls(process::describe(context_.session.terms(), move.step.target))};
+            meanings_.calls_in(process::describe(context_.session.terms(), move.step.target))};
 }
 
-std::set<std::string> StepReader::elements(const ComponentStep& step) const {
+std::set<std::string> StepReader::elements_of(const ComponentStep& step) const {
     std::set<std::string> result;
     for (const Call& before : step.before) {
         if (before.definition->memory) continue;
-        for (const std::string& each : meanings_.elements(step.name, before, step.after))
+        for (const std::string& each : meanings_.elements_of(step.name, before, step.after))
             result.insert(element_in(before.definition->component, each));
     }
     return result;
@@ -120,12 +120,13 @@ std::set<std::string> StepReader::elements(const ComponentStep& step) const {
 
 std::vector<ComponentStep> StepReader::taken_apart(TermId whole, const process::Transition& step) {
     std::vector<ComponentStep> steps;
-    for (const process::Move& each : context_.session.moves(whole, step)) steps.push_back(component_step(each));
+    for (const process::Move& each : context_.session.split_transition(whole, step))
+        steps.push_back(component_step(each));
     return steps;
 }
 
-Happening StepReader::happens(TermId whole, const process::Transition& step) {
-    return happens(taken_apart(whole, step), name_of(step.event, step.revealed));
+Happening StepReader::happening_of(TermId whole, const process::Transition& step) {
+    return happening_of(taken_apart(whole, step), name_of(step.event, step.revealed));
 }
 
 }  // namespace robochart::runs

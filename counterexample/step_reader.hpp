@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "checker/cspm/session.hpp"
-#include "csp_emit/emit.hpp"
 #include "base/diagnostics/source.hpp"
+#include "checker/cspm/session.hpp"
 #include "counterexample/meanings.hpp"
 #include "counterexample/run.hpp"
+#include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -50,8 +50,8 @@ struct Happening {
 };
 
 /// True if both events are the same in terms of the model.
-[[nodiscard]] bool same(const Event& one, const Event& other);
-[[nodiscard]] bool among(const std::vector<Event>& events, const Event& event);
+[[nodiscard]] bool same_event(const Event& one, const Event& other);
+[[nodiscard]] bool is_among(const std::vector<Event>& events, const Event& event);
 
 class StepReader {
 public:
@@ -79,15 +79,15 @@ public:
     /// The step of one component.
     [[nodiscard]] ComponentStep component_step(const process::Move& move);
     /// The candidates (see element_in) for the cause of the step; more than one if the step does not determine it.
-    [[nodiscard]] std::set<std::string> elements(const ComponentStep& step) const;
+    [[nodiscard]] std::set<std::string> elements_of(const ComponentStep& step) const;
     /// The step of each component in a step of a process.
     [[nodiscard]] std::vector<ComponentStep> taken_apart(process::TermId whole, const process::Transition& step);
     /// Selects the component for which a step is reported if several components move together. Machines have precedence
     /// over connections, and the acting component over the others. `whole`: the name of the event for the whole
     /// process.
-    [[nodiscard]] Happening happens(const std::vector<ComponentStep>& steps, const std::string& whole) const;
+    [[nodiscard]] Happening happening_of(const std::vector<ComponentStep>& steps, const std::string& whole) const;
     /// Describes a step of a whole process in the same way.
-    [[nodiscard]] Happening happens(process::TermId whole, const process::Transition& step);
+    [[nodiscard]] Happening happening_of(process::TermId whole, const process::Transition& step);
 
 private:
     const Context& context_;

@@ -14,27 +14,27 @@
 
 namespace robochart::runs {
 
-std::int64_t Stepper::time() const {
+std::int64_t Stepper::elapsed_time() const {
     return std::ranges::count_if(way_, [](const Taken& each) { return each.offer.happening.event.kind == Kind::tock; });
 }
 
 std::vector<Offer> Stepper::offers_at(process::TermId state) const {
     std::vector<Offer> found;
     for (const process::Transition& step : reader_.context().session.transitions(state))
-        found.push_back({step, reader_.happens(state, step), reader_.name_of(step.event, step.revealed),
+        found.push_back({step, reader_.happening_of(state, step), reader_.name_of(step.event, step.revealed),
                          step.event == process::tau});
     std::stable_partition(found.begin(), found.end(),
                           [](const Offer& each) { return each.happening.event.kind != Kind::tock; });
     return found;
 }
 
-const std::vector<Offer>& Stepper::offers() {
+const std::vector<Offer>& Stepper::current_offers() {
     if (!offers_) offers_ = offers_at(here_);
     return *offers_;
 }
 
-void Stepper::take(std::size_t offer) {
-    way_.push_back({here_, offers().at(offer)});
+void Stepper::take_offer(std::size_t offer) {
+    way_.push_back({here_, current_offers().at(offer)});
     move_to(way_.back().offer.step.target);
 }
 
@@ -50,19 +50,19 @@ void Stepper::move_to(process::TermId state) {
     structure_.reset();
 }
 
-std::size_t Stepper::settle(std::size_t most) {
+std::size_t Stepper::take_forced_steps(std::size_t most) {
     std::set<process::TermId> met{here_};
     std::size_t taken = 0;
-    while (taken < most && offers().size() == 1 && offers().front().hidden) {
-        take(0);
+    while (taken < most && current_offers().size() == 1 && current_offers().front().hidden) {
+        take_offer(0);
         ++taken;
         if (!met.insert(here_).second) break;
     }
     return taken;
 }
 
-std::vector<Machine> Stepper::machines() {
-    const std::vector<Standing> standing = components();
+std::vector<Machine> Stepper::current_machines() {
+    const std::vector<Standing> standing = current_components();
     return standing.empty() ? reader_.machines_at(here_) : machines_of(standing);
 }
 
@@ -73,11 +73,11 @@ std::vector<Machine> Stepper::machines_of(const std::vector<Standing>& standing)
     return reader_.machines_of(calls);
 }
 
-std::vector<Standing> Stepper::components() {
+std::vector<Standing> Stepper::current_components() {
     std::vector<Standing> result;
-    const std::optional<process::Behaviour>& whole = structure();
+    const std::optional<process::Behaviour>& whole = current_structure();
     if (!whole) return result;
-    for (const auto& leaf : timeline(*whole, 0).initial) {
+    for (const auto& leaf : timeline_of(*whole, 0).initial) {
         if (!leaf) continue;
         Standing one{*leaf, reader_.calls_of(*leaf), {}};
         std::vector<Machine> machines = reader_.machines_of({one.calls});
@@ -93,8 +93,9 @@ std::vector<Standing> Stepper::components() {
 
 std::set<std::string> Stepper::offered_elements() {
     std::set<std::string> result;
-    for (const Offer& offer : offers())
-        for (const ComponentStep& step : reader_.taken_apart(here_, offer.step)) result.merge(reader_.elements(step));
+    for (const Offer& offer : current_offers())
+        for (const ComponentStep& step : reader_.taken_apart(here_, offer.step))
+            result.merge(reader_.elements_of(step));
     return result;
 }
 
@@ -103,18 +104,19 @@ std::set<std::string> Stepper::ready_elements(const Standing& standing) {
     std::set<std::string> result;
     process::TermStore& terms = reader_.context().session.terms();
     for (const process::Transition& step : reader_.context().session.transitions(standing.term))
-        result.merge(reader_.elements({reader_.name_of(step.event, step.revealed), standing.calls,
-                                       reader_.meanings().calls(process::describe(terms, step.target))}));
+        result.merge(reader_.elements_of({reader_.name_of(step.event, step.revealed), standing.calls,
+                                          reader_.meanings().calls_in(process::describe(terms, step.target))}));
     return result;
 }
 
-std::string Stepper::reason(const ir::Transition& transition, const Standing& standing, bool ready) const {
+std::string Stepper::absence_reason(const ir::Transition& transition, const Standing& standing, bool ready) const {
     if (ready) return "the machine is ready for it, but its surroundings do not take part or something comes first";
     if (!standing.machine.text.starts_with("in ")) return "the machine is not at rest: " + standing.machine.text;
     if (!transition.guard) return "something else comes first";
     const diagnostics::Span span = transition.guard->span;
     std::string text;
-    if (span.known()) text = reader_.context().sources.text(span.source).substr(span.begin, span.end - span.begin);
+    if (span.is_known())
+        text = reader_.context().sources.source_text(span.source).substr(span.begin, span.end - span.begin);
     std::vector<std::string> values;
     for (const Variable& each : standing.machine.variables)
         if (each.value && each.kind != VariableKind::countdown && text.find(each.name) != std::string::npos)
@@ -125,20 +127,20 @@ std::string Stepper::reason(const ir::Transition& transition, const Standing& st
 
 /// The events that the components of a process offer and the process itself does not; for a process that is not a
 /// component of a model.
-std::vector<Absence> Stepper::blocked() {
+std::vector<Absence> Stepper::blocked_by_process() {
     std::vector<Absence> result;
-    const std::optional<process::Behaviour>& whole = structure();
+    const std::optional<process::Behaviour>& whole = current_structure();
     if (!whole) return result;
     for (const Blocked& each : blocked_events(*whole, most_blocked))
         result.push_back({each.component, reader_.name_of(each.event, process::no_event), each.reason, std::nullopt});
     return result;
 }
 
-std::vector<Absence> Stepper::absences() {
+std::vector<Absence> Stepper::explain_absences() {
     std::vector<Absence> result;
-    if (reader_.context().system.machines.empty()) return blocked();
+    if (reader_.context().system.machines.empty()) return blocked_by_process();
     const std::set<std::string> offered = offered_elements();
-    for (const Standing& standing : components()) {
+    for (const Standing& standing : current_components()) {
         const std::vector<std::string>& active = standing.machine.active;
         std::optional<std::set<std::string>> ready;
         for (const ir::Machine& machine : reader_.context().system.machines) {
@@ -149,15 +151,15 @@ std::vector<Absence> Stepper::absences() {
                 if (offered.contains(element)) continue;
                 if (!ready) ready = ready_elements(standing);
                 result.push_back({standing.machine.component, ir::text_of(machine, each),
-                                  reason(each, standing, ready->contains(element)),
-                                  reader_.meanings().place(each.origin.span)});
+                                  absence_reason(each, standing, ready->contains(element)),
+                                  reader_.meanings().place_of(each.origin.span)});
             }
         }
     }
     return result;
 }
 
-const std::optional<process::Behaviour>& Stepper::structure() {
+const std::optional<process::Behaviour>& Stepper::current_structure() {
     if (!structure_) {
         refine::Counterexample nothing;
         nothing.terms = {here_};
@@ -179,7 +181,7 @@ Run Stepper::run(csp_emit::Time time) const {
     }
     csp_emit::Obligation none;
     none.time = time;
-    Run result = interpret(reader_.context(), none, way);
+    Run result = interpret_counterexample(reader_.context(), none, way);
     result.end.why.clear();
     return result;
 }

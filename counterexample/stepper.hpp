@@ -13,9 +13,9 @@
 
 #include "checker/process/behaviour.hpp"
 #include "checker/process/term.hpp"
-#include "csp_emit/emit.hpp"
 #include "counterexample/run.hpp"
 #include "counterexample/step_reader.hpp"
+#include "csp_emit/emit.hpp"
 
 namespace robochart::runs {
 
@@ -56,34 +56,34 @@ public:
     Stepper(StepReader& reader, process::TermId initial) : reader_(reader), initial_(initial), here_(initial) {}
 
     [[nodiscard]] StepReader& reader() { return reader_; }
-    [[nodiscard]] process::TermId here() const { return here_; }
-    [[nodiscard]] const std::vector<Taken>& way() const { return way_; }
+    [[nodiscard]] process::TermId current_term() const { return here_; }
+    [[nodiscard]] const std::vector<Taken>& steps_taken() const { return way_; }
     /// The time units that have passed so far.
-    [[nodiscard]] std::int64_t time() const;
+    [[nodiscard]] std::int64_t elapsed_time() const;
 
     /// The possible steps in a state that was visited.
     [[nodiscard]] std::vector<Offer> offers_at(process::TermId state) const;
     /// The possible steps, in the order of the semantics, with the passing of time last. Throws like
     /// cspm::Session::transitions. Valid until the next step.
-    const std::vector<Offer>& offers();
+    const std::vector<Offer>& current_offers();
     /// Takes the offer with this number, from 0.
-    void take(std::size_t offer);
+    void take_offer(std::size_t offer);
     /// Returns to the state after this number of steps.
     void back_to(std::size_t steps);
     /// Takes hidden steps while no other step is possible, at most `most`, and stops if a state repeats. Returns the
     /// number of steps.
-    std::size_t settle(std::size_t most);
+    std::size_t take_forced_steps(std::size_t most);
 
     /// The machines in the current state.
-    [[nodiscard]] std::vector<Machine> machines();
+    [[nodiscard]] std::vector<Machine> current_machines();
     /// The components of the process in the current state.
-    [[nodiscard]] std::vector<Standing> components();
+    [[nodiscard]] std::vector<Standing> current_components();
     /// The transitions that leave active states and are not on offer, each with the reason. For a process that is not a
     /// component of a model: at most 200 events that its components offer and the process does not.
-    [[nodiscard]] std::vector<Absence> absences();
+    [[nodiscard]] std::vector<Absence> explain_absences();
     /// The structure of the process in the current state, its operators down to the components; no value if it cannot
     /// be evaluated. Valid until the next step.
-    const std::optional<process::Behaviour>& structure();
+    const std::optional<process::Behaviour>& current_structure();
     /// The steps so far as a run, without a violation at its end.
     [[nodiscard]] Run run(csp_emit::Time time) const;
 
@@ -97,12 +97,12 @@ private:
     static constexpr std::size_t most_blocked = 200;
 
     void move_to(process::TermId state);
-    [[nodiscard]] std::vector<Absence> blocked();
+    [[nodiscard]] std::vector<Absence> blocked_by_process();
 
     [[nodiscard]] std::vector<Machine> machines_of(const std::vector<Standing>&) const;
     [[nodiscard]] std::set<std::string> offered_elements();
     [[nodiscard]] std::set<std::string> ready_elements(const Standing&);
-    [[nodiscard]] std::string reason(const ir::Transition&, const Standing&, bool ready) const;
+    [[nodiscard]] std::string absence_reason(const ir::Transition&, const Standing&, bool ready) const;
 };
 
 }  // namespace robochart::runs

@@ -18,25 +18,25 @@ constexpr std::size_t most_names = 3;
 using Parts = std::vector<const process::Behaviour*>;
 
 /// The parts that exist in the current state.
-Parts present(const process::Behaviour& whole) {
+Parts present_parts(const process::Behaviour& whole) {
     Parts result;
     for (const process::Behaviour& each : whole.parts)
         if (!each.left) result.push_back(&each);
     return result;
 }
 
-bool offers(const process::Behaviour& part, process::Event event) {
+bool offers_event(const process::Behaviour& part, process::Event event) {
     return std::ranges::find(part.offered, event) != part.offered.end();
 }
 
 /// Adds the names of the components of a part that offer the event, or of all components if `event` is null.
-void components(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
-    const Parts parts = present(part);
-    if (parts.empty() && (event == nullptr || offers(part, *event))) names.push_back(part.state);
-    for (const process::Behaviour* each : parts) components(*each, event, names);
+void component_names(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
+    const Parts parts = present_parts(part);
+    if (parts.empty() && (event == nullptr || offers_event(part, *event))) names.push_back(part.state);
+    for (const process::Behaviour* each : parts) component_names(*each, event, names);
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string list_names(const std::vector<std::string>& names) {
     std::string text;
     for (std::size_t i = 0; i < names.size() && i < most_names; ++i)
         text += fmt::format("{}`{}`", i == 0 ? "" : ", ", names[i]);
@@ -44,36 +44,38 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-bool synchronises(std::string_view op) {
+bool is_synchronising(std::string_view op) {
     return op.starts_with("|||") || op.starts_with("[+") || op.starts_with("/+") ||
            (op.starts_with("[|") && op.ends_with("|]"));
 }
 
 /// Why the operator above `part` blocks its event. "" if the operator lets the event pass, renames it or hides it.
-std::string reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
+std::string blocking_reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
     if (whole.op == "prioritise") return "something of a higher priority is on offer";
     if (whole.op == "[…||…]") return "the parts that share it do not all offer it";
-    if (!synchronises(whole.op)) return "";
+    if (!is_synchronising(whole.op)) return "";
     std::vector<std::string> others;
-    for (const process::Behaviour* each : present(whole))
-        if (each != &part && !offers(*each, event)) components(*each, nullptr, others);
+    for (const process::Behaviour* each : present_parts(whole))
+        if (each != &part && !offers_event(*each, event)) component_names(*each, nullptr, others);
     if (others.empty()) return "";
-    if (event == process::tick) return fmt::format("all parts terminate together, and {} cannot yet", listed(others));
-    return others.size() == 1 ? fmt::format("{} has to take part, and does not offer it ({})", listed(others), whole.op)
-                              : fmt::format("{} have to take part, and do not offer it ({})", listed(others), whole.op);
+    if (event == process::tick)
+        return fmt::format("all parts terminate together, and {} cannot yet", list_names(others));
+    return others.size() == 1
+               ? fmt::format("{} has to take part, and does not offer it ({})", list_names(others), whole.op)
+               : fmt::format("{} have to take part, and do not offer it ({})", list_names(others), whole.op);
 }
 
-void collect(const process::Behaviour& whole, std::size_t most, std::vector<Blocked>& result) {
-    for (const process::Behaviour* part : present(whole)) {
+void collect_blocked(const process::Behaviour& whole, std::size_t most, std::vector<Blocked>& result) {
+    for (const process::Behaviour* part : present_parts(whole)) {
         for (const process::Event event : part->offered) {
             if (result.size() >= most) return;
-            if (offers(whole, event)) continue;
-            const std::string why = reason(whole, *part, event);
+            if (offers_event(whole, event)) continue;
+            const std::string why = blocking_reason(whole, *part, event);
             std::vector<std::string> names;
-            if (!why.empty()) components(*part, &event, names);
+            if (!why.empty()) component_names(*part, &event, names);
             if (!names.empty()) result.push_back({names.front(), event, why});
         }
-        collect(*part, most, result);
+        collect_blocked(*part, most, result);
     }
 }
 
@@ -88,7 +90,7 @@ std::string part_text(const process::Behaviour& part) {
 
 std::vector<Blocked> blocked_events(const process::Behaviour& whole, std::size_t most) {
     std::vector<Blocked> result;
-    collect(whole, most, result);
+    collect_blocked(whole, most, result);
     return result;
 }
 

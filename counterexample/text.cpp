@@ -33,11 +33,11 @@ public:
 
 private:
     void name_machines();
-    [[nodiscard]] std::string who(const std::string& component) const;
-    [[nodiscard]] std::vector<Line> lines(std::size_t begin, std::size_t end) const;
-    [[nodiscard]] Line line(const Step& step) const;
-    [[nodiscard]] std::vector<Line> loop() const;
-    [[nodiscard]] std::string machine(const Machine& machine) const;
+    [[nodiscard]] std::string short_name(const std::string& component) const;
+    [[nodiscard]] std::vector<Line> lines_of_steps(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] Line line_of_step(const Step& step) const;
+    [[nodiscard]] std::vector<Line> loop_lines() const;
+    [[nodiscard]] std::string machine_line(const Machine& machine) const;
     void add(const std::vector<Line>& lines);
     [[nodiscard]] const std::vector<Machine>& at_the_end() const;
 
@@ -58,14 +58,14 @@ void Writer::name_machines() {
     for (const std::string& each : components) short_names_[each] = uses[last_of(each)] == 1 ? last_of(each) : each;
 }
 
-std::string Writer::who(const std::string& component) const {
+std::string Writer::short_name(const std::string& component) const {
     if (short_names_.empty() || component.empty()) return "";
     const auto found = short_names_.find(component);
     return found == short_names_.end() ? last_of(component) : found->second;
 }
 
 /// The assignments that follow immediately after time has passed; they are not separate steps.
-std::vector<std::pair<std::string, std::string>> assigned(const Step& step) {
+std::vector<std::pair<std::string, std::string>> assignments_of(const Step& step) {
     std::vector<std::pair<std::string, std::string>> result;
     for (const Change& change : step.changes) {
         const std::string text = fmt::format("{} = {}", change.name, change.after);
@@ -77,16 +77,17 @@ std::vector<std::pair<std::string, std::string>> assigned(const Step& step) {
     return result;
 }
 
-std::string passing(std::int64_t units) {
+std::string passing_text(std::int64_t units) {
     return units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", units);
 }
 
-Line Writer::line(const Step& step) const {
+Line Writer::line_of_step(const Step& step) const {
     Line result;
     result.time = step.time.value_or(0);
-    result.who = who(step.event.component);
-    result.what = text(step.event);
-    for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
+    result.who = short_name(step.event.component);
+    result.what = text_of(step.event);
+    for (const Event& other : step.with)
+        result.what += fmt::format("; {}: {}", short_name(other.component), other.text);
     // Changes that the text of the event contains are not repeated.
     std::vector<std::string> changes;
     for (const Change& change : step.changes) {
@@ -95,21 +96,22 @@ Line Writer::line(const Step& step) const {
     }
     if (!changes.empty()) result.what += fmt::format("   [{}]", fmt::join(changes, ", "));
     if (step.event.place)
-        result.place = fmt::format("{}:{}", diagnostics::shown(step.event.place->file), step.event.place->line);
+        result.place =
+            fmt::format("{}:{}", diagnostics::escape_for_display(step.event.place->file), step.event.place->line);
     return result;
 }
 
-std::vector<Line> Writer::lines(std::size_t begin, std::size_t end) const {
+std::vector<Line> Writer::lines_of_steps(std::size_t begin, std::size_t end) const {
     std::vector<Line> result;
     for (std::size_t i = begin; i < end; ++i) {
         const Step& step = run_.steps[i];
         // Further termination events, which the checks for termination add, are not printed.
         const bool again = i > begin && step.event.kind == Kind::terminate && step.event.component.empty() &&
                            run_.steps[i - 1].event.kind == Kind::terminate;
-        if (is_news(step) && !again) result.push_back(line(step));
+        if (is_news(step) && !again) result.push_back(line_of_step(step));
         if (step.event.kind != Kind::tock) continue;
-        for (const auto& [component, values] : assigned(step))
-            result.push_back({step.time.value_or(0) + step.units, who(component), values, ""});
+        for (const auto& [component, values] : assignments_of(step))
+            result.push_back({step.time.value_or(0) + step.units, short_name(component), values, ""});
     }
     return result;
 }
@@ -133,10 +135,10 @@ void Writer::add(const std::vector<Line>& lines) {
     }
 }
 
-std::string Writer::machine(const Machine& machine) const {
+std::string Writer::machine_line(const Machine& machine) const {
     const std::string values = values_text(machine);
     std::string text = machine.text;
-    if (!short_names_.empty()) text = fmt::format("{}: {}", who(machine.component), text);
+    if (!short_names_.empty()) text = fmt::format("{}: {}", short_name(machine.component), text);
     return values.empty() ? text : fmt::format("{} ({})", text, values);
 }
 
@@ -145,30 +147,30 @@ const std::vector<Machine>& Writer::at_the_end() const {
     return end == 0 ? run_.initial : run_.steps[end - 1].machines;
 }
 
-std::vector<Line> Writer::loop() const {
-    std::vector<Line> result = lines(*run_.loop_start, run_.steps.size());
+std::vector<Line> Writer::loop_lines() const {
+    std::vector<Line> result = lines_of_steps(*run_.loop_start, run_.steps.size());
     std::int64_t units = 0;
     for (std::size_t i = *run_.loop_start; i < run_.steps.size(); ++i) units += run_.steps[i].units;
-    if (units > 0) result.push_back({run_.time, "", passing(units), ""});
+    if (units > 0) result.push_back({run_.time, "", passing_text(units), ""});
     if (result.empty()) result.push_back({run_.time, "", "internal steps that change nothing", ""});
     return result;
 }
 
 std::string Writer::write() {
     const std::size_t end = run_.loop_start.value_or(run_.steps.size());
-    std::vector<Line> run = lines(0, end);
+    std::vector<Line> run = lines_of_steps(0, end);
     const std::int64_t shown = run.empty() ? 0 : run.back().time;
-    if (run_.time > shown) run.push_back({shown, "", passing(run_.time - shown), ""});
+    if (run_.time > shown) run.push_back({shown, "", passing_text(run_.time - shown), ""});
     add(run);
     std::vector<std::string> places;
-    for (const Machine& each : at_the_end()) places.push_back(machine(each));
+    for (const Machine& each : at_the_end()) places.push_back(machine_line(each));
     if (!places.empty()) {
         out_ += run_.timed ? fmt::format("{}now at t={}: ", indent_, run_.time) : fmt::format("{}now ", indent_);
         out_ += fmt::format("{}\n", fmt::join(places, "; "));
     }
     if (run_.loop_start) {
         out_ += fmt::format("{}then for ever:\n", indent_);
-        add(loop());
+        add(loop_lines());
     }
     if (!run_.end.why.empty()) out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
     return std::move(out_);
@@ -190,13 +192,13 @@ bool is_news(const Step& step) {
     }
 }
 
-std::string text(const Event& event) {
+std::string text_of(const Event& event) {
     const bool by_transition = event.kind == Kind::input && event.via.find(" -> ") != std::string::npos;
     return by_transition ? fmt::format("{} ({})", event.text, event.via) : event.text;
 }
 
-std::string text(const Event& event, const std::vector<Event>& with) {
-    std::string result = text(event);
+std::string text_of(const Event& event, const std::vector<Event>& with) {
+    std::string result = text_of(event);
     for (const Event& other : with) result += fmt::format("; {}: {}", other.component, other.text);
     return result;
 }
@@ -209,12 +211,12 @@ std::string values_text(const Machine& machine) {
     return fmt::format("{}", fmt::join(values, ", "));
 }
 
-std::string text(const Machine& machine) {
+std::string text_of(const Machine& machine) {
     const std::string values = values_text(machine);
     return values.empty() ? machine.text : fmt::format("{}, {}", machine.text, values);
 }
 
-std::string text(const Run& run, std::string_view indent) {
+std::string text_of(const Run& run, std::string_view indent) {
     return Writer(run, indent).write();
 }
 

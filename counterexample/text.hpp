@@ -13,15 +13,15 @@ namespace robochart::runs {
 /// True if a run prints the step. An internal step is printed only if it changes something or shows a decision of a
 /// machine.
 [[nodiscard]] bool is_news(const Step&);
-[[nodiscard]] std::string text(const Event&);
+[[nodiscard]] std::string text_of(const Event&);
 /// The text of an event, with the events of other components in the same step.
-[[nodiscard]] std::string text(const Event&, const std::vector<Event>& with);
+[[nodiscard]] std::string text_of(const Event&, const std::vector<Event>& with);
 /// The values of a machine that may change: "x = 1, y = 2"; "" if it has none.
 [[nodiscard]] std::string values_text(const Machine&);
 /// The state of a machine and its values: "in S1, x = 1".
-[[nodiscard]] std::string text(const Machine&);
+[[nodiscard]] std::string text_of(const Machine&);
 
 /// One line per step that a run prints; then the end of the run, and the violation.
-[[nodiscard]] std::string text(const Run&, std::string_view indent);
+[[nodiscard]] std::string text_of(const Run&, std::string_view indent);
 
 }  // namespace robochart::runs

@@ -27,7 +27,7 @@ public:
     explicit Builder(std::size_t steps) {
         for (std::size_t i = 0; i < steps; ++i) entries_.push_back({i, true, 0, {}, {}});
     }
-    Timeline build(const Behaviour& whole);
+    Timeline build_timeline(const Behaviour& whole);
 
 private:
     /// The first moment in which a part exists (no value: from the start), and the first in which it no longer exists.
@@ -42,7 +42,7 @@ private:
     void add(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_leaf(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_compressed(const Behaviour& part, const std::vector<Point>& moments, Span span);
-    Point point(const std::vector<Point>& moments, std::size_t step) {
+    Point moment_at(const std::vector<Point>& moments, std::size_t step) {
         if (step < moments.size()) return moments[step];
         return moments.empty() ? entries_.end() : std::next(moments.back());
     }
@@ -84,8 +84,8 @@ void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& mo
 }
 
 void Builder::add(const Behaviour& part, const std::vector<Point>& moments, Span span) {
-    if (part.begins > 0) span.begin = point(moments, part.begins);
-    if (part.ends <= part.trace.size()) span.end = point(moments, part.ends);
+    if (part.begins > 0) span.begin = moment_at(moments, part.begins);
+    if (part.ends <= part.trace.size()) span.end = moment_at(moments, part.ends);
     const bool compressed = part.parts.size() == 1 &&
                             part.parts.front().shown_by.size() == part.parts.front().trace.size() &&
                             !part.parts.front().shown_by.empty();
@@ -94,7 +94,7 @@ void Builder::add(const Behaviour& part, const std::vector<Point>& moments, Span
     for (const Behaviour& each : part.parts) add(each, moments, span);
 }
 
-Timeline Builder::build(const Behaviour& whole) {
+Timeline Builder::build_timeline(const Behaviour& whole) {
     std::vector<Point> moments;
     for (Point at = entries_.begin(); at != entries_.end(); ++at) moments.push_back(at);
     add(whole, moments, {});
@@ -124,8 +124,8 @@ Timeline Builder::build(const Behaviour& whole) {
 
 }  // namespace
 
-Timeline timeline(const Behaviour& behaviour, std::size_t steps) {
-    return Builder(steps).build(behaviour);
+Timeline timeline_of(const Behaviour& behaviour, std::size_t steps) {
+    return Builder(steps).build_timeline(behaviour);
 }
 
 }  // namespace robochart::runs

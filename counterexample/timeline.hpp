@@ -31,6 +31,6 @@ struct Timeline {
 };
 
 /// `steps`: the number of steps of the run to which the behaviour belongs.
-[[nodiscard]] Timeline timeline(const process::Behaviour& behaviour, std::size_t steps);
+[[nodiscard]] Timeline timeline_of(const process::Behaviour& behaviour, std::size_t steps);
 
 }  // namespace robochart::runs

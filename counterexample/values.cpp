@@ -15,7 +15,7 @@ using ir::TypeId;
 using ir::TypeKind;
 
 /// `number` in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88".
-std::string decimal(std::int64_t number, std::int64_t scale) {
+std::string decimal_text(std::int64_t number, std::int64_t scale) {
     if (number % scale == 0) return fmt::format("{}", number / scale);
     const std::uint64_t magnitude =
         number < 0 ? 0U - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
@@ -30,29 +30,29 @@ public:
     Reader(const ir::System& system, const ir::Instantiation& instantiation)
         : system_(system), instantiation_(instantiation) {}
 
-    [[nodiscard]] std::string value(TypeId id, std::string_view text) const;
+    [[nodiscard]] std::string read_value(TypeId id, std::string_view text) const;
     /// The literal that a value of an enumeration begins with; no value if it is not such a value.
-    [[nodiscard]] std::optional<std::size_t> literal(const ir::Type& type, std::string_view text) const;
+    [[nodiscard]] std::optional<std::size_t> find_literal(const ir::Type& type, std::string_view text) const;
 
 private:
-    [[nodiscard]] std::string real(std::string_view text) const;
-    [[nodiscard]] std::string enumerated(const ir::Type& type, std::string_view text) const;
-    [[nodiscard]] std::string collection(const std::vector<TypeId>& elements, std::string_view text) const;
-    [[nodiscard]] std::string record(const ir::Type& type, std::string_view text) const;
-    [[nodiscard]] std::string element(const std::vector<TypeId>& types, std::string_view text) const;
+    [[nodiscard]] std::string real_text(std::string_view text) const;
+    [[nodiscard]] std::string enumeration_text(const ir::Type& type, std::string_view text) const;
+    [[nodiscard]] std::string collection_text(const std::vector<TypeId>& elements, std::string_view text) const;
+    [[nodiscard]] std::string record_text(const ir::Type& type, std::string_view text) const;
+    [[nodiscard]] std::string element_text(const std::vector<TypeId>& types, std::string_view text) const;
 
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
 };
 
-std::string Reader::real(std::string_view text) const {
+std::string Reader::real_text(std::string_view text) const {
     std::int64_t number = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = code == std::errc() && end == text.data() + text.size();
-    return whole ? decimal(number, instantiation_.scale) : std::string(text);
+    return whole ? decimal_text(number, instantiation_.scale) : std::string(text);
 }
 
-std::optional<std::size_t> Reader::literal(const ir::Type& type, std::string_view text) const {
+std::optional<std::size_t> Reader::find_literal(const ir::Type& type, std::string_view text) const {
     const std::string_view name = text.substr(0, text.find('.'));
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < type.labels.size(); ++i) {
@@ -63,8 +63,8 @@ std::optional<std::size_t> Reader::literal(const ir::Type& type, std::string_vie
     return found;
 }
 
-std::string Reader::enumerated(const ir::Type& type, std::string_view text) const {
-    const auto found = literal(type, text);
+std::string Reader::enumeration_text(const ir::Type& type, std::string_view text) const {
+    const auto found = find_literal(type, text);
     if (!found) return std::string(text);
     const auto dot = text.find('.');
     if (dot == std::string_view::npos) return type.labels[*found];
@@ -77,63 +77,64 @@ std::string Reader::enumerated(const ir::Type& type, std::string_view text) cons
 }
 
 /// An element of a collection: a pair of a function or relation, or a value of the common type.
-std::string Reader::element(const std::vector<TypeId>& types, std::string_view text) const {
-    if (types.size() == 1) return value(types[0], text);
-    return collection(types, text);
+std::string Reader::element_text(const std::vector<TypeId>& types, std::string_view text) const {
+    if (types.size() == 1) return read_value(types[0], text);
+    return collection_text(types, text);
 }
 
 /// `<a, b>`, `{a, b}` and `(a, b)`: elements of one type, or one type per element.
-std::string Reader::collection(const std::vector<TypeId>& elements, std::string_view text) const {
+std::string Reader::collection_text(const std::vector<TypeId>& elements, std::string_view text) const {
     if (text.size() < 3 || elements.empty()) return std::string(text);
     std::vector<std::string> shown;
-    const std::vector<std::string> parts = split(text.substr(1, text.size() - 2), ",");
+    const std::vector<std::string> parts = split_outside_brackets(text.substr(1, text.size() - 2), ",");
     for (std::size_t i = 0; i < parts.size(); ++i)
-        shown.push_back(value(i < elements.size() ? elements[i] : elements.back(), trim(parts[i])));
+        shown.push_back(read_value(i < elements.size() ? elements[i] : elements.back(), trim_blanks(parts[i])));
     return fmt::format("{}{}{}", text.front(), fmt::join(shown, ", "), text.back());
 }
 
-std::string Reader::record(const ir::Type& type, std::string_view text) const {
+std::string Reader::record_text(const ir::Type& type, std::string_view text) const {
     const bool one = type.labels.size() == 1;
-    const std::vector<std::string> parts = one               ? std::vector<std::string>{std::string(text)}
-                                           : text.size() > 2 ? split(text.substr(1, text.size() - 2), ",")
-                                                             : std::vector<std::string>{};
+    const std::vector<std::string> parts = one ? std::vector<std::string>{std::string(text)}
+                                           : text.size() > 2
+                                               ? split_outside_brackets(text.substr(1, text.size() - 2), ",")
+                                               : std::vector<std::string>{};
     if (parts.size() != type.labels.size() || type.args.size() != type.labels.size()) return std::string(text);
     std::vector<std::string> fields;
     for (std::size_t i = 0; i < parts.size(); ++i)
-        fields.push_back(fmt::format("{} = {}", type.labels[i], value(type.args[i], trim(parts[i]))));
+        fields.push_back(fmt::format("{} = {}", type.labels[i], read_value(type.args[i], trim_blanks(parts[i]))));
     return fmt::format("{} (| {} |)", type.name, fmt::join(fields, ", "));
 }
 
-std::string Reader::value(TypeId id, std::string_view text) const {
-    if (!id.valid() || text.empty()) return std::string(text);
+std::string Reader::read_value(TypeId id, std::string_view text) const {
+    if (!id.is_valid() || text.empty()) return std::string(text);
     const ir::Type& type = system_.type(id);
     switch (type.kind) {
         case TypeKind::real:
-            return real(text);
+            return real_text(text);
         case TypeKind::enumeration:
-            return enumerated(type, text);
+            return enumeration_text(type, text);
         case TypeKind::record:
-            return record(type, text);
+            return record_text(type, text);
         case TypeKind::sequence:
         case TypeKind::set: {
             if (text.front() != '<' && text.front() != '{') return std::string(text);
             if (text.size() < 3) return std::string(text);
             std::vector<std::string> shown;
-            for (const std::string& part : split(text.substr(1, text.size() - 2), ","))
-                shown.push_back(element(type.args, trim(part)));
+            for (const std::string& part : split_outside_brackets(text.substr(1, text.size() - 2), ","))
+                shown.push_back(element_text(type.args, trim_blanks(part)));
             return fmt::format("{}{}{}", text.front(), fmt::join(shown, ", "), text.back());
         }
         case TypeKind::function:
         case TypeKind::relation: {
             if (text.size() < 3 || text.front() != '{') return std::string(text);
             std::vector<std::string> shown;
-            for (const std::string& part : split(text.substr(1, text.size() - 2), ","))
-                shown.push_back(collection(type.args, trim(part)));
+            for (const std::string& part : split_outside_brackets(text.substr(1, text.size() - 2), ","))
+                shown.push_back(collection_text(type.args, trim_blanks(part)));
             return fmt::format("{{{}}}", fmt::join(shown, ", "));
         }
         case TypeKind::product:
         case TypeKind::vector:
-            return text.front() == '(' ? collection(type.args, text) : element(type.args, text);
+            return text.front() == '(' ? collection_text(type.args, text) : element_text(type.args, text);
         default:
             return std::string(text);
     }
@@ -141,7 +142,7 @@ std::string Reader::value(TypeId id, std::string_view text) const {
 
 }  // namespace
 
-std::vector<std::string> split(std::string_view text, std::string_view separator) {
+std::vector<std::string> split_outside_brackets(std::string_view text, std::string_view separator) {
     std::vector<std::string> parts;
     int depth = 0;
     bool quoted = false;
@@ -163,7 +164,7 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
     return parts;
 }
 
-std::string_view trim(std::string_view text) {
+std::string_view trim_blanks(std::string_view text) {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     return text;
@@ -171,7 +172,7 @@ std::string_view trim(std::string_view text) {
 
 std::string value_text(const ir::System& system, const ir::Instantiation& instantiation, TypeId type,
                        std::string_view text) {
-    return Reader(system, instantiation).value(type, text);
+    return Reader(system, instantiation).read_value(type, text);
 }
 
 std::vector<Value> values_of_event(const ir::System& system, const ir::Instantiation& instantiation,
@@ -179,18 +180,18 @@ std::vector<Value> values_of_event(const ir::System& system, const ir::Instantia
     std::vector<Value> result;
     if (text.empty()) return result;
     const Reader reader(system, instantiation);
-    const std::vector<std::string> parts = split(text, ".");
+    const std::vector<std::string> parts = split_outside_brackets(text, ".");
     for (std::size_t at = 0, place = 0; at < parts.size(); ++place) {
         const TypeId type = place < types.size() ? types[place] : TypeId{};
         std::string value = parts[at++];
-        if (type.valid() && system.type(type).kind == TypeKind::enumeration) {
+        if (type.is_valid() && system.type(type).kind == TypeKind::enumeration) {
             const ir::Type& enumeration = system.type(type);
-            const auto literal = reader.literal(enumeration, value);
+            const auto literal = reader.find_literal(enumeration, value);
             const bool has_arguments = literal && *literal < enumeration.literal_args.size();
             std::size_t more = has_arguments ? enumeration.literal_args[*literal].size() : 0;
             for (; more > 0 && at < parts.size(); --more) value += "." + parts[at++];
         }
-        result.push_back({reader.value(type, value), type.valid() ? system.type(type).name : ""});
+        result.push_back({reader.read_value(type, value), type.is_valid() ? system.type(type).name : ""});
     }
     return result;
 }

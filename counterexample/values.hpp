@@ -13,8 +13,8 @@
 namespace robochart::runs {
 
 /// Splits at `separator`, except inside brackets and quoted texts.
-[[nodiscard]] std::vector<std::string> split(std::string_view text, std::string_view separator);
-[[nodiscard]] std::string_view trim(std::string_view text);
+[[nodiscard]] std::vector<std::string> split_outside_brackets(std::string_view text, std::string_view separator);
+[[nodiscard]] std::string_view trim_blanks(std::string_view text);
 
 /// A value of the type: reals as decimals instead of units of 1/scale, literals without the name of their type, and the
 /// same for the parts. Text in another form is returned unchanged.

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
 /// Whether the exploration interface can be written. Reports an error if it is required and cannot be written.
-bool explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
+bool check_explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     const auto beyond = beyond_exploration(generation.system, generation.inst, component);
     for (const BeyondExploration& part : beyond) {
@@ -47,35 +47,35 @@ void add_exploration(const Generation& generation, const Core& core, Emission& e
 
 }  // namespace
 
-diagnostics::ForeignText Generation::place(std::string_view element, diagnostics::Span span) const {
-    const diagnostics::ForeignText known = line(span);
+diagnostics::ForeignText Generation::place_text(std::string_view element, diagnostics::Span span) const {
+    const diagnostics::ForeignText known = line_text(span);
     return known.empty() ? diagnostics::ForeignText(element) : element + (" (" + known + ")");
 }
 
-diagnostics::ForeignText Generation::line(diagnostics::Span span) const {
-    if (options.sources == nullptr || !span.known()) return {};
-    return file(span) + ":" + std::to_string(options.sources->position(span.source, span.begin).line);
+diagnostics::ForeignText Generation::line_text(diagnostics::Span span) const {
+    if (options.sources == nullptr || !span.is_known()) return {};
+    return file_text(span) + ":" + std::to_string(options.sources->position(span.source, span.begin).line);
 }
 
-diagnostics::ForeignText Generation::file(diagnostics::Span span) const {
-    if (options.sources == nullptr || !span.known()) return {};
+diagnostics::ForeignText Generation::file_text(diagnostics::Span span) const {
+    if (options.sources == nullptr || !span.is_known()) return {};
     const std::string& path = options.sources->path(span.source);
     return path.substr(path.rfind('/') + 1);
 }
 
 std::string Generation::bound_test() const {
-    return mutation.seeded(Fault::loop_never_ends) ? "" : "!exhausted() && ";
+    return mutation.is_seeded(Fault::loop_never_ends) ? "" : "!exhausted() && ";
 }
 
 Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
               const Options& options, diagnostics::Diagnostics& diagnostics) {
     Emission emission;
-    const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
+    const std::optional<Component> component = resolve_component(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
     const FaultyModel model(system, inst, *component, mutation);
     const Generation generation{model.system(), inst, options, model.component(), mutation};
-    const bool explored = explorable(generation, diagnostics);
+    const bool explored = check_explorable(generation, diagnostics);
     if (!explored && options.explored) return emission;
     const Core core = make_core(generation);
     if (core.layout.size > max_state_bytes) {
@@ -112,7 +112,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         emission.files = project_files(generation, core, api, emission.files, diagnostics);
         emission.shim.clear();
     }
-    emission.fault_sites = mutation.sites();
+    emission.fault_sites = mutation.site_count();
     emission.event_places = event_places(generation, core);
     return emission;
 }

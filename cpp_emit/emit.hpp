@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts the shared IR to C++ controllers: the founding paper's class mapping (Li et al., 2017) over a core with
-// value-type state and a step function that runs to quiescence. Independent of the CSP semantics.
+// value-type state and a step function that runs to quiescence. The generator does not use the CSP semantics.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "cpp_emit/plan/options.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "cpp_emit/plan/options.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/diagnostics/text.hpp"
 #include "cpp_emit/ros2/node_files.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
-#include "base/diagnostics/text.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -37,30 +37,30 @@ public:
         keys_["DEPENDENCIES"] = eigen_ ? "find_package(Eigen3 QUIET)\n" : "";
         const Target target = generation.options.target;
         keys_["TRACE"] = target == Target::library || target == Target::ros2 ? "OFF" : "ON";
-        element_ = generation.component.kind + " " + generation.place(generation.component.origin);
+        element_ = generation.component.kind + " " + generation.place_text(generation.component.origin);
         keys_["CONTROLLER"] = controller_target();
     }
 
-    std::vector<OutputFile> make() {
+    std::vector<OutputFile> make_files() {
         switch (generation_.options.target) {
             case Target::sources:
                 break;
             case Target::library:
-                add("CMakeLists.txt", "library/CMakeLists.txt");
-                add(api_.cpp_name + "Config.cmake", "library/config.cmake");
+                add_file("CMakeLists.txt", "library/CMakeLists.txt");
+                add_file(api_.cpp_name + "Config.cmake", "library/config.cmake");
                 break;
             case Target::main:
-                add("CMakeLists.txt", "main/CMakeLists.txt");
+                add_file("CMakeLists.txt", "main/CMakeLists.txt");
                 files_.push_back({"main.cpp", console_});
                 break;
             case Target::ros2:
                 ros2_package();
                 break;
             case Target::enki:
-                enki();
+                add_enki();
                 break;
             case Target::argos:
-                argos();
+                add_argos();
                 break;
         }
         return std::move(files_);
@@ -68,14 +68,14 @@ public:
 
 private:
     /// Adds a file. The name of the element appears in comments, and in text if the file is XML.
-    void add(const std::string& path, const std::string& text) {
+    void add_file(const std::string& path, const std::string& text) {
         const bool xml = text.ends_with(".xml") || text.ends_with(".argos");
         keys_["ELEMENT"] = xml ? diagnostics::xml_text(element_) : diagnostics::comment_text(element_);
-        files_.push_back({path, diagnostics::filled(project_template(text), keys_)});
+        files_.push_back({path, diagnostics::fill_template(project_template(text), keys_)});
     }
 
     std::string controller_target() {
-        std::string text = diagnostics::filled(project_template("controller.cmake"), keys_);
+        std::string text = diagnostics::fill_template(project_template("controller.cmake"), keys_);
         if (eigen_)
             text += fmt::format(
                 "# For robochart/eigen.hpp, where the robot's code uses it.\nfind_package(Eigen3 QUIET)\n"
@@ -104,25 +104,25 @@ private:
 
     void ros2_package() {
         message_keys();
-        add("CMakeLists.txt", "ros2/CMakeLists.txt");
-        add("package.xml", "ros2/package.xml");
-        add("launch/" + api_.cpp_name + ".launch.py", "ros2/launch/node.launch.py");
-        add("config/" + api_.cpp_name + ".yaml", "ros2/config/parameters.yaml");
-        add("src/node_support.hpp", "ros2/node_support.hpp");
+        add_file("CMakeLists.txt", "ros2/CMakeLists.txt");
+        add_file("package.xml", "ros2/package.xml");
+        add_file("launch/" + api_.cpp_name + ".launch.py", "ros2/launch/node.launch.py");
+        add_file("config/" + api_.cpp_name + ".yaml", "ros2/config/parameters.yaml");
+        add_file("src/node_support.hpp", "ros2/node_support.hpp");
         const std::string stem = "src/" + api_.cpp_name;
         files_.push_back({stem + "_messages.hpp", messages_header(generation_, core_, api_, *node_)});
         files_.push_back({stem + "_node.hpp", node_header(generation_, core_, api_, *node_)});
         files_.push_back({stem + "_node.cpp", node_source(generation_, core_, api_, *node_)});
     }
 
-    void robot() {
+    void add_robot() {
         const std::string act = free_member(api_, "act");
         keys_["ACT"] = act;
         files_.push_back(robot_file(generation_, core_, api_, act));
     }
 
-    void enki() {
-        robot();
+    void add_enki() {
+        add_robot();
         std::string titles, states;
         for (const ApiMachine& machine : api_.machines) {
             titles += "," + machine.method;
@@ -130,17 +130,17 @@ private:
         }
         keys_["STATE_TITLES"] = titles;
         keys_["STATES"] = states;
-        add("CMakeLists.txt", "enki/CMakeLists.txt");
-        add("body.hpp", "enki/body.hpp");
-        add("main.cpp", "enki/main.cpp");
+        add_file("CMakeLists.txt", "enki/CMakeLists.txt");
+        add_file("body.hpp", "enki/body.hpp");
+        add_file("main.cpp", "enki/main.cpp");
     }
 
-    void argos() {
-        robot();
-        add("CMakeLists.txt", "argos/CMakeLists.txt");
-        add("body.hpp", "argos/body.hpp");
-        add("controller.cpp", "argos/controller.cpp");
-        add(api_.cpp_name + ".argos", "argos/experiment.argos");
+    void add_argos() {
+        add_robot();
+        add_file("CMakeLists.txt", "argos/CMakeLists.txt");
+        add_file("body.hpp", "argos/body.hpp");
+        add_file("controller.cpp", "argos/controller.cpp");
+        add_file(api_.cpp_name + ".argos", "argos/experiment.argos");
     }
 
     const Generation& generation_;
@@ -161,11 +161,11 @@ std::vector<OutputFile> project_files(const Generation& generation, const Core& 
                                       diagnostics::Diagnostics& diagnostics) {
     std::optional<ros2::NodePlan> node;
     if (generation.options.target == Target::ros2) {
-        const std::size_t before = diagnostics.errors();
+        const std::size_t before = diagnostics.error_count();
         node = ros2::plan_node(generation, api, diagnostics);
-        if (diagnostics.errors() > before) return {};
+        if (diagnostics.error_count() > before) return {};
     }
-    return ProjectMaker(generation, core, api, controller, node).make();
+    return ProjectMaker(generation, core, api, controller, node).make_files();
 }
 
 }  // namespace robochart::cpp_emit

@@ -18,7 +18,7 @@ public:
 
     std::string write() {
         out_.comment(fmt::format("A robot with the controller of the RoboChart {} ", generation_.component.kind) +
-                     generation_.place(generation_.component.origin) +
+                     generation_.place_text(generation_.component.origin) +
                      ": which sensors raise its events, what its operations and variables do.");
         out_.comment("This file is yours: robochart-verify made it and leaves it alone where it is there.");
         out_.line("#pragma once");
@@ -53,29 +53,29 @@ private:
 
     void robot_class() {
         out_.open(fmt::format("class Robot final : public ::{}::{} {{", api_.name_space, api_.cpp_name));
-        out_.label("public:");
+        out_.write_label("public:");
         out_.line("explicit Robot(Body& body) : robot_body_(body) {}");
         out_.gap();
-        events();
-        variables();
+        write_events();
+        write_variables();
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiOperation& operation : part.operations)
-                if (!operation.modelled) call(operation);
+                if (!operation.modelled) write_call(operation);
         });
         out_.gap();
-        out_.label("private:");
+        out_.write_label("private:");
         out_.line("Body& robot_body_;");
         out_.close("};");
     }
 
-    void events() {
+    void write_events() {
         out_.doc("Before a control cycle: raise the events that the sensors report. It lowers them again.");
         out_.open("void CheckInEvent() override {");
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiEvent& event : part.events) {
                 if (event.sent) continue;
                 const std::string value =
-                    event.port->type ? fmt::format(" {} = ...; (a {})", event.value, type(*event.port->type)) : "";
+                    event.port->type ? fmt::format(" {} = ...; (a {})", event.value, type_text(*event.port->type)) : "";
                 out_.comment(fmt::format("event {}: {} = ...;{}", event.port->model_name, event.flag, value));
             }
         });
@@ -83,14 +83,14 @@ private:
         out_.gap();
     }
 
-    void variables() {
+    void write_variables() {
         out_.doc(
             "After a control cycle: what the controller has made of the variables that it shares, and what it sent.");
         out_.open(fmt::format("void {}() {{", act_));
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiVariable& variable : part.variables)
                 if (variable.stored->visible)
-                    out_.comment("variable " + generation_.place(variable.stored->variable->origin) + ": " +
+                    out_.comment("variable " + generation_.place_text(variable.stored->variable->origin) + ": " +
                                  variable.member);
             for (const ApiEvent& event : part.events) {
                 if (!event.sent) continue;
@@ -101,22 +101,22 @@ private:
         out_.close();
     }
 
-    void call(const ApiOperation& operation) {
+    void write_call(const ApiOperation& operation) {
         std::string parameters, values;
         const auto& signature = *operation.signature;
         const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
         for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
             const std::string name = free_member(api_, names.at(i));
-            parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", type(signature.parameters[i]), name);
+            parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", type_text(signature.parameters[i]), name);
             values += ", " + name;
         }
         out_.gap();
-        out_.doc(generation_.place(signature.origin));
+        out_.doc(generation_.place_text(signature.origin));
         out_.line(fmt::format("void {}({}) override {{ tell(robot_body_, \"{}\"{}); }}", operation.method, parameters,
                               signature.name, values));
     }
 
-    [[nodiscard]] std::string type(ir::TypeId id) const {
+    [[nodiscard]] std::string type_text(ir::TypeId id) const {
         return deployed_type(generation_, "::" + core_.name_space, id);
     }
 

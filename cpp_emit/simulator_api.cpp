@@ -20,7 +20,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-Carried carried(ir::TypeKind kind) {
+Carried carried_kind(ir::TypeKind kind) {
     switch (kind) {
         case ir::TypeKind::boolean:
             return Carried::boolean;
@@ -75,35 +75,35 @@ public:
     }
 
     std::string write() {
-        head();
-        names("inputs", inputs_);
-        names("outputs", outputs_);
+        write_head();
+        write_names("inputs", inputs_);
+        write_names("outputs", outputs_);
         machine_tables();
         actions_class();
         state_function();
         place_function();
         step_function();
-        table();
+        write_table();
         return out_.text();
     }
 
-    [[nodiscard]] static std::vector<Port> ports(const std::vector<Channel>& channels) {
+    [[nodiscard]] static std::vector<Port> ports_of(const std::vector<Channel>& channels) {
         std::vector<Port> result;
         for (const Channel& channel : channels) result.push_back(channel.port);
         return result;
     }
-    [[nodiscard]] std::vector<Port> inputs() const { return ports(inputs_); }
-    [[nodiscard]] std::vector<Port> outputs() const { return ports(outputs_); }
+    [[nodiscard]] std::vector<Port> inputs() const { return ports_of(inputs_); }
+    [[nodiscard]] std::vector<Port> outputs() const { return ports_of(outputs_); }
     [[nodiscard]] const std::vector<DriveMachine>& machines() const { return machines_; }
 
 private:
-    Channel channel(Port::Kind kind, const std::string& name, std::string exported, std::string member,
-                    std::vector<ir::TypeId> types) const {
+    Channel make_channel(Port::Kind kind, const std::string& name, std::string exported, std::string member,
+                         std::vector<ir::TypeId> types) const {
         Channel result{{kind, name, {}}, std::move(exported), std::move(member), std::move(types)};
         result.port.exported = result.exported;
         for (const ir::TypeId id : result.types) {
             const ir::Type& type = generation_.system.type(id);
-            result.port.arguments.push_back(carried(type.kind));
+            result.port.arguments.push_back(carried_kind(type.kind));
             const bool named = type.kind == ir::TypeKind::enumeration;
             result.port.literals.push_back(named ? type.labels : std::vector<std::string>{});
             result.port.types.push_back(full_name(type.package, type.name));
@@ -111,24 +111,24 @@ private:
         return result;
     }
 
-    static std::vector<ir::TypeId> listed(const std::optional<ir::TypeId>& type) {
+    static std::vector<ir::TypeId> to_list(const std::optional<ir::TypeId>& type) {
         return type ? std::vector<ir::TypeId>{*type} : std::vector<ir::TypeId>{};
     }
 
     void collect_inputs() {
         for (const EventPort& event : generation_.component.events)
             if (event.received)
-                inputs_.push_back(
-                    channel(Port::Kind::event, event.outside, event.outside + ".in", event.input, listed(event.type)));
+                inputs_.push_back(make_channel(Port::Kind::event, event.outside, event.outside + ".in", event.input,
+                                               to_list(event.type)));
         for (const StoredVariable& variable : generation_.component.variables)
             if (!variable.input.empty() && !variable.copy)
-                inputs_.push_back(channel(Port::Kind::variable, variable.variable->name,
-                                          "set_EXT_" + variable.variable->name, variable.input,
-                                          {variable.variable->type}));
+                inputs_.push_back(make_channel(Port::Kind::variable, variable.variable->name,
+                                               "set_EXT_" + variable.variable->name, variable.input,
+                                               {variable.variable->type}));
     }
 
     void collect_machine(std::size_t part) {
-        const Unit& root = generation_.component.root(part);
+        const Unit& root = generation_.component.root_unit(part);
         DriveMachine added{generation_.component.parts[part].name, root.id, {}};
         for (std::uint32_t node = 0; node < root.machine->nodes.size(); ++node) {
             const ir::NodeKind kind = root.machine->nodes[node].kind;
@@ -139,27 +139,28 @@ private:
 
     void collect_outputs() {
         for (const PlatformCall& call : generation_.component.calls)
-            outputs_.push_back(channel(Port::Kind::call, call.signature->name, call.signature->name + "Call",
-                                       call.method, call.signature->parameters));
+            outputs_.push_back(make_channel(Port::Kind::call, call.signature->name, call.signature->name + "Call",
+                                            call.method, call.signature->parameters));
         for (const EventPort& event : generation_.component.events)
             if (!event.output.empty())
-                outputs_.push_back(channel(Port::Kind::event, event.outside, event.outside + ".out", event.output,
-                                           listed(event.type)));
+                outputs_.push_back(make_channel(Port::Kind::event, event.outside, event.outside + ".out", event.output,
+                                                to_list(event.type)));
         for (const StoredVariable& variable : generation_.component.variables) {
             if (!variable.visible || variable.copy) continue;
-            outputs_.push_back(channel(Port::Kind::variable, variable.variable->name, "set_" + variable.variable->name,
-                                       variable.output, {variable.variable->type}));
-            outputs_.back().port.initial = initial(variable);
+            outputs_.push_back(make_channel(Port::Kind::variable, variable.variable->name,
+                                            "set_" + variable.variable->name, variable.output,
+                                            {variable.variable->type}));
+            outputs_.back().port.initial = initial_number(variable);
         }
     }
 
-    [[nodiscard]] double initial(const StoredVariable& variable) const {
-        const Carried kind = carried(generation_.system.type(variable.variable->type).kind);
+    [[nodiscard]] double initial_number(const StoredVariable& variable) const {
+        const Carried kind = carried_kind(generation_.system.type(variable.variable->type).kind);
         const bool number = kind == Carried::real || kind == Carried::whole;
         return number ? carried_value(generation_.inst, kind, variable.initial) : 0;
     }
 
-    void head() {
+    void write_head() {
         file_comment(generation_, out_, "Interface for simulators");
         for (const char* header : {"<new>", "<type_traits>"}) out_.line(fmt::format("#include {}", header));
         out_.gap();
@@ -188,7 +189,7 @@ private:
         out_.line("static_assert(std::is_trivially_copyable_v<Controller>);");
     }
 
-    void names(const char* table, const std::vector<Channel>& channels) {
+    void write_names(const char* table, const std::vector<Channel>& channels) {
         std::vector<std::string> quoted;
         for (const Channel& channel : channels) quoted.push_back('"' + channel.exported + '"');
         string_table(table, quoted);
@@ -199,7 +200,7 @@ private:
         for (std::size_t part = 0; part < machines_.size(); ++part) {
             std::vector<std::string> quoted;
             for (const ir::NodeId id : machines_[part].states)
-                quoted.push_back('"' + generation_.component.root(part).machine->nodes[id.index].path + '"');
+                quoted.push_back('"' + generation_.component.root_unit(part).machine->nodes[id.index].path + '"');
             const std::string table = fmt::format("states_{}", part);
             string_table(table, quoted);
             rows.push_back(fmt::format("{{\"{}\", {}, {}}}", machines_[part].name, quoted.size(), table));
@@ -216,11 +217,11 @@ private:
 
     static Spelling spelling() { return {"Types", "core::", "Real", "Nat", "Int"}; }
 
-    [[nodiscard]] std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
+    [[nodiscard]] std::string type_text(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
     /// Converts an rc_value to the type.
     [[nodiscard]] std::string from_value(ir::TypeId id, const std::string& value) const {
-        switch (carried(generation_.system.type(id).kind)) {
+        switch (carried_kind(generation_.system.type(id).kind)) {
             case Carried::real:
                 return value + ".real";
             case Carried::whole:
@@ -230,7 +231,7 @@ private:
             case Carried::enumeration:
                 break;
         }
-        return fmt::format("static_cast<{}>({}.whole)", type(id), value);
+        return fmt::format("static_cast<{}>({}.whole)", type_text(id), value);
     }
 
     [[nodiscard]] std::string to_value(ir::TypeId id, std::size_t argument) const {
@@ -242,7 +243,7 @@ private:
     void action_method(const Channel& output, std::size_t index) {
         std::string parameters;
         for (std::size_t i = 0; i < output.types.size(); ++i)
-            parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(output.types[i]), i);
+            parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type_text(output.types[i]), i);
         out_.open(fmt::format("void {}({}) noexcept {{", output.member, parameters));
         if (output.types.empty()) {
             out_.line(fmt::format("(void)add({}, 0);", index));
@@ -257,7 +258,7 @@ private:
     void modelled_method(const ModelledCall& call) {
         std::string parameters;
         for (const ir::TypeId parameter : call.signature->parameters)
-            parameters += (parameters.empty() ? "" : ", ") + type(parameter);
+            parameters += (parameters.empty() ? "" : ", ") + type_text(parameter);
         out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
     }
 
@@ -265,9 +266,9 @@ private:
     void function_method(const FunctionHook& hook) {
         const ir::Function& function = generation_.system.functions[hook.id.index];
         std::vector<std::string> parameters;
-        for (const ir::TypeId parameter : function.parameters) parameters.push_back(type(parameter));
+        for (const ir::TypeId parameter : function.parameters) parameters.push_back(type_text(parameter));
         const ir::Value value = ir::default_value(generation_.system, generation_.inst, function.result);
-        out_.line(fmt::format("{} {}({}) const noexcept {{ return {}; }}", type(function.result), hook.method,
+        out_.line(fmt::format("{} {}({}) const noexcept {{ return {}; }}", type_text(function.result), hook.method,
                               fmt::join(parameters, ", "),
                               cpp_value(generation_.system, generation_.inst, function.result, value, spelling())));
     }
@@ -276,7 +277,7 @@ private:
         out_.gap();
         out_.doc("The platform: writes down what the controller does.");
         out_.open("class Actions {");
-        out_.label("public:");
+        out_.write_label("public:");
         const bool draws = generation_.component.probabilistic;
         if (draws)
             out_.line(
@@ -293,7 +294,7 @@ private:
         for (const ModelledCall& call : generation_.component.modelled) modelled_method(call);
         for (const FunctionHook& hook : generation_.component.functions) function_method(hook);
         out_.gap();
-        out_.label("private:");
+        out_.write_label("private:");
         out_.open("[[maybe_unused]] ::rc_action* add(std::uint32_t output, std::uint32_t count) noexcept {");
         out_.open("if (actions_.count == ROBOCHART_DRIVE_MAX_ACTIONS) {");
         out_.line("actions_.overflow = 1;");
@@ -358,7 +359,7 @@ private:
 
     [[nodiscard]] const Enumeration& root_places(std::size_t part) const {
         const MachineCode& machine = core_.machines[generation_.component.parts[part].root];
-        const std::string& wanted = generation_.component.root(part).points;
+        const std::string& wanted = generation_.component.root_unit(part).points;
         for (const Enumeration& enumeration : machine.enumerations)
             if (enumeration.name == wanted) return enumeration;
         return machine.enumerations.front();
@@ -391,7 +392,7 @@ private:
         out_.close();
     }
 
-    void table() {
+    void write_table() {
         out_.gap();
         out_.open("constexpr rc_drive drive = {");
         out_.line("ROBOCHART_DRIVE_ABI_VERSION,");
@@ -426,8 +427,8 @@ std::vector<DriveConstant> constants_of(const Component& component, const ir::Sy
         for (std::size_t i = 0; i < unit.machine->constants.size(); ++i) {
             const ir::Constant& constant = unit.machine->constants[i];
             const ir::Type& type = system.type(constant.type);
-            const Carried kind = carried(type.kind);
-            const bool literal = type.kind == ir::TypeKind::enumeration && !composed(type);
+            const Carried kind = carried_kind(type.kind);
+            const bool literal = type.kind == ir::TypeKind::enumeration && !is_composed(type);
             if (kind == Carried::enumeration && !literal) continue;
             result.push_back({constant.name, full_name(unit.machine->package, unit.machine->name),
                               full_name(type.package, type.name), kind, carried_value(inst, kind, unit.constants[i])});
@@ -437,10 +438,10 @@ std::vector<DriveConstant> constants_of(const Component& component, const ir::Sy
 
 /// Reports values that a port cannot carry: an rc_value holds only numbers.
 bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
-    const std::size_t before = diagnostics.errors();
+    const std::size_t before = diagnostics.error_count();
     const auto check = [&](ir::TypeId id, const std::string& name) {
         const ir::Type& type = system.type(id);
-        if (composed(type)) diagnostics.report(rules::unsupported_type, component.origin.span, {name, type.name});
+        if (is_composed(type)) diagnostics.report(rules::unsupported_type, component.origin.span, {name, type.name});
     };
     for (const EventPort& event : component.events)
         if (event.type) check(*event.type, event.model_name);
@@ -448,7 +449,7 @@ bool carries_numbers(const Component& component, const ir::System& system, diagn
         for (const ir::TypeId type : call.signature->parameters) check(type, call.signature->name);
     for (const StoredVariable& variable : component.variables)
         if (variable.visible || !variable.input.empty()) check(variable.variable->type, variable.variable->name);
-    return diagnostics.errors() == before;
+    return diagnostics.error_count() == before;
 }
 
 }  // namespace
@@ -456,7 +457,7 @@ bool carries_numbers(const Component& component, const ir::System& system, diagn
 DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
                          const Options& options, diagnostics::Diagnostics& diagnostics) {
     DriveEmission emission;
-    const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
+    const std::optional<Component> component = resolve_component(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     if (!carries_numbers(*component, system, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
@@ -475,7 +476,7 @@ DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst
     emission.outputs = writer.outputs();
     emission.machines = writer.machines();
     emission.constants = constants_of(*component, system, inst);
-    emission.fault_sites = mutation.sites();
+    emission.fault_sites = mutation.site_count();
     return emission;
 }
 

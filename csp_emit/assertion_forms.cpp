@@ -14,14 +14,15 @@ using cspm::ExprPtr;
 
 namespace {
 
-ExprPtr tock() {
+ExprPtr tock_event() {
     return b::name("tock");
 }
 
 ExprPtr deadlock_watch(const ExprPtr& process) {
-    const ExprPtr both = b::rename(process, {{tock(), tock()}, {tock(), b::name("tock'")}});
-    const ExprPtr others = b::call("diff", {b::name("Events"), b::set({b::name("tock'"), tock()})});
-    return b::hide(b::call("prioritise", {both, b::sequence({others, b::set({tock()})})}), b::set({tock()}));
+    const ExprPtr both = b::rename(process, {{tock_event(), tock_event()}, {tock_event(), b::name("tock'")}});
+    const ExprPtr others = b::call("diff", {b::name("Events"), b::set({b::name("tock'"), tock_event()})});
+    return b::hide(b::call("prioritise", {both, b::sequence({others, b::set({tock_event()})})}),
+                   b::set({tock_event()}));
 }
 
 }  // namespace
@@ -33,8 +34,8 @@ DeclPtr deadlock_free(const ExprPtr& process, bool timed, cspm::Model model, boo
 }
 
 DeclPtr timelock_free(const ExprPtr& process, bool negated) {
-    const ExprPtr others = b::call("diff", {b::name("Events"), b::productions({tock()})});
-    const ExprPtr any = b::interleave({b::call("RUN", {b::set({tock()})}), b::call("CHAOS", {others})});
+    const ExprPtr others = b::call("diff", {b::name("Events"), b::productions({tock_event()})});
+    const ExprPtr any = b::interleave({b::call("RUN", {b::set({tock_event()})}), b::call("CHAOS", {others})});
     return b::assert_refines(any, cspm::Model::failures, process, negated);
 }
 
@@ -48,7 +49,7 @@ ExprPtr running_on(const ExprPtr& process, const std::string& event) {
     return b::sequential({process, b::call("RUN", {b::set({b::name(event)})})});
 }
 
-DeclPtr never(const ExprPtr& process, bool negated) {
+DeclPtr never_performs(const ExprPtr& process, bool negated) {
     return b::assert_refines(b::skip(), cspm::Model::traces, process, negated);
 }
 
@@ -72,12 +73,12 @@ std::vector<ExprPtr> outputs_of(const Provenance& provenance, const std::string&
     return result;
 }
 
-ExprPtr WatchedCopy::process(const std::vector<ExprPtr>& arguments) const {
+ExprPtr WatchedCopy::copy_process(const std::vector<ExprPtr>& arguments) const {
     return b::call(name + "::D__", arguments);
 }
 
-ExprPtr WatchedCopy::only(const std::string& event, const std::vector<ExprPtr>& arguments) const {
-    return b::project(process(arguments), b::productions({b::name(this->event(event))}));
+ExprPtr WatchedCopy::only_event(const std::string& event, const std::vector<ExprPtr>& arguments) const {
+    return b::project(copy_process(arguments), b::productions({b::name(this->event_of_copy(event))}));
 }
 
 namespace {
@@ -105,7 +106,7 @@ WatchedCopy watched_copy(const Project& project, NameManager& names, Emitted& em
     const ComponentEmission& machine = emitted.components.at(path);
     context.project = &project;
     context.machine = machine.machine;
-    context.name = names.unique(name);
+    context.name = names.unique_name(name);
     context.path = context.name;
     context.definitions = machine.definitions;
     context.names = names;
@@ -138,10 +139,11 @@ WatchedCopy offer_watch(const Project& project, NameManager& names, Emitted& emi
     return watched_copy(project, names, emitted, path, "OFW_" + purpose, std::move(context));
 }
 
-ExprPtr missing(const WatchedCopy& watch, const Emitted& emitted, const std::string& event, std::int64_t units,
-                const std::vector<ExprPtr>& arguments, const std::string& name, std::vector<DeclPtr>& preparation) {
-    const auto own = [&](const char* each) { return b::name(watch.event(each)); };
-    const ExprPtr taken = b::dot({b::name(watch.event(event)), b::name("in")});
+ExprPtr missing_process(const WatchedCopy& watch, const Emitted& emitted, const std::string& event, std::int64_t units,
+                        const std::vector<ExprPtr>& arguments, const std::string& name,
+                        std::vector<DeclPtr>& preparation) {
+    const auto own = [&](const char* each) { return b::name(watch.event_of_copy(each)); };
+    const ExprPtr taken = b::dot({b::name(watch.event_of_copy(event)), b::name("in")});
     const ExprPtr left = b::name("k__");
     const auto counting = [&](const ExprPtr& value) { return b::call(name, {value}); };
     const ExprPtr anew = counting(b::number(units + 1));
@@ -156,15 +158,16 @@ ExprPtr missing(const WatchedCopy& watch, const Emitted& emitted, const std::str
     preparation.push_back(
         b::function_decl(name, b::variables({"k__"}),
                          b::choice({b::prefix(own("inside__"), anew), b::prefix(own("outside__"), anew), takes,
-                                    b::prefix(own("refused__"), refused), b::prefix(tock(), passes)})));
-    const ExprPtr both =
-        b::rename(watch.process(arguments), {{own("inside__"), own("inside__")}, {own("inside__"), own("refused__")}});
+                                    b::prefix(own("refused__"), refused), b::prefix(tock_event(), passes)})));
+    const ExprPtr both = b::rename(watch.copy_process(arguments),
+                                   {{own("inside__"), own("inside__")}, {own("inside__"), own("refused__")}});
     const auto before = [](const ExprPtr& process, const ExprPtr& first, const ExprPtr& later) {
         return b::call("prioritise", {process, b::sequence({first, later})});
     };
-    const ExprPtr prompt = before(both, b::productions(outputs_of(emitted.provenance, watch.name)), b::set({tock()}));
+    const ExprPtr prompt =
+        before(both, b::productions(outputs_of(emitted.provenance, watch.name)), b::set({tock_event()}));
     const ExprPtr limited = before(prompt, b::productions({taken}), b::set({own("refused__")}));
-    const ExprPtr seen = b::productions({own("inside__"), own("outside__"), own("refused__"), taken, tock()});
+    const ExprPtr seen = b::productions({own("inside__"), own("outside__"), own("refused__"), taken, tock_event()});
     return b::project(b::parallel(limited, seen, anew), b::productions({own("missed__")}));
 }
 

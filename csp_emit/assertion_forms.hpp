@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CSPM forms of assertions about one process, as RoboTool generates them and FDR decides them.
+// Writes the CSPM forms of assertions about one process, as RoboTool generates them and FDR decides them.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ namespace robochart::csp_emit {
 [[nodiscard]] cspm::ExprPtr running_on(const cspm::ExprPtr& process, const std::string& event);
 /// `SKIP [T= P`: P performs no event except ✓; negated: it performs one. RoboTool's specification is STOP, which also
 /// forbids ✓, so that every state of a terminating machine seems reachable.
-[[nodiscard]] cspm::DeclPtr never(const cspm::ExprPtr& process, bool negated);
+[[nodiscard]] cspm::DeclPtr never_performs(const cspm::ExprPtr& process, bool negated);
 
 /// The effects of a component on its platform: its calls, outputs, and writes of variables that others share.
 [[nodiscard]] std::vector<cspm::ExprPtr> outputs_of(const Provenance&, const std::string& path);
@@ -35,10 +35,10 @@ struct WatchedCopy {
     std::string name;       ///< name of the module
     std::size_t reads = 0;  ///< clock_watch: number of guards that read the clock
 
-    [[nodiscard]] cspm::ExprPtr process(const std::vector<cspm::ExprPtr>& arguments) const;
-    [[nodiscard]] std::string event(const std::string& own) const { return name + "::" + own; }
+    [[nodiscard]] cspm::ExprPtr copy_process(const std::vector<cspm::ExprPtr>& arguments) const;
+    [[nodiscard]] std::string event_of_copy(const std::string& own) const { return name + "::" + own; }
     /// The copy with these arguments, in which all events except one are hidden.
-    [[nodiscard]] cspm::ExprPtr only(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
+    [[nodiscard]] cspm::ExprPtr only_event(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
 /// A copy that performs `unset__` when a guard reads the clock before its first reset, and `reset__` at a reset.
 /// `machine` is the path of an emitted machine. The module's name ends in `purpose`. The function adds the meaning of
@@ -59,8 +59,8 @@ struct WatchedCopy {
 /// counts the tocks since the first refusal that has been followed only by `refused__`:
 ///     R(k) = inside__ -> R(n + 1) [] outside__ -> R(n + 1) [] E.in -> R(n + 1) [] refused__ -> R(min(k, n))
 ///            [] tock -> (if k > n then R(k) else if k > 1 then R(k - 1) else missed__ -> STOP)
-[[nodiscard]] cspm::ExprPtr missing(const WatchedCopy&, const Emitted&, const std::string& event, std::int64_t units,
-                                    const std::vector<cspm::ExprPtr>& arguments, const std::string& name,
-                                    std::vector<cspm::DeclPtr>& preparation);
+[[nodiscard]] cspm::ExprPtr missing_process(const WatchedCopy&, const Emitted&, const std::string& event,
+                                            std::int64_t units, const std::vector<cspm::ExprPtr>& arguments,
+                                            const std::string& name, std::vector<cspm::DeclPtr>& preparation);
 
 }  // namespace robochart::csp_emit

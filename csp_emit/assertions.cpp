@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One CSPM form for each kind of property, as RoboTool generates it and FDR decides it.
+// Writes one CSPM form for each kind of property, as RoboTool generates it and FDR decides it.
 #include "csp_emit/assertions.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ cspm::Model model_of(ir::PropertyModel model) {
     return cspm::Model::failures_divergences;
 }
 
-std::string wording(const ir::Property& property) {
+std::string wording_of(const ir::Property& property) {
     const std::size_t colon = property.wording.find(':');
     if (colon == std::string::npos) return property.wording;
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
@@ -45,7 +45,7 @@ std::string wording(const ir::Property& property) {
 
 /// Text for a claim that fails without a counterexample, such as the negation of deadlock freedom: what is true
 /// instead.
-std::string opposite(const ir::Property& property) {
+std::string opposite_claim(const ir::Property& property) {
     switch (property.kind) {
         case PropertyKind::deadlock_free:
             return "it is deadlock-free";
@@ -75,33 +75,34 @@ public:
     Asserter(const Project& project, NameManager& names, Emitted& emitted)
         : project_(project), names_(names), emitted_(emitted), own_(ir::own_constants(project.system)) {}
 
-    Obligation property(std::uint32_t index);
+    Obligation make_obligation(std::uint32_t index);
 
 private:
-    bool timed() const { return project_.timed(); }
-    std::string path(const ir::ComponentRef& ref) const { return qualified(ref.package, ref.path); }
+    bool timed() const { return project_.is_timed(); }
+    std::string path_of(const ir::ComponentRef& ref) const { return qualified_name(ref.package, ref.path); }
     std::string name_of(const ir::ComponentRef& process, const std::string& ending) const;
-    const ComponentEmission* component(const ir::ComponentRef& ref) const;
-    b::Exprs arguments(const ir::ComponentRef& ref, const ir::Property& property) const;
-    ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
-    ExprPtr argument(const std::vector<std::string>& names, const ir::Property& property) const;
-    bool takes(const ir::ComponentRef& ref, const std::string& constant) const;
-    std::string own(const ConstantParameter& constant) const;
+    const ComponentEmission* find_component(const ir::ComponentRef& ref) const;
+    b::Exprs process_arguments(const ir::ComponentRef& ref, const ir::Property& property) const;
+    ExprPtr process_of(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
+    ExprPtr find_argument(const std::vector<std::string>& names, const ir::Property& property) const;
+    bool takes_constant(const ir::ComponentRef& ref, const std::string& constant) const;
+    std::string own_name(const ConstantParameter& constant) const;
     void report_unused(const ir::Property& property) const;
-    std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, cspm::Model model, bool negated) const;
-    std::vector<DeclPtr> termination(const ExprPtr& process, cspm::Model model, bool negated) const;
-    void refinement(const ir::Property& property, Obligation& out);
+    std::vector<DeclPtr> assert_unary(AssertionKind kind, const ExprPtr& process, cspm::Model model,
+                                      bool negated) const;
+    std::vector<DeclPtr> assert_termination(const ExprPtr& process, cspm::Model model, bool negated) const;
+    void add_refinement(const ir::Property& property, Obligation& out);
     std::string model_shifting(const ir::Property& property, Obligation& out);
-    ExprPtr alphabet(const ir::ComponentRef& ref) const;
+    ExprPtr alphabet_of(const ir::ComponentRef& ref) const;
     std::string missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const;
     ExprPtr joint_alphabet(const ir::Property& property) const;
-    std::vector<DeclPtr> reachability(const ir::Property& property) const;
-    void initialisation(const ir::Property& property, Obligation& out);
+    std::vector<DeclPtr> assert_reachability(const ir::Property& property) const;
+    void add_initialisation(const ir::Property& property, Obligation& out);
     void missed_event(const ir::Property& property, Obligation& out);
     ExprPtr renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const;
-    std::string unavailable(const ir::Property& property) const;
+    std::string why_unavailable(const ir::Property& property) const;
     std::string unavailable_model(const ir::Property& property) const;
-    void forms(const ir::Property& property, Obligation& out);
+    void add_assertions(const ir::Property& property, Obligation& out);
 
     const Project& project_;
     NameManager& names_;
@@ -109,31 +110,31 @@ private:
     std::map<std::string, std::string> own_;  // for constants of parts: the machine's own constant
 };
 
-const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const {
-    const auto found = emitted_.components.find(path(ref));
+const ComponentEmission* Asserter::find_component(const ir::ComponentRef& ref) const {
+    const auto found = emitted_.components.find(path_of(ref));
     return found == emitted_.components.end() ? nullptr : &found->second;
 }
 
 /// The value that the assertion gives to one of these names; null if it gives none.
-ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Property& property) const {
+ExprPtr Asserter::find_argument(const std::vector<std::string>& names, const ir::Property& property) const {
     for (const auto& [name, given] : property.constants)
-        if (std::ranges::find(names, name) != names.end()) return expression(project_, {}, *given);
+        if (std::ranges::find(names, name) != names.end()) return translate_expression(project_, {}, *given);
     return nullptr;
 }
 
 /// The name of the machine's own constant if the parameter is for a part's constant; otherwise "".
-std::string Asserter::own(const ConstantParameter& constant) const {
+std::string Asserter::own_name(const ConstantParameter& constant) const {
     const auto found = own_.find(constant.source);
     return found == own_.end() ? "" : found->second;
 }
 
-bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) const {
-    const ComponentEmission* found = component(ref);
+bool Asserter::takes_constant(const ir::ComponentRef& ref, const std::string& constant) const {
+    const ComponentEmission* found = find_component(ref);
     if (found == nullptr) return false;
     return std::ranges::any_of(found->constants,
                                [&](const ConstantParameter& c) {
                                    return c.parameter == constant || c.source == constant || c.value == constant ||
-                                          own(c) == constant;
+                                          own_name(c) == constant;
                                }) ||
            std::ranges::any_of(found->arguments,
                                [&](const ArgumentParameter& argument) { return argument.name == constant; });
@@ -144,7 +145,7 @@ bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) c
 void Asserter::report_unused(const ir::Property& property) const {
     if (timed() && property.untimed) return;
     for (const auto& [name, value] : property.constants)
-        if (!takes(property.subject, name) && !takes(property.other, name))
+        if (!takes_constant(property.subject, name) && !takes_constant(property.other, name))
             project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
 }
 
@@ -159,40 +160,41 @@ std::string Asserter::name_of(const ir::ComponentRef& process, const std::string
 }
 
 /// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
-ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const {
+ExprPtr Asserter::process_of(const ir::ComponentRef& ref, const ir::Property& property,
+                             const std::string& variant) const {
     if (ref.kind == ir::ComponentKind::process) {
         return b::name(name_of(ref, ""));
     }
-    return b::call(path(ref) + "::" + variant, arguments(ref, property));
+    return b::call(path_of(ref) + "::" + variant, process_arguments(ref, property));
 }
 
 /// The arguments of a component's process: `0`, an operation's parameters, then the constants. The assertion's values
 /// take precedence over those of the instantiations.
-b::Exprs Asserter::arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
-    const ComponentEmission* found = component(ref);
+b::Exprs Asserter::process_arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
+    const ComponentEmission* found = find_component(ref);
     b::Exprs arguments{b::number(0)};
     if (found != nullptr) {
         for (const ArgumentParameter& parameter : found->arguments) {
-            const ExprPtr given = argument({parameter.name}, property);
+            const ExprPtr given = find_argument({parameter.name}, property);
             arguments.push_back(given ? given : default_literal(project_, parameter.type));
         }
         for (const ConstantParameter& constant : found->constants) {
             const ExprPtr given =
-                argument({constant.parameter, constant.source, constant.value, own(constant)}, property);
+                find_argument({constant.parameter, constant.source, constant.value, own_name(constant)}, property);
             arguments.push_back(given ? given : b::name(constant.value));
         }
     }
     return arguments;
 }
 
-std::vector<DeclPtr> Asserter::unary(AssertionKind kind, const ExprPtr& process, cspm::Model model,
-                                     bool negated) const {
+std::vector<DeclPtr> Asserter::assert_unary(AssertionKind kind, const ExprPtr& process, cspm::Model model,
+                                            bool negated) const {
     return {b::assert_property(process, kind, model, negated)};
 }
 
 /// `terminates`: not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and
 /// `P; RUN({r__}) :[deadlock free]`, so every deadlock of P is a ✓.
-std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model model, bool negated) const {
+std::vector<DeclPtr> Asserter::assert_termination(const ExprPtr& process, cspm::Model model, bool negated) const {
     if (negated) return {never_terminates(process)};
     return {b::assert_property(process, AssertionKind::deadlock_free, model, true),
             b::assert_property(running_on(process, "r__"), AssertionKind::deadlock_free, model, false)};
@@ -201,19 +203,19 @@ std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model m
 /// Two components of the model are compared by the names of their events (csp-gen issue 91), so the events of one side
 /// are renamed.
 ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const {
-    const ComponentEmission* from = component(ref);
-    const ComponentEmission* to = component(other);
-    if (from == nullptr || to == nullptr || path(ref) == path(other)) return process;
+    const ComponentEmission* from = find_component(ref);
+    const ComponentEmission* to = find_component(other);
+    if (from == nullptr || to == nullptr || path_of(ref) == path_of(other)) return process;
     std::vector<cspm::Link> links;
     for (const std::string& channel : from->visible)
         if (std::ranges::find(to->visible, channel) != to->visible.end())
-            links.push_back({b::name(path(ref) + "::" + channel), b::name(path(other) + "::" + channel)});
+            links.push_back({b::name(path_of(ref) + "::" + channel), b::name(path_of(other) + "::" + channel)});
     return links.empty() ? process : b::rename(process, links);
 }
 
-ExprPtr Asserter::alphabet(const ir::ComponentRef& ref) const {
+ExprPtr Asserter::alphabet_of(const ir::ComponentRef& ref) const {
     const bool process = ref.kind == ir::ComponentKind::process;
-    return b::name(process ? name_of(ref, "__sem__events") : path(ref) + "::sem__events");
+    return b::name(process ? name_of(ref, "__sem__events") : path_of(ref) + "::sem__events");
 }
 
 /// Explains that no CSP block of this semantics defines the alphabet of its process, and how to define it; "" if one
@@ -223,32 +225,33 @@ std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::Co
     const std::string wanted = ref.path + "__sem__events";
     const auto& blocks = project_.system.csp_blocks;
     const bool defined = std::ranges::any_of(blocks, [&](const ir::CspBlock& block) {
-        return project_.applies(block) && block.text.find(wanted) != std::string::npos;
+        return project_.block_applies(block) && block.text.find(wanted) != std::string::npos;
     });
     if (defined) return "";
     const bool between_blocks = other.kind == ir::ComponentKind::process;
     return fmt::format(
         "{} is not defined: the tick-tock model records which events are refused, so the csp block of {} has to say "
         "which events the process has: `{} = {}`",
-        wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path(other) + "::sem__events");
+        wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path_of(other) + "::sem__events");
 }
 
 /// The events of both sides, without those of the subject that are renamed to events of the other side.
 ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
-    const ComponentEmission* from = component(property.subject);
-    const ComponentEmission* to = component(property.other);
-    if (from == nullptr || to == nullptr || path(property.subject) == path(property.other))
-        return b::call("union", {alphabet(property.other), alphabet(property.subject)});
+    const ComponentEmission* from = find_component(property.subject);
+    const ComponentEmission* to = find_component(property.other);
+    if (from == nullptr || to == nullptr || path_of(property.subject) == path_of(property.other))
+        return b::call("union", {alphabet_of(property.other), alphabet_of(property.subject)});
     b::Exprs rest;
     for (const std::string& channel : from->visible)
         if (std::ranges::find(to->visible, channel) == to->visible.end())
-            rest.push_back(b::name(path(property.subject) + "::" + channel));
-    return rest.empty() ? alphabet(property.other) : b::call("union", {alphabet(property.other), b::productions(rest)});
+            rest.push_back(b::name(path_of(property.subject) + "::" + channel));
+    return rest.empty() ? alphabet_of(property.other)
+                        : b::call("union", {alphabet_of(property.other), b::productions(rest)});
 }
 
 /// Adds an instance of the library's module for the events of both sides; returns its name.
 std::string Asserter::model_shifting(const ir::Property& property, Obligation& out) {
-    const std::string name = names_.unique("MS_" + flatten(property.name));
+    const std::string name = names_.unique_name("MS_" + flatten_name(property.name));
     out.preparation.push_back(b::instance(name, "model_shifting", {joint_alphabet(property)}));
     emitted_.provenance.events[name + "::ref"] = {MeaningKind::refusal, "refusal of", {}, {}};
     emitted_.provenance.events[name + "::tick"] = {MeaningKind::terminate, "termination", {}, {}};
@@ -257,9 +260,9 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
 
 /// `X refines Y` is `Y [M= X`; `equals` is both directions, and its negation the failure of either. In the tick-tock
 /// model, traces are compared after model shifting.
-void Asserter::refinement(const ir::Property& property, Obligation& out) {
-    ExprPtr subject = renamed_to(property.subject, property.other, process(property.subject, property, "D__"));
-    ExprPtr other = process(property.other, property, "D__");
+void Asserter::add_refinement(const ir::Property& property, Obligation& out) {
+    ExprPtr subject = renamed_to(property.subject, property.other, process_of(property.subject, property, "D__"));
+    ExprPtr other = process_of(property.other, property, "D__");
     cspm::Model model = model_of(property.model);
     if (property.model == ir::PropertyModel::tick_tock) {
         const std::string shifted = model_shifting(property, out) + "::TT";
@@ -276,22 +279,22 @@ void Asserter::refinement(const ir::Property& property, Obligation& out) {
 
 /// `S is reachable`: not `SKIP [T= P |\ {| S::entered |}`, that is, `entered` of S is in a trace of P. RoboTool asserts
 /// over VS_O__; VS__ is the same process before compression, so that a counterexample shows every step.
-std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const {
-    const ExprPtr entered = b::name(path(property.subject) + "::" + property.state + "::entered");
-    const ExprPtr only = b::project(process(property.subject, property, "VS__"), b::productions({entered}));
-    return {never(only, !property.negated)};
+std::vector<DeclPtr> Asserter::assert_reachability(const ir::Property& property) const {
+    const ExprPtr entered = b::name(path_of(property.subject) + "::" + property.state + "::entered");
+    const ExprPtr only = b::project(process_of(property.subject, property, "VS__"), b::productions({entered}));
+    return {never_performs(only, !property.negated)};
 }
 
 /// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. With an instrumented copy
 /// W of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
-void Asserter::initialisation(const ir::Property& property, Obligation& out) {
+void Asserter::add_initialisation(const ir::Property& property, Obligation& out) {
     const WatchedCopy watch =
-        clock_watch(project_, names_, emitted_, path(property.subject), property.state, flatten(property.name));
+        clock_watch(project_, names_, emitted_, path_of(property.subject), property.state, flatten_name(property.name));
     out.preparation.push_back(watch.module);
-    const b::Exprs given = arguments(property.subject, property);
-    if (watch.reads > 0) out.assertions.push_back(never(watch.only("unset__", given), property.negated));
-    out.assertions.push_back(never(watch.only("reset__", given), !property.negated));
+    const b::Exprs given = process_arguments(property.subject, property);
+    if (watch.reads > 0) out.assertions.push_back(never_performs(watch.only_event("unset__", given), property.negated));
+    out.assertions.push_back(never_performs(watch.only_event("reset__", given), !property.negated));
     out.one_suffices = property.negated;
     out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
@@ -301,21 +304,23 @@ void Asserter::initialisation(const ir::Property& property, Obligation& out) {
 /// (see `missing`).
 void Asserter::missed_event(const ir::Property& property, Obligation& out) {
     const ir::Node* state = nullptr;
-    for (const ir::Node& node : component(property.subject)->machine->nodes)
+    for (const ir::Node& node : find_component(property.subject)->machine->nodes)
         if (!property.state.empty() && node.path == property.state) state = &node;
-    const WatchedCopy watch =
-        offer_watch(project_, names_, emitted_, path(property.subject), property.event, state, flatten(property.name));
+    const WatchedCopy watch = offer_watch(project_, names_, emitted_, path_of(property.subject), property.event, state,
+                                          flatten_name(property.name));
     out.preparation.push_back(watch.module);
     const std::string times =
         property.time_units == 1 ? "1 time unit" : fmt::format("{} time units", property.time_units);
     const std::string missed = fmt::format("{} is missed for {}", property.event, times);
     for (const char* const mark : {"inside__", "outside__", "refused__"})
-        emitted_.provenance.events[watch.event(mark)] = {MeaningKind::memory, "the watch of " + property.event, {}, {}};
-    emitted_.provenance.events[watch.event("missed__")] = {MeaningKind::transition, missed, {}, {}};
-    const std::string name = names_.unique("Misses_" + flatten(property.name));
-    out.assertions = {never(missing(watch, emitted_, property.event, property.time_units,
-                                    arguments(property.subject, property), name, out.preparation),
-                            !property.negated)};
+        emitted_.provenance.events[watch.event_of_copy(mark)] = {
+            MeaningKind::memory, "the watch of " + property.event, {}, {}};
+    emitted_.provenance.events[watch.event_of_copy("missed__")] = {MeaningKind::transition, missed, {}, {}};
+    const std::string name = names_.unique_name("Misses_" + flatten_name(property.name));
+    out.assertions = {
+        never_performs(missing_process(watch, emitted_, property.event, property.time_units,
+                                       process_arguments(property.subject, property), name, out.preparation),
+                       !property.negated)};
     if (property.negated)
         out.reason = fmt::format("nothing takes {} for {} (`robochart-verify explain RC-K09` has remedies)",
                                  property.event, times);
@@ -345,7 +350,7 @@ std::string Asserter::unavailable_model(const ir::Property& property) const {
 }
 
 /// The reason why a property has no CSPM form here; "" if it has one.
-std::string Asserter::unavailable(const ir::Property& property) const {
+std::string Asserter::why_unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool component_only =
         property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
@@ -353,19 +358,19 @@ std::string Asserter::unavailable(const ir::Property& property) const {
     if (property.kind == PropertyKind::timelock_free && !timed()) return "time cannot stop in the untimed semantics";
     if (property.kind == PropertyKind::event_missed && !timed()) return "an event is missed while time passes";
     const auto missing = [&](const ir::ComponentRef& ref) {
-        return ref.kind != ir::ComponentKind::process && component(ref) == nullptr;
+        return ref.kind != ir::ComponentKind::process && find_component(ref) == nullptr;
     };
     if (missing(property.subject)) return property.subject.path + " was not emitted";
     if (binary && missing(property.other)) return property.other.path + " was not emitted";
     if (component_only && property.subject.kind == ir::ComponentKind::process)
         return "states are reached and clocks reset in components of the model only";
-    if (property.kind == PropertyKind::clock_initialised && component(property.subject)->machine == nullptr)
+    if (property.kind == PropertyKind::clock_initialised && find_component(property.subject)->machine == nullptr)
         return "clocks belong to machines and operations";
     return unavailable_model(property);
 }
 
-void Asserter::forms(const ir::Property& property, Obligation& out) {
-    const auto subject = [&] { return process(property.subject, property, "D__"); };
+void Asserter::add_assertions(const ir::Property& property, Obligation& out) {
+    const auto subject = [&] { return process_of(property.subject, property, "D__"); };
     // RoboTool leaves the model of process properties to FDR, whose default is failures-divergences.
     const cspm::Model model = property.model == ir::PropertyModel::failures ? cspm::Model::failures : cspm::Model::none;
     switch (property.kind) {
@@ -373,26 +378,26 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
             out.assertions = {deadlock_free(subject(), timed(), model, property.negated)};
             break;
         case PropertyKind::divergence_free:
-            out.assertions = unary(AssertionKind::divergence_free, subject(), model, property.negated);
+            out.assertions = assert_unary(AssertionKind::divergence_free, subject(), model, property.negated);
             break;
         case PropertyKind::deterministic:
-            out.assertions = unary(AssertionKind::deterministic, subject(), model, property.negated);
+            out.assertions = assert_unary(AssertionKind::deterministic, subject(), model, property.negated);
             break;
         case PropertyKind::timelock_free:
             out.assertions = {timelock_free(subject(), property.negated)};
             break;
         case PropertyKind::terminates:
-            out.assertions = termination(subject(), model, property.negated);
+            out.assertions = assert_termination(subject(), model, property.negated);
             break;
         case PropertyKind::refines:
         case PropertyKind::equals:
-            refinement(property, out);
+            add_refinement(property, out);
             break;
         case PropertyKind::reachable:
-            out.assertions = reachability(property);
+            out.assertions = assert_reachability(property);
             break;
         case PropertyKind::clock_initialised:
-            initialisation(property, out);
+            add_initialisation(property, out);
             break;
         case PropertyKind::event_missed:
             missed_event(property, out);
@@ -402,19 +407,19 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
     }
 }
 
-Obligation Asserter::property(std::uint32_t index) {
+Obligation Asserter::make_obligation(std::uint32_t index) {
     const ir::Property& property = project_.system.properties[index];
     Obligation result;
     result.property = index;
     result.time = project_.time;
-    result.title = property.name + (timed() ? " [timed] " : " [untimed] ") + wording(property);
-    result.reason = unavailable(property);
+    result.title = property.name + (timed() ? " [timed] " : " [untimed] ") + wording_of(property);
+    result.reason = why_unavailable(property);
     report_unused(property);
     result.kind = property.kind;
     result.negated = property.negated;
     if (!result.reason.empty()) return result;
-    forms(property, result);
-    if (result.reason.empty()) result.reason = opposite(property);
+    add_assertions(property, result);
+    if (result.reason.empty()) result.reason = opposite_claim(property);
     return result;
 }
 
@@ -433,12 +438,12 @@ b::Exprs default_arguments(const Project& project, const ComponentEmission& comp
     return arguments;
 }
 
-std::vector<Obligation> obligations(const Project& project, NameManager& names, Emitted& emitted) {
+std::vector<Obligation> make_obligations(const Project& project, NameManager& names, Emitted& emitted) {
     Asserter asserter(project, names, emitted);
     std::vector<Obligation> result;
     for (std::uint32_t i = 0; i < project.system.properties.size(); ++i) {
         const ir::Property& property = project.system.properties[i];
-        if (project.timed() ? property.timed : property.untimed) result.push_back(asserter.property(i));
+        if (project.is_timed() ? property.timed : property.untimed) result.push_back(asserter.make_obligation(i));
     }
     return result;
 }

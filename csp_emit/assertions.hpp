@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions of the model as CSPM assertions (docs/semantics.md, "Assertions").
+// Writes assertions of the model as CSPM assertions (docs/semantics.md, "Assertions").
 #pragma once
 
 #include "csp_emit/base/component.hpp"
@@ -9,7 +9,7 @@ namespace robochart::csp_emit {
 
 /// One obligation for each property that is decided in this semantics. Declarations that they add to the script get
 /// unique names, whose meaning is added to the provenance.
-[[nodiscard]] std::vector<Obligation> obligations(const Project&, NameManager&, Emitted&);
+[[nodiscard]] std::vector<Obligation> make_obligations(const Project&, NameManager&, Emitted&);
 /// The component's process of this variant ("D__") with defaults for its parameters.
 [[nodiscard]] cspm::ExprPtr default_process(const Project&, const std::string& path, const ComponentEmission&,
                                             const std::string& variant);

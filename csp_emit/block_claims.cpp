@@ -11,10 +11,10 @@
 #include <map>
 #include <set>
 
+#include "base/diagnostics/text.hpp"
 #include "checker/cspm/syntax/lookup.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/base/rules.hpp"
-#include "base/diagnostics/text.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -64,19 +64,19 @@ private:
         if (!followed_.insert(name).second) return;
         if (const auto found = declared_.find(name); found != declared_.end())
             for (const DeclPtr& decl : found->second)
-                if (decl->body) follow(decl->body);
+                if (decl->body) follow_names(decl->body);
     }
-    void follow(const ExprPtr& expr) {
+    void follow_names(const ExprPtr& expr) {
         if (!expr) return;
         if (expr->kind == ExprKind::name) follow_name(expr->text);
-        if (expr->kind == ExprKind::hide && expr->args.size() == 2) hide(expr->args[1]);
-        if (expr->kind == ExprKind::project && expr->args.size() == 2) project(expr->args[0], expr->args[1]);
-        each_part(*expr, [&](const ExprPtr& part) { follow(part); });
+        if (expr->kind == ExprKind::hide && expr->args.size() == 2) note_hidden(expr->args[1]);
+        if (expr->kind == ExprKind::project && expr->args.size() == 2) note_projected(expr->args[0], expr->args[1]);
+        each_part(*expr, [&](const ExprPtr& part) { follow_names(part); });
     }
 
     /// The names in an expression and in the definitions of these names. An event `e.out` does not stand for all of
     /// `e`.
-    void names(const ExprPtr& expr, std::set<std::string>& result) const {
+    void collect_names(const ExprPtr& expr, std::set<std::string>& result) const {
         if (!expr) return;
         if (expr->kind == ExprKind::dot && expr->args.size() > 1 && expr->args[0]->kind == ExprKind::name &&
             expr->args[1]->kind == ExprKind::name) {
@@ -85,8 +85,8 @@ private:
         }
         if (expr->kind == ExprKind::name && result.insert(expr->text).second)
             if (const auto found = declared_.find(expr->text); found != declared_.end())
-                for (const DeclPtr& decl : found->second) names(decl->body, result);
-        each_part(*expr, [&](const ExprPtr& part) { names(part, result); });
+                for (const DeclPtr& decl : found->second) collect_names(decl->body, result);
+        each_part(*expr, [&](const ExprPtr& part) { collect_names(part, result); });
     }
 
     /// Whether the environment decides the event: inputs, and external writes to variables.
@@ -98,17 +98,17 @@ private:
         return found != provenance_.events.end() && decided_outside(found->second.kind);
     }
 
-    void hide(const ExprPtr& set) {
+    void note_hidden(const ExprPtr& set) {
         std::set<std::string> all;
-        names(set, all);
+        collect_names(set, all);
         for (const std::string& name : all)
             if (is_input(name) || is_input(name + ".in")) hidden_.insert(name);
     }
     /// Adds all inputs of the components in the process except those in the set.
-    void project(const ExprPtr& process, const ExprPtr& set) {
+    void note_projected(const ExprPtr& process, const ExprPtr& set) {
         std::set<std::string> kept, inside;
-        names(set, kept);
-        names(process, inside);
+        collect_names(set, kept);
+        collect_names(process, inside);
         for (const std::string& name : inside) {
             const std::size_t end = name.rfind("::");
             if (end == std::string::npos || !name.ends_with("__")) continue;
@@ -156,8 +156,8 @@ std::vector<Obligation> block_obligations(const Project& project, const std::vec
         Obligation one;
         one.kind = kind_of(decl->assertion.kind);
         one.negated = decl->assertion.negated;
-        one.title =
-            fmt::format("[{}] {}", project.timed() ? "timed" : "untimed", diagnostics::on_one_line(cspm::print(*decl)));
+        one.title = fmt::format("[{}] {}", project.is_timed() ? "timed" : "untimed",
+                                diagnostics::on_one_line(cspm::print(*decl)));
         one.time = project.time;
         one.origin.span = decl->span;
         one.assertions = {decl};
@@ -172,12 +172,12 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
     std::map<std::string, Definitions> definitions;  // by path of the assertion file
     for (const ir::Property& property : project.system.properties) {
         const bool both = property.timed && property.untimed;
-        if (project.timed() ? !property.timed : !property.untimed) continue;
+        if (project.is_timed() ? !property.timed : !property.untimed) continue;
         for (const ir::ComponentRef* const side : {&property.subject, &property.other}) {
             if (side->kind != ir::ComponentKind::process || side->definition >= project.system.csp_blocks.size())
                 continue;
             const ir::CspBlock& block = project.system.csp_blocks[side->definition];
-            if (!project.applies(block)) {
+            if (!project.block_applies(block)) {
                 if (reported.insert(property.name).second)
                     project.diagnostics
                         .report(rules::block_of_other_time, property.origin.span,
@@ -186,7 +186,7 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
                 continue;
             }
             const auto decls = files.find(block.file);
-            if (decls == files.end() || (project.timed() && both)) continue;  // reported for the other semantics
+            if (decls == files.end() || (project.is_timed() && both)) continue;  // reported for the other semantics
             Definitions& defined = definitions.try_emplace(block.file, decls->second, provenance).first->second;
             if (!defined.defines(block.name)) {
                 if (reported.insert(block.name).second)

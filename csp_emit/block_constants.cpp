@@ -31,43 +31,43 @@ public:
     explicit Values(const DefinitionsByName& definitions) : definitions_(definitions) {}
 
     /// The expression in `name = expression`; null if no block has such a definition.
-    [[nodiscard]] cspm::ExprPtr body(const std::string& name) const {
+    [[nodiscard]] cspm::ExprPtr body_of(const std::string& name) const {
         const auto found = definitions_.find(name);
         if (found == definitions_.end() || found->second.front().decl->kind != cspm::DeclKind::value) return nullptr;
         return found->second.front().decl->body;
     }
-    [[nodiscard]] Value of(const std::string& name) const {
-        const cspm::ExprPtr expr = resolved(body(name));
-        if (const auto value = number(expr)) return {std::to_string(*value), true};
+    [[nodiscard]] Value value_of(const std::string& name) const {
+        const cspm::ExprPtr expr = resolve_names(body_of(name));
+        if (const auto value = evaluate_number(expr)) return {std::to_string(*value), true};
         const bool literal = expr->kind == ExprKind::boolean || expr->kind == ExprKind::name;
         return {cspm::print(expr), literal};
     }
 
 private:
     /// Removes parentheses and replaces names by their definitions in blocks.
-    [[nodiscard]] cspm::ExprPtr resolved(cspm::ExprPtr expr) const {
+    [[nodiscard]] cspm::ExprPtr resolve_names(cspm::ExprPtr expr) const {
         std::set<std::string> followed;
         for (;;) {
             if (expr->kind == ExprKind::parenthesised) {
                 expr = expr->args[0];
             } else if (expr->kind == ExprKind::name && followed.insert(expr->text).second &&
-                       body(expr->text) != nullptr) {
-                expr = body(expr->text);
+                       body_of(expr->text) != nullptr) {
+                expr = body_of(expr->text);
             } else {
                 return expr;
             }
         }
     }
-    [[nodiscard]] std::optional<std::int64_t> number(const cspm::ExprPtr& unresolved) const {
-        const cspm::ExprPtr expr = resolved(unresolved);
+    [[nodiscard]] std::optional<std::int64_t> evaluate_number(const cspm::ExprPtr& unresolved) const {
+        const cspm::ExprPtr expr = resolve_names(unresolved);
         if (expr->kind == ExprKind::integer) return expr->number;
         if (expr->kind == ExprKind::negate) {
-            const auto value = number(expr->args[0]);
+            const auto value = evaluate_number(expr->args[0]);
             return value ? ir::checked_subtract(0, *value) : std::nullopt;
         }
         if (expr->kind != ExprKind::plus && expr->kind != ExprKind::minus && expr->kind != ExprKind::times)
             return std::nullopt;
-        const auto left = number(expr->args[0]), right = number(expr->args[1]);
+        const auto left = evaluate_number(expr->args[0]), right = evaluate_number(expr->args[1]);
         if (!left || !right) return std::nullopt;
         return expr->kind == ExprKind::plus    ? ir::checked_add(*left, *right)
                : expr->kind == ExprKind::minus ? ir::checked_subtract(*left, *right)
@@ -79,7 +79,7 @@ private:
 
 /// Whether the script of the other semantics has already reported this finding.
 bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics::Span place) {
-    const auto known = project.diagnostics.sorted();
+    const auto known = project.diagnostics.sorted_findings();
     return std::ranges::any_of(
         known, [&](const diagnostics::Diagnostic& finding) { return finding.rule == &rule && finding.span == place; });
 }
@@ -94,9 +94,9 @@ std::set<std::string> check_names_of_constants(const Project& project, const Def
     const auto own = ir::own_constants(project.system);
     for (const ir::NamedConstant& constant : constants) {
         const auto own_constant = own.find(constant.name);
-        if (own_constant == own.end() || values.body(constant.name) == nullptr) continue;
+        if (own_constant == own.end() || values.body_of(constant.name) == nullptr) continue;
         const std::string& machines = own_constant->second;
-        const Value value = values.of(constant.name);
+        const Value value = values.value_of(constant.name);
         const diagnostics::Span place = definitions.at(constant.name).front().place;
         const auto report = [&](const diagnostics::Rule& rule, const std::string& other, const Value& others) {
             if (is_known(project, rule, place)) return;
@@ -104,8 +104,8 @@ std::set<std::string> check_names_of_constants(const Project& project, const Def
                 .notes.push_back(
                     {definitions.at(other).front().place, fmt::format("here {} = {}", other, others.text)});
         };
-        if (values.body(machines) != nullptr) {
-            const Value machines_value = values.of(machines);
+        if (values.body_of(machines) != nullptr) {
+            const Value machines_value = values.value_of(machines);
             if (machines_value.text == value.text) continue;
             report(rules::name_of_machine_decides, machines, machines_value);
             result.insert(constant.name);
@@ -113,7 +113,7 @@ std::set<std::string> check_names_of_constants(const Project& project, const Def
         }
         const auto [first, added] = first_part.emplace(machines, &constant);
         if (added) continue;
-        const Value others = values.of(first->second->name);
+        const Value others = values.value_of(first->second->name);
         const bool differ = value.known && others.known && value.text != others.text;
         if (differ) report(rules::two_values_of_constant, first->second->name, others);
     }

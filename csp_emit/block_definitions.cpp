@@ -13,7 +13,7 @@ namespace {
 diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
     const auto& blocks = project.system.csp_blocks;
     const auto block = std::ranges::find_if(
-        blocks, [&](const ir::CspBlock& each) { return each.file == file && each.text_span.known(); });
+        blocks, [&](const ir::CspBlock& each) { return each.file == file && each.text_span.is_known(); });
     if (block != blocks.end()) span.source = block->text_span.source;
     return span;
 }

@@ -12,35 +12,35 @@ using Visitor = std::function<void(const cspm::ExprPtr&)>;
 
 class Walk {
 public:
-    Walk(const Emission& emission, const Visitor& visit) : visit_(visit) { collect(emission.script.decls); }
+    Walk(const Emission& emission, const Visitor& visit) : visit_(visit) { collect_bodies(emission.script.decls); }
 
-    void expression(const cspm::ExprPtr& expr) {
+    void visit_expression(const cspm::ExprPtr& expr) {
         if (!expr) return;
         visit_(expr);
-        if (expr->kind == cspm::ExprKind::name) definitions(expr->text);
-        for (const cspm::ExprPtr& part : expr->args) expression(part);
-        for (const cspm::Field& field : expr->fields) expression(field.value);
-        for (const cspm::Clause& clause : expr->clauses) expression(clause.value);
+        if (expr->kind == cspm::ExprKind::name) visit_definitions(expr->text);
+        for (const cspm::ExprPtr& part : expr->args) visit_expression(part);
+        for (const cspm::Field& field : expr->fields) visit_expression(field.value);
+        for (const cspm::Clause& clause : expr->clauses) visit_expression(clause.value);
         for (const cspm::Link& link : expr->links) {
-            expression(link.from);
-            expression(link.to);
+            visit_expression(link.from);
+            visit_expression(link.to);
         }
-        for (const cspm::DeclPtr& decl : expr->decls) expression(decl->body);
+        for (const cspm::DeclPtr& decl : expr->decls) visit_expression(decl->body);
     }
 
 private:
-    void collect(const std::vector<cspm::DeclPtr>& decls) {
+    void collect_bodies(const std::vector<cspm::DeclPtr>& decls) {
         for (const cspm::DeclPtr& decl : decls) {
-            if (decl->kind == cspm::DeclKind::timed) collect(decl->decls);
+            if (decl->kind == cspm::DeclKind::timed) collect_bodies(decl->decls);
             if (decl->kind == cspm::DeclKind::function || decl->kind == cspm::DeclKind::value)
                 for (const std::string& name : cspm::declared_names(*decl)) bodies_[name].push_back(decl->body);
         }
     }
 
-    void definitions(const std::string& name) {
+    void visit_definitions(const std::string& name) {
         const auto known = bodies_.find(name);
         if (known == bodies_.end() || !seen_.insert(name).second) return;
-        for (const cspm::ExprPtr& body : known->second) expression(body);
+        for (const cspm::ExprPtr& body : known->second) visit_expression(body);
     }
 
     const Visitor& visit_;
@@ -52,7 +52,7 @@ private:
 
 void visit_named(const Emission& emission, const std::vector<cspm::ExprPtr>& expressions, const Visitor& visit) {
     Walk walk(emission, visit);
-    for (const cspm::ExprPtr& expr : expressions) walk.expression(expr);
+    for (const cspm::ExprPtr& expr : expressions) walk.visit_expression(expr);
 }
 
 std::set<std::string> components_in(const Emission& emission, const std::vector<cspm::ExprPtr>& expressions) {

@@ -28,55 +28,55 @@ public:
           component_(emitted.components.at(path_)),
           process_(default_process(project, path_, component_, "D__")) {}
 
-    std::vector<Obligation> all() {
+    std::vector<Obligation> make_obligations() {
         const auto plain = cspm::Model::none;
-        required(PropertyKind::deadlock_free, "deadlock-free",
-                 deadlock_free(running_on(process_, "r__"), project_.timed(), plain));
-        required(PropertyKind::divergence_free, "divergence-free",
-                 b::assert_property(process_, cspm::AssertionKind::divergence_free, plain));
-        if (project_.timed()) {
-            required(PropertyKind::timelock_free, "timelock-free",
-                     timelock_free(b::hide(running_on(process_, "tock"),
-                                           b::productions(outputs_of(emitted_.provenance, path_)))));
-            clocks();
+        add_required(PropertyKind::deadlock_free, "deadlock-free",
+                     deadlock_free(running_on(process_, "r__"), project_.is_timed(), plain));
+        add_required(PropertyKind::divergence_free, "divergence-free",
+                     b::assert_property(process_, cspm::AssertionKind::divergence_free, plain));
+        if (project_.is_timed()) {
+            add_required(PropertyKind::timelock_free, "timelock-free",
+                         timelock_free(b::hide(running_on(process_, "tock"),
+                                               b::productions(outputs_of(emitted_.provenance, path_)))));
+            add_clocks();
         }
-        information(PropertyKind::deterministic, "deterministic",
-                    b::assert_property(process_, cspm::AssertionKind::deterministic, plain));
-        information(PropertyKind::terminates, "never terminates", never_terminates(process_)).negated = true;
-        states();
-        transitions();
+        add_information(PropertyKind::deterministic, "deterministic",
+                        b::assert_property(process_, cspm::AssertionKind::deterministic, plain));
+        add_information(PropertyKind::terminates, "never terminates", never_terminates(process_)).negated = true;
+        add_states();
+        add_transitions();
         return std::move(obligations_);
     }
 
 private:
-    Obligation& required(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
+    Obligation& add_required(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
         Obligation& obligation = obligations_.emplace_back();
         obligation.kind = kind;
         obligation.component = title_;
         obligation.property_text = what;
-        obligation.title = fmt::format("core [{}] {}: {}", project_.timed() ? "timed" : "untimed", path_, what);
+        obligation.title = fmt::format("core [{}] {}: {}", project_.is_timed() ? "timed" : "untimed", path_, what);
         obligation.time = project_.time;
         obligation.assertions.push_back(std::move(assertion));
         return obligation;
     }
-    Obligation& information(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
-        Obligation& obligation = required(kind, what, std::move(assertion));
+    Obligation& add_information(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
+        Obligation& obligation = add_required(kind, what, std::move(assertion));
         obligation.information = true;
         return obligation;
     }
 
     /// Adds the clock properties of a machine; each clock is checked in an instrumented copy of the machine.
-    void clocks() {
+    void add_clocks() {
         if (component_.machine == nullptr) return;
         for (const ir::Clock& clock : component_.machine->clocks) {
-            if (clock.entry_of.valid()) continue;  // reset by the entry of a state
+            if (clock.entry_of.is_valid()) continue;  // reset by the entry of a state
             const WatchedCopy watch =
-                clock_watch(project_, names_, emitted_, path_, clock.name, flatten(path_ + "_" + clock.name));
+                clock_watch(project_, names_, emitted_, path_, clock.name, flatten_name(path_ + "_" + clock.name));
             if (watch.reads == 0) continue;
-            const ExprPtr read_unset = watch.only("unset__", default_arguments(project_, component_));
+            const ExprPtr read_unset = watch.only_event("unset__", default_arguments(project_, component_));
             Obligation& obligation =
-                required(PropertyKind::clock_initialised, fmt::format("{} is reset before it is read", clock.name),
-                         never(read_unset, false));
+                add_required(PropertyKind::clock_initialised, fmt::format("{} is reset before it is read", clock.name),
+                             never_performs(read_unset, false));
             obligation.origin = clock.origin;
             obligation.preparation.push_back(watch.module);
         }
@@ -91,16 +91,16 @@ private:
     }
 
     /// Adds reachability of the states of all machines in the component, in the component's context.
-    void states() {
+    void add_states() {
         const ExprPtr visible = default_process(project_, path_, component_, "VS__");
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
             for (const ir::Node& node : machine.nodes)
-                if (node.kind == ir::NodeKind::state) state(path, node, visible);
+                if (node.kind == ir::NodeKind::state) add_state(path, node, visible);
         });
     }
     /// Adds the question which transitions fire. VS__ compresses no part, so each of its states determines the states
     /// of the machines.
-    void transitions() {
+    void add_transitions() {
         FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
             const std::string owner = path == path_ ? "" : path.substr(path_.size() + 2) + ": ";
@@ -108,15 +108,16 @@ private:
                 question.transitions.push_back({path, owner + ir::text_of(machine, each), each.origin});
         });
         if (question.transitions.empty()) return;
-        Obligation& obligation = information(PropertyKind::reachable, "every transition fires", nullptr);
+        Obligation& obligation = add_information(PropertyKind::reachable, "every transition fires", nullptr);
         obligation.assertions.clear();
         obligation.firing = std::move(question);
     }
-    void state(const std::string& machine, const ir::Node& node, const ExprPtr& visible) {
+    void add_state(const std::string& machine, const ir::Node& node, const ExprPtr& visible) {
         const std::string name = machine + "::" + node.path;
         const ExprPtr entered = b::project(visible, b::productions({b::name(name + "::entered")}));
         const std::string shown = name.substr(path_.size() + 2);
-        information(PropertyKind::reachable, shown + " is reachable", never(entered, true)).origin = node.origin;
+        add_information(PropertyKind::reachable, shown + " is reachable", never_performs(entered, true)).origin =
+            node.origin;
     }
 
     const Project& project_;
@@ -134,9 +135,10 @@ private:
 std::vector<Obligation> core_properties(const Project& project, NameManager& names, Emitted& emitted) {
     std::vector<Obligation> result;
     const auto ask = [&](const std::string& package, const std::string& path, const char* kind) {
-        const std::string name = qualified(package, path);
+        const std::string name = qualified_name(package, path);
         if (!emitted.components.contains(name)) return;
-        for (Obligation& each : CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).all())
+        for (Obligation& each :
+             CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).make_obligations())
             result.push_back(std::move(each));
     };
     for (const ir::Module& module : project.system.modules) ask(module.package, module.name, "module");

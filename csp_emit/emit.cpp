@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The untimed or timed script: library, data, instantiations, components by package, CSP blocks, assertions.
+// Assembles the untimed or timed script: library, data, instantiations, components by package, CSP blocks, assertions.
 #include "csp_emit/emit.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <set>
 
+#include "base/diagnostics/escape.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/assertions.hpp"
@@ -26,7 +27,6 @@
 #include "csp_emit/passes/shared_modules.hpp"
 #include "csp_emit/robotool_names.hpp"
 #include "csp_emit/unread_definitions.hpp"
-#include "base/diagnostics/escape.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
@@ -41,57 +41,57 @@ class NameSurvey {
 public:
     NameSurvey(const Project& project, NameManager& names) : project_(project), names_(names) {}
 
-    void all() {
-        for (const ir::Type& type : project_.system.types) types(type);
-        for (const ir::Function& function : project_.system.functions) element(function_name(function));
+    void reserve_elements() {
+        for (const ir::Type& type : project_.system.types) reserve_type(type);
+        for (const ir::Function& function : project_.system.functions) reserve_name(function_name(function));
         for (const ir::NamedConstant& constant : ir::named_constants(project_.system)) names_.reserve(constant.name);
-        for (const ir::Machine& machine : project_.system.machines) component(machine, machine.name);
-        for (const ir::Machine& machine : project_.system.machines) nodes(machine);
+        for (const ir::Machine& machine : project_.system.machines) reserve_component(machine, machine.name);
+        for (const ir::Machine& machine : project_.system.machines) reserve_nodes(machine);
         for (const ir::Controller& controller : project_.system.controllers) {
-            component(controller, controller.name);
-            for (const auto& part : controller.machines) element(part.name);
+            reserve_component(controller, controller.name);
+            for (const auto& part : controller.machines) reserve_name(part.name);
         }
         for (const ir::Module& module : project_.system.modules) {
-            component(module.platform, module.name);
-            for (const auto& part : module.controllers) element(part.name);
+            reserve_component(module.platform, module.name);
+            for (const auto& part : module.controllers) reserve_name(part.name);
         }
     }
 
 private:
-    void element(const std::string& name) { names_.reserve(name); }
-    void types(const ir::Type& type) {
+    void reserve_name(const std::string& name) { names_.reserve(name); }
+    void reserve_type(const ir::Type& type) {
         if (type.kind != ir::TypeKind::enumeration && type.kind != ir::TypeKind::given) return;
-        element(type_name(type));
+        reserve_name(type_name(type));
         for (std::size_t i = 0; i < type.labels.size(); ++i) names_.reserve(literal_name(type, i));
     }
     template <class Component>
-    void component(const Component& component, const std::string& name) {
-        element(name);
-        for (const ir::Event& event : component.events) element(event.name);
+    void reserve_component(const Component& component, const std::string& name) {
+        reserve_name(name);
+        for (const ir::Event& event : component.events) reserve_name(event.name);
         for (const auto& operation : component.operations) names_.reserve(operation.name + "Call");
         for (const ir::Variable& variable : component.variables) {
             names_.reserve("set_" + variable.name);
             names_.reserve("set_EXT_" + variable.name);
         }
     }
-    void nodes(const ir::Machine& machine) {
+    void reserve_nodes(const ir::Machine& machine) {
         for (const ir::Node& node : machine.nodes)
-            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final) element(node.name);
+            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final) reserve_name(node.name);
     }
 
     const Project& project_;
     NameManager& names_;
 };
 
-void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
+void append_declarations(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
     decls.insert(decls.end(), more.begin(), more.end());
 }
 
 /// Components of a package, in the order machines, controllers, modules.
 class Packages {
 public:
-    void add(const std::string& package, const DeclPtr& module) {
-        const std::string name = flatten(package);
+    void add_module(const std::string& package, const DeclPtr& module) {
+        const std::string name = flatten_name(package);
         const auto found = std::ranges::find_if(packages_, [&](const auto& p) { return p.first == name; });
         if (found == packages_.end())
             packages_.push_back({name, {module}});
@@ -124,20 +124,20 @@ void emit_components(const Project& project, const NameManager& names, const std
         context.project = &project;
         context.machine = &machine;
         context.name = module_name(machine);
-        context.path = qualified(machine.package, context.name);
+        context.path = qualified_name(machine.package, context.name);
         context.names = names;
-        packages.add(machine.package, emit_machine(std::move(context), emitted).module);
+        packages.add_module(machine.package, emit_machine(std::move(context), emitted).module);
     }
     for (const ir::Controller& controller : system.controllers) {
         if (controller.path != controller.name) continue;
         const ControllerContext context{
-            &project, &controller, controller.name, qualified(controller.package, controller.name),
+            &project, &controller, controller.name, qualified_name(controller.package, controller.name),
             names,    nullptr,     &given};
-        packages.add(controller.package, emit_controller(context, emitted).module);
+        packages.add_module(controller.package, emit_controller(context, emitted).module);
     }
     for (const ir::Module& module : system.modules) {
-        const ModuleContext context{&project, &module, qualified(module.package, module.name), names, &given};
-        packages.add(module.package, emit_module(context, emitted).module);
+        const ModuleContext context{&project, &module, qualified_name(module.package, module.name), names, &given};
+        packages.add_module(module.package, emit_module(context, emitted).module);
     }
     const bool share = project.options.share_modules && project.diagnostics.ok();
     const auto modules = share ? share_modules(packages.decls(), names) : packages.decls();
@@ -147,8 +147,8 @@ void emit_components(const Project& project, const NameManager& names, const std
 /// Parses a block so that its diagnostics point into the .assertions file: the text around it is replaced by blanks.
 std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& block) {
     std::string text = block.text;
-    if (block.text_span.known()) {
-        text = std::string(project.sources.text(block.text_span.source));
+    if (block.text_span.is_known()) {
+        text = std::string(project.sources.source_text(block.text_span.source));
         for (std::size_t i = 0; i < text.size(); ++i)
             if ((i < block.text_span.begin || i >= block.text_span.end) && text[i] != '\n') text[i] = ' ';
     }
@@ -183,16 +183,16 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
     std::vector<FileBlocks> result;
     std::set<std::string> instantiations;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
-        if (!project.applies(block)) continue;
+        if (!project.block_applies(block)) continue;
         if (result.empty() || result.back().file != block.file) result.push_back({block.file, {}, {}});
         FileBlocks& file = result.back();
         const std::vector<DeclPtr> decls = read_block(project, block);
         if (project.replaces_instantiations(block)) {
             if (!instantiations.insert(block.text).second) continue;  // an earlier file contains the same block
             project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
-            append(file.instantiations, declared_once(decls, library));
+            append_declarations(file.instantiations, declared_once(decls, library));
         } else {
-            append(file.others, decls);
+            append_declarations(file.others, decls);
         }
     }
     return result;
@@ -202,7 +202,7 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
 /// them the functions whose values the finite instantiation chooses.
 void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
                         std::set<std::string>& bounded, std::vector<std::string>& left_out) {
-    for (const DeclPtr& decl : instantiations(project)) {
+    for (const DeclPtr& decl : instantiation_definitions(project)) {
         const std::string name = !decl->names.empty() ? decl->names.front() : decl->patterns.front().front()->text;
         if (given.count(name) != 0) continue;
         left_out.push_back(name);
@@ -219,13 +219,13 @@ std::set<std::string> names_for_blocks(const Project& project, const std::vector
                                        const std::vector<DeclPtr>& generated, const NamesForBlocks& of_model) {
     std::set<std::string> result = user_names(core).all;
     result.merge(user_names(generated).all);
-    result.merge(user_names(instantiations(project)).all);
+    result.merge(user_names(instantiation_definitions(project)).all);
     for (const auto& [before, after] : of_model.data) result.insert(before);
     return result;
 }
 
 /// Reserves every word in the blocks, so that generated names differ from all of them.
-void reserve(const Project& project, NameManager& names) {
+void reserve_words_of_blocks(const Project& project, NameManager& names) {
     const auto in_name = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
     };
@@ -246,14 +246,15 @@ void name_claim(const Project& project, Obligation& obligation) {
     if (first.empty()) return;
     const bool core = obligation.property == ir::no_id;
     const ir::Origin& origin = core ? obligation.origin : project.system.properties[obligation.property].origin;
-    const std::string place = project.sources.place(origin.span);
+    const std::string place = project.sources.path_and_line(origin.span);
     cspm::Decl named = *first.front();
-    named.comment = diagnostics::shown(obligation.title + (place.empty() ? "" : ", " + place)) + "\n" + named.comment;
+    named.comment =
+        diagnostics::escape_for_display(obligation.title + (place.empty() ? "" : ", " + place)) + "\n" + named.comment;
     first.front() = std::make_shared<const cspm::Decl>(std::move(named));
 }
 
 /// The script's name for a generated name.
-std::string in(const cspm::NewNames& names, const std::string& name) {
+std::string new_name(const cspm::NewNames& names, const std::string& name) {
     const auto found = names.find(name);
     return found == names.end() ? name : found->second;
 }
@@ -278,10 +279,10 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
                           diagnostics};
     NameManager names;
     reserve_all(names);
-    NameSurvey(project, names).all();
+    NameSurvey(project, names).reserve_elements();
     point_out_probabilities(project);
     Emission result;
-    const std::vector<DeclPtr> core = library(project);
+    const std::vector<DeclPtr> core = script_library(project);
     const std::vector<FileBlocks> files = user_blocks(project, core);
     UserNames theirs;
     for (const FileBlocks& file : files)
@@ -290,9 +291,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
             theirs.constructors.merge(more.constructors);
             theirs.all.merge(more.all);
         }
-    reserve(project, names);
+    reserve_words_of_blocks(project, names);
     std::vector<DeclPtr> generated = data_definitions(project);
-    append(generated, record_definitions(project, theirs.all));
+    append_declarations(generated, record_definitions(project, theirs.all));
     std::vector<std::string> left_out;
     Emitted emitted;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
@@ -306,27 +307,28 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     }
     emit_components(project, names, deciding, emitted, generated);
     std::vector<DeclPtr> ours = core;
-    append(ours, generated);
+    append_declarations(ours, generated);
     const cspm::NewNames new_names = new_names_of_ours(theirs, ours, names);
     const std::vector<cspm::QualifiedNames> new_names_of_files =
         new_names_of_theirs(files, safe.for_blocks, ours, names);
     for (std::size_t i = 0; i < files.size(); ++i) emitted.names_of_blocks[files[i].file] = new_names_of_files[i].plain;
-    const std::string terminated = in(new_names, "r__");
+    const std::string terminated = new_name(new_names, "r__");
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
-    if (project.timed()) {
+    if (project.is_timed()) {
         emitted.provenance.events["tock"] = tock;
-        emitted.provenance.events[in(new_names, "tock'")] = tock;  // the copy that deadlock checks leave visible
+        emitted.provenance.events[new_name(new_names, "tock'")] = tock;  // the copy that deadlock checks leave visible
     }
     emitted.provenance.events[terminated] = {MeaningKind::terminate, "it has terminated", {}, {}};
     std::vector<DeclPtr>& definitions = result.definitions.decls;
-    definitions = cspm::renamed(core, new_names);
+    definitions = cspm::rename_declarations(core, new_names);
     for (std::size_t i = 0; i < files.size(); ++i)
-        append(definitions, cspm::renamed(files[i].instantiations, new_names_of_files[i]));
-    append(definitions, cspm::renamed(generated, new_names));
+        append_declarations(definitions, cspm::rename_declarations(files[i].instantiations, new_names_of_files[i]));
+    append_declarations(definitions, cspm::rename_declarations(generated, new_names));
     result.script = result.definitions;
     for (std::size_t i = 0; i < files.size(); ++i)
-        append(result.script.decls,
-               cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
+        append_declarations(
+            result.script.decls,
+            cspm::rename_declarations(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
     DeclsOfFiles decls_of_files;
     for (const FileBlocks& file : files) decls_of_files[file.file] = file.others;
     for (const FileBlocks& file : files) check_robotool_names(project, emitted.components, definitions, file.others);
@@ -334,17 +336,17 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     std::vector<Obligation> of_blocks = block_obligations(project, result.script.decls);
     const auto add = [&](std::vector<Obligation> more) {
         for (Obligation& obligation : more) {
-            obligation.preparation = cspm::renamed(obligation.preparation, new_names);
+            obligation.preparation = cspm::rename_declarations(obligation.preparation, new_names);
             name_claim(project, obligation);
-            append(result.script.decls, obligation.preparation);
-            append(result.script.decls, obligation.assertions);
+            append_declarations(result.script.decls, obligation.preparation);
+            append_declarations(result.script.decls, obligation.assertions);
             result.obligations.push_back(std::move(obligation));
         }
     };
-    add(obligations(project, names, emitted));
+    add(make_obligations(project, names, emitted));
     std::move(of_blocks.begin(), of_blocks.end(), std::back_inserter(result.obligations));
     if (options.core_properties) add(core_properties(project, names, emitted));
-    result.captured = captured(cspm::renamed(ours, new_names));
+    result.captured = captured_names(cspm::rename_declarations(ours, new_names));
     for (const auto& [path, component] : emitted.components)
         result.components.push_back(
             {path, default_process(project, path, component, "D__"), default_process(project, path, component, "O__")});

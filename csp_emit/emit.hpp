@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "csp_emit/base/emission.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "csp_emit/base/emission.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

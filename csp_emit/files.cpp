@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts as files for FDR, laid out as RoboTool does (semantics 3.1): definitions, and assertions that include them.
+// Lays out scripts as files for FDR, as RoboTool does (semantics 3.1): definitions, and assertions that include them.
 #include <fmt/format.h>
 
+#include "base/diagnostics/escape.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/escape.hpp"
 
 namespace robochart::csp_emit {
 
@@ -19,10 +19,10 @@ std::string script_name(const std::string& model) {
 }
 
 /// Lists the claims that no assertion expresses.
-std::string left_out(const Emission& emission) {
+std::string list_missing_claims(const Emission& emission) {
     std::string claims;
     for (const Obligation& each : emission.obligations) {
-        const std::string title = diagnostics::shown(each.title);
+        const std::string title = diagnostics::escape_for_display(each.title);
         if (each.recurrence)
             claims += fmt::format("--   {}\n", title);
         else if (each.premise != nullptr)
@@ -48,7 +48,7 @@ std::vector<OutputFile> files(const Emission& emission, Time time, const std::st
     const std::string here = "-- to check it in FDR4: `fdr4 " + checked + "` and Run All, or `refines " + checked +
                              "`; without FDR4: `robochart-verify cspm " + checked + "`\n\n";
     return {{folder + name + ".csp", head + there + cspm::print(emission.definitions)},
-            {folder + checked, head + here + cspm::print(assertions) + left_out(emission)}};
+            {folder + checked, head + here + cspm::print(assertions) + list_missing_claims(emission)}};
 }
 
 }  // namespace robochart::csp_emit

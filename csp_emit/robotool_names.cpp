@@ -73,24 +73,24 @@ public:
         for (const auto& [path, component] : components_) declared_.insert(first_of(path));
     }
 
-    void decls(const std::vector<cspm::DeclPtr>& all) {
+    void check_declarations(const std::vector<cspm::DeclPtr>& all) {
         for (const cspm::DeclPtr& decl : all) {
-            if (decl->body) expr(*decl->body);
-            decls(decl->decls);
-            decls(decl->exports);
+            if (decl->body) check_expression(*decl->body);
+            check_declarations(decl->decls);
+            check_declarations(decl->exports);
         }
     }
 
 private:
-    void expr(const cspm::Expr& each) {
-        if (each.kind == cspm::ExprKind::name) name(each);
-        if (each.kind == cspm::ExprKind::prefix && left_out(each)) return expr(*each.args.at(1));
+    void check_expression(const cspm::Expr& each) {
+        if (each.kind == cspm::ExprKind::name) check_name(each);
+        if (each.kind == cspm::ExprKind::prefix && left_out(each)) return check_expression(*each.args.at(1));
         for (const cspm::DeclPtr& decl : each.decls)
-            if (decl->body) expr(*decl->body);
+            if (decl->body) check_expression(*decl->body);
         for (const cspm::Link& link : each.links)
             for (const cspm::ExprPtr& end : {link.from, link.to})
-                if (end) expr(*end);
-        for_each_part(each, [&](const cspm::Expr& part) { expr(part); });
+                if (end) check_expression(*end);
+        for_each_part(each, [&](const cspm::Expr& part) { check_expression(part); });
     }
 
     /// Whether the prefix is like `S::moveRet -> P`, which today is written as P.
@@ -100,18 +100,18 @@ private:
         const std::optional<OldName> old = old_name(event.text);
         if (!old || !old->left_out) return false;
         const diagnostics::Span rest = prefix.args.at(1)->span;
-        diagnostics::Diagnostic& finding = report(event, old->instead);
+        diagnostics::Diagnostic& finding = report_name(event, old->instead);
         finding.fixes.push_back({{event.span.source, event.span.begin, rest.begin}, "", "leave out"});
         return true;
     }
 
-    void name(const cspm::Expr& each) {
+    void check_name(const cspm::Expr& each) {
         if (const std::optional<OldName> old = old_name(each.text)) {
             if (old->now.empty()) {
-                report(each, old->instead);
+                report_name(each, old->instead);
                 return;
             }
-            report(each, fmt::format("is of an older generator; today it is {}", old->now))
+            report_name(each, fmt::format("is of an older generator; today it is {}", old->now))
                 .fixes.push_back({each.span, old->now, "today's name"});
             return;
         }
@@ -119,9 +119,9 @@ private:
         if (component == components_.end()) return;
         const std::string last = last_of(each.text);
         if (!is_any(component->second.visible, last) && std::ranges::find(inner, last) != inner.end())
-            report(each,
-                   "is inside a machine there; here each machine is one sequential process, of which its events, "
-                   "calls, writes and the states entered can be seen");
+            report_name(each,
+                        "is inside a machine there; here each machine is one sequential process, of which its events, "
+                        "calls, writes and the states entered can be seen");
     }
 
     using Component = std::map<std::string, ComponentEmission>::const_iterator;
@@ -136,7 +136,7 @@ private:
 
     [[nodiscard]] std::optional<OldName> old_name(const std::string& name) const {
         const std::size_t end = name.rfind(separator);
-        if (end == std::string::npos) return declared_.contains(name) ? std::nullopt : flattened(name);
+        if (end == std::string::npos) return declared_.contains(name) ? std::nullopt : find_flattened(name);
         const auto component = components_.find(name.substr(0, end));
         if (component != components_.end())
             return is_any(component->second.visible, last_of(name))
@@ -147,12 +147,12 @@ private:
 
     /// Maps `S_e` to `P::S::e`. If the name may belong to several components, takes the outermost one, provided that it
     /// is unique.
-    [[nodiscard]] std::optional<OldName> flattened(const std::string& name) const {
+    [[nodiscard]] std::optional<OldName> find_flattened(const std::string& name) const {
         std::optional<OldName> found;
         std::size_t depth = 0;
         bool several = false;
         for (const auto& [path, component] : components_) {
-            const std::optional<OldName> old = flattened(name, path, component);
+            const std::optional<OldName> old = find_flattened(name, path, component);
             if (!old) continue;
             const std::size_t deep = depth_of(path);
             several = found && deep == depth;
@@ -162,9 +162,9 @@ private:
         }
         return several ? std::nullopt : found;
     }
-    static std::optional<OldName> flattened(const std::string& name, const std::string& path,
-                                            const ComponentEmission& component) {
-        for (const std::string& prefix : {flatten(path), last_of(path)}) {
+    static std::optional<OldName> find_flattened(const std::string& name, const std::string& path,
+                                                 const ComponentEmission& component) {
+        for (const std::string& prefix : {flatten_name(path), last_of(path)}) {
             if (!name.starts_with(prefix + "_")) continue;
             const std::string last = name.substr(prefix.size() + 1);
             const std::string now = path + std::string(separator);
@@ -195,7 +195,7 @@ private:
         return depth;
     }
 
-    diagnostics::Diagnostic& report(const cspm::Expr& each, const std::string& what) {
+    diagnostics::Diagnostic& report_name(const cspm::Expr& each, const std::string& what) {
         return project_.diagnostics.report(rules::name_of_robotool, each.span, {each.text, what});
     }
 
@@ -211,7 +211,7 @@ void check_robotool_names(const Project& project, const std::map<std::string, Co
     std::set<std::string> declared = user_names(definitions).all;
     declared.merge(user_names(decls).all);
     declared.merge(cspm::bound_names(decls));
-    NameCheck(project, components, std::move(declared)).decls(decls);
+    NameCheck(project, components, std::move(declared)).check_declarations(decls);
 }
 
 std::string name_of_carrier(const std::string& name) {

@@ -13,7 +13,7 @@ namespace robochart::tests {
 /// declarations.
 inline std::vector<std::string> codes_but_advice(const diagnostics::Diagnostics& findings) {
     std::vector<std::string> result;
-    for (const auto& finding : findings.sorted())
+    for (const auto& finding : findings.sorted_findings())
         if (!finding.rule->code.starts_with("RC-W")) result.emplace_back(finding.rule->code);
     return result;
 }

@@ -6,7 +6,7 @@
 
 namespace robochart::tests {
 
-std::string contents(const std::filesystem::path& path) {
+std::string read_contents(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }

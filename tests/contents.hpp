@@ -8,6 +8,6 @@
 namespace robochart::tests {
 
 /// The bytes of a file; "" if it cannot be read.
-[[nodiscard]] std::string contents(const std::filesystem::path& path);
+[[nodiscard]] std::string read_contents(const std::filesystem::path& path);
 
 }  // namespace robochart::tests

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs a test that takes longer than a run of the test programs: random campaigns, mutants, fuzzing, browsers.
-# usage: tests/long.sh NAME [ARGUMENT...]; without a name it lists them. The head of tests/long/NAME.sh describes the
+# usage: tests/long.sh NAME [ARGUMENT...]; without a name it lists them. The head of its file in tests/long describes the
 # arguments.
 set -euo pipefail
 folder="$(dirname "$0")/long"

@@ -35,7 +35,7 @@ bool is_pattern(std::string_view word) {
 }
 
 /// True if the whole text matches the pattern.
-bool fits(std::string_view text, std::string_view pattern) {
+bool matches_pattern(std::string_view text, std::string_view pattern) {
     std::size_t at = 0, t = 0;
     std::size_t star = std::string_view::npos, after = 0;  // the last star, and how much text it covers
     while (t < text.size()) {
@@ -67,7 +67,7 @@ std::vector<std::size_t> places_of(std::string_view word, const std::vector<std:
     if (const auto numbers = numbers_in(word))
         add_all([&](std::size_t i) { return numbers->first <= i + 1 && i + 1 <= numbers->second; });
     else if (is_pattern(word))
-        add_all([&](std::size_t i) { return fits(names[i], word); });
+        add_all([&](std::size_t i) { return matches_pattern(names[i], word); });
     return places;
 }
 
@@ -92,7 +92,7 @@ std::string why_lost(std::string_view word, const std::vector<std::string>& name
         return fmt::format("{} has {} assertion{}", subject, names.size(), names.size() == 1 ? "" : "s");
     if (is_pattern(word)) return fmt::format("{} has no assertion that fits this pattern", subject);
     std::string text = fmt::format("{} has no assertion of this name", subject);
-    if (const std::string meant = diagnostics::nearest(word, names); !meant.empty())
+    if (const std::string meant = diagnostics::nearest_spelling(word, names); !meant.empty())
         return text + fmt::format("; did you mean '{}'?", meant);
     constexpr std::size_t few = 8;
     return names.size() <= few ? text + fmt::format("; there are {}", fmt::join(names, ", ")) : text;

@@ -21,7 +21,7 @@ std::string xml_lines(const std::string& text) {
     return out;
 }
 
-std::string outcome(const JunitCase& each) {
+std::string outcome_element(const JunitCase& each) {
     if (each.kind == JunitCase::Kind::skipped)
         return fmt::format("      <skipped message=\"{}\"/>\n", xml_text(each.message));
     const char* const element = each.kind == JunitCase::Kind::failed ? "failure" : "error";
@@ -33,11 +33,11 @@ std::string case_element(const JunitCase& each) {
     std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(each.group),
                                   xml_text(each.name), each.seconds);
     if (each.kind == JunitCase::Kind::passed) return out + "/>\n";
-    return out + ">\n" + outcome(each) + "    </testcase>\n";
+    return out + ">\n" + outcome_element(each) + "    </testcase>\n";
 }
 
 /// The texts of cases that passed. Some schemas allow this element only after all cases.
-std::string said(const std::vector<JunitCase>& cases) {
+std::string passed_output(const std::vector<JunitCase>& cases) {
     std::string text;
     for (const JunitCase& each : cases)
         if (each.kind == JunitCase::Kind::passed) text += each.text;
@@ -59,7 +59,7 @@ std::string junit_document(const std::string& suite, const std::vector<JunitCase
     out += fmt::format("<testsuites name=\"robochart-verify\" {}>\n", totals);
     out += fmt::format("  <testsuite name=\"{}\" {}>\n", xml_text(suite), totals);
     for (const JunitCase& each : cases) out += case_element(each);
-    return out + said(cases) + "  </testsuite>\n</testsuites>\n";
+    return out + passed_output(cases) + "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace robochart::app

@@ -11,7 +11,7 @@ std::string with_commas(std::uint64_t value) {
     return digits;
 }
 
-std::string counted(std::uint64_t count, std::string_view noun) {
+std::string count_text(std::uint64_t count, std::string_view noun) {
     return fmt::format("{} {}{}", with_commas(count), noun, count == 1 ? "" : "s");
 }
 

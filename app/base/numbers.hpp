@@ -11,6 +11,6 @@ namespace robochart::app {
 /// 1,234,567.
 [[nodiscard]] std::string with_commas(std::uint64_t value);
 /// "1 run", "1,024 runs".
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view noun);
+[[nodiscard]] std::string count_text(std::uint64_t count, std::string_view noun);
 
 }  // namespace robochart::app

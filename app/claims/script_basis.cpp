@@ -20,7 +20,7 @@ constexpr std::size_t most_states = 50'000;
 struct TooMany {};
 
 bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, const Options& turn) {
-    const refine::Limits bounds = limits(turn);
+    const refine::Limits bounds = limits_of_check(turn);
     const auto system = session.system(process, bounds);
     const lts::Exploration all = lts::explore(*system, [&](std::size_t states) {
         if (states > most_states) throw TooMany{};

@@ -29,11 +29,12 @@ std::string call_stack(const std::vector<std::string>& frames) {
 }
 
 /// An assertion of which nothing is known.
-ScriptAssertion undecided(const cspm::Decl& assertion, std::size_t number, const diagnostics::SourceManager& sources) {
+ScriptAssertion undecided_assertion(const cspm::Decl& assertion, std::size_t number,
+                                    const diagnostics::SourceManager& sources) {
     ScriptAssertion result;
     result.number = number;
     result.text = text_of(assertion);
-    result.place = sources.place(assertion.span);
+    result.place = sources.path_and_line(assertion.span);
     const cspm::Assertion& asked = assertion.assertion;
     const bool refinement = asked.kind == cspm::AssertionKind::refinement;
     if (refinement) result.specification = cspm::print(asked.specification);
@@ -61,13 +62,13 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
 }  // namespace
 
 OpenScript::OpenScript(const LoadedScript& loaded, const Options& options) : loaded_(loaded), options_(options) {
-    (void)session();
+    (void)open_session();
 }
 
-cspm::Session& OpenScript::session() {
+cspm::Session& OpenScript::open_session() {
     if (session_) return *session_;
     session_ = std::make_unique<cspm::Session>(loaded_.script, &options_.run->budget());
-    if (diagnostics::Cache* const cache = options_.run->cache()) session_->remember(*cache);
+    if (diagnostics::Cache* const cache = options_.run->cache()) session_->set_cache(*cache);
     for (const std::string& name : std::exchange(events_, {})) session_->event_table().intern(name);
     return *session_;
 }
@@ -95,16 +96,16 @@ ScriptClaims::ScriptClaims(OpenScript& open, const LoadedScript& loaded, const O
       first_(report.assertions.size()),
       begun_(chosen.size()),
       shown_(chosen.size()) {
-    const std::vector<cspm::DeclPtr> all = open.session().assertions();
-    const auto edit = options.run->edit();
+    const std::vector<cspm::DeclPtr> all = open.open_session().assertions();
+    const auto edit = options.run->lock_for_edit();
     for (const std::size_t i : chosen) {
         assertions_.push_back(all[i]);
-        script.assertions.push_back(undecided(*all[i], i + 1, sources_));
-        report.assertions.push_back(in_report(script.assertions.back(), open.session().event_table(), options));
+        script.assertions.push_back(undecided_assertion(*all[i], i + 1, sources_));
+        report.assertions.push_back(in_report(script.assertions.back(), open.open_session().event_table(), options));
     }
 }
 
-void ScriptClaims::decide(const Show& show) {
+void ScriptClaims::decide_all(const Show& show) {
     std::vector<WaitingClaim> claims;
     for (std::size_t at = 0; at < assertions_.size(); ++at)
         claims.push_back({script_.assertions[at].text,
@@ -122,47 +123,47 @@ void ScriptClaims::decide(const Show& show) {
 
 bool ScriptClaims::decide_in(const Options& given, std::size_t at, const Show& show) {
     Options turn = given;
-    turn.on_progress = [this, at](const refine::Progress& progress) { note(progress, at); };
+    turn.on_progress = [this, at](const refine::Progress& progress) { note_progress(progress, at); };
     begun_[at] = true;
-    ScriptAssertion one = undecided(*assertions_[at], script_.assertions[at].number, sources_);
+    ScriptAssertion one = undecided_assertion(*assertions_[at], script_.assertions[at].number, sources_);
     decide_one(turn, *assertions_[at], one);
     const bool decided = one.answer != Answer::inconclusive;
-    take(at, std::move(one));
+    store_result(at, std::move(one));
     if (!decided) return false;
     shown_[at] = true;
-    show(script_.assertions[at], open_.session().event_table());
+    show(script_.assertions[at], open_.open_session().event_table());
     return true;
 }
 
 void ScriptClaims::decide_one(const Options& turn, const cspm::Decl& assertion, ScriptAssertion& one) {
-    const refine::Limits bounds = limits(turn, one.text);
+    const refine::Limits bounds = limits_of_check(turn, one.text);
     one.errors.clear();
     try {
-        one.result = open_.session().check(assertion, bounds);
+        one.result = open_.open_session().check(assertion, bounds);
         one.answer = answer(one.result.verdict.outcome);
-        one.basis = basis_of(open_.session(), assertion, one.result, turn);
+        one.basis = basis_of(open_.open_session(), assertion, one.result, turn);
         if (one.result.verdict.counterexample && !options_.brief)
             one.behaviour =
-                open_.session().behaviour_with_values(assertion, *one.result.verdict.counterexample, bounds);
+                open_.open_session().behaviour_with_values(assertion, *one.result.verdict.counterexample, bounds);
         if (!one.result.verdict.reason.empty()) one.errors.push_back(ended_turn(one.result.verdict.reason, turn));
     } catch (const cspm::EvaluationError& error) {
         one.answer = Answer::error;
         one.errors.push_back(
-            fmt::format("{}: {}{}", sources_.place(error.span), error.what(), call_stack(error.stack)));
+            fmt::format("{}: {}{}", sources_.path_and_line(error.span), error.what(), call_stack(error.stack)));
     }
 }
 
-void ScriptClaims::take(std::size_t at, ScriptAssertion one) {
-    name_events(one, open_.session().event_table(), options_);
-    AssertionReport reported = in_report(one, open_.session().event_table(), options_);
-    const auto edit = options_.run->edit();
+void ScriptClaims::store_result(std::size_t at, ScriptAssertion one) {
+    name_events(one, open_.open_session().event_table(), options_);
+    AssertionReport reported = in_report(one, open_.open_session().event_table(), options_);
+    const auto edit = options_.run->lock_for_edit();
     report_.assertions[first_ + at] = std::move(reported);
     script_.assertions[at] = std::move(one);
 }
 
 /// What is known of an assertion if the run ends now.
-void ScriptClaims::note(const refine::Progress& progress, std::size_t at) {
-    const auto edit = options_.run->edit();
+void ScriptClaims::note_progress(const refine::Progress& progress, std::size_t at) {
+    const auto edit = options_.run->lock_for_edit();
     refine::Statistics& known = report_.assertions[first_ + at].statistics;
     if (progress.phase != refine::Progress::Phase::searching || progress.states < known.states) return;
     report_.assertions[first_ + at].searched = true;
@@ -174,7 +175,7 @@ void ScriptClaims::note(const refine::Progress& progress, std::size_t at) {
 }
 
 void ScriptClaims::say_not_begun(const std::string& why) {
-    const auto edit = options_.run->edit();
+    const auto edit = options_.run->lock_for_edit();
     for (std::size_t at = 0; at < assertions_.size(); ++at) {
         if (begun_[at]) continue;
         script_.assertions[at].errors = {"not begun: " + why};

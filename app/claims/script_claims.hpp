@@ -17,7 +17,7 @@ class OpenScript {
 public:
     OpenScript(const LoadedScript&, const Options&);
     /// Opens it if it is not open. Throws LimitReached.
-    [[nodiscard]] cspm::Session& session();
+    [[nodiscard]] cspm::Session& open_session();
     /// Frees the session. The next one has its events, with their numbers: answers refer to them.
     void give_back();
 
@@ -42,13 +42,13 @@ public:
                  ScriptReport&, Report&);
 
     /// Throws nothing at a limit of the run: what is not decided by then says so.
-    void decide(const Show& show);
+    void decide_all(const Show& show);
 
 private:
     bool decide_in(const Options& turn, std::size_t at, const Show& show);
     void decide_one(const Options& turn, const cspm::Decl& assertion, ScriptAssertion& one);
-    void take(std::size_t at, ScriptAssertion one);
-    void note(const refine::Progress&, std::size_t at);
+    void store_result(std::size_t at, ScriptAssertion one);
+    void note_progress(const refine::Progress&, std::size_t at);
     void say_not_begun(const std::string& why);
 
     OpenScript& open_;

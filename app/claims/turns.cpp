@@ -27,7 +27,7 @@ double first_turn(const Options& options) {
 /// A claim that starts again loses the work of its last turn. Each turn is so much longer that the loss is small.
 constexpr double longer = 8;
 
-bool is_kept(const Options& options) {
+bool keeps_searches(const Options& options) {
     return options.by_levels != nullptr || !options.checkpoint.empty() || !options.resume.empty() ||
            !options.disk.empty();
 }
@@ -58,7 +58,7 @@ void free_memory(const std::function<void()>& give_back) {
 
 bool run_is_over(const diagnostics::Budget& budget) {
     const auto& deadline = budget.limits().deadline;
-    return budget.interrupted() || (deadline && Clock::now() >= *deadline);
+    return budget.is_interrupted() || (deadline && Clock::now() >= *deadline);
 }
 
 void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options,
@@ -70,12 +70,12 @@ void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& opt
         std::vector<const WaitingClaim*> open;
         for (const WaitingClaim* const claim : waiting) {
             const bool alone = open.empty() && claim == waiting.back();
-            const bool last = alone || (most > 0 && seconds >= most) || is_kept(options);
+            const bool last = alone || (most > 0 && seconds >= most) || keeps_searches(options);
             const Options turn = with_turn(options, last ? most : seconds);
             const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + claim->title);
             const bool decided = claim->decide(turn);
             diagnostics::Budget& budget = options.run->budget();
-            if (!budget.reached().empty() && !run_is_over(budget)) free_memory(give_back);
+            if (!budget.reached_limit().empty() && !run_is_over(budget)) free_memory(give_back);
             budget.check();
             if (!decided && !last && is_over(turn)) open.push_back(claim);
         }

@@ -13,12 +13,12 @@
 
 namespace robochart::app {
 
-void answer(const Options& options, const std::function<std::string(Format)>& document) {
+void output_document(const Options& options, const std::function<std::string(Format)>& document) {
     if (options.format != Format::text) print_exact(document(options.format));
     for (const auto& [format, path] : options.files) options.run->keep_for(path, document(format));
 }
 
-bool is_asked_for(const Options& options, Format format) {
+bool is_requested(const Options& options, Format format) {
     return options.format == format || options.files.contains(format);
 }
 

@@ -12,10 +12,10 @@
 namespace robochart::app {
 
 /// Outputs the document in each requested format. Files are written when the run ends; later documents are appended.
-void answer(const Options&, const std::function<std::string(Format)>& document);
+void output_document(const Options&, const std::function<std::string(Format)>& document);
 
 /// True if a program receives the answer in this format.
-[[nodiscard]] bool is_asked_for(const Options&, Format);
+[[nodiscard]] bool is_requested(const Options&, Format);
 
 /// The data of a SARIF log about this run and the rules.
 [[nodiscard]] diagnostics::SarifRules about_log(const Options&, const std::string& limit = "");

@@ -35,7 +35,7 @@ bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
 }
 
-void blank(std::string& text, std::size_t begin, std::size_t end) {
+void blank_range(std::string& text, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < std::min(end, text.size()); ++i)
         if (text[i] != '\n') text[i] = ' ';
 }
@@ -74,8 +74,8 @@ void add_declared(const CspBlock& block, std::set<std::string>& names) {
 class ItemList {
 public:
     ItemList(const File& file, std::string_view text) : text_(text) {
-        for (const diagnostics::Span& comment : file.comments) blank(text_, comment.begin, comment.end);
-        for (const frontend::Import& import : file.imports) blank(text_, import.span.begin, import.span.end);
+        for (const diagnostics::Span& comment : file.comments) blank_range(text_, comment.begin, comment.end);
+        for (const frontend::Import& import : file.imports) blank_range(text_, import.span.begin, import.span.end);
         for (const Assertion& each : file.assertions)
             items_.push_back({with_time(each.span.begin, each.time), each.span.end, &each, nullptr});
         for (const CspBlock& each : file.csp_blocks)
@@ -86,7 +86,7 @@ public:
         std::ranges::sort(items_, [](const Item& a, const Item& b) { return a.begin < b.begin; });
     }
 
-    [[nodiscard]] const std::vector<Item>& all() const { return items_; }
+    [[nodiscard]] const std::vector<Item>& all_items() const { return items_; }
 
     /// Finds the items that an error touches. An error between two items is left to `beside_strays`. Returns false if
     /// the error is before all items and not in a claim that could not be parsed. `head`: where such claims begin.
@@ -100,25 +100,25 @@ public:
         for (std::size_t i = 0; i < items_.size(); ++i) {
             const bool inside = items_[i].begin <= error.end && error.begin <= items_[i].end;
             const bool behind =
-                items_[i].end <= error.begin && error.begin <= next(i) && !stray(items_[i].end, next(i));
+                items_[i].end <= error.begin && error.begin <= next(i) && !is_stray(items_[i].end, next(i));
             if (inside || behind) found.push_back(items_[i]);
         }
         return true;
     }
     /// Finds the items next to a text that belongs to no item. A claim that could not be parsed does not affect the
     /// item before it, and it does not affect the item after it if that item begins a line.
-    void beside_strays(std::size_t head, std::vector<Item>& found) const {
+    void add_stray_neighbours(std::size_t head, std::vector<Item>& found) const {
         if (head < items_.front().begin && !begins_line(items_.front().begin)) found.push_back(items_.front());
         for (std::size_t i = 0; i < items_.size(); ++i) {
-            if (!stray(items_[i].end, next(i))) continue;
+            if (!is_stray(items_[i].end, next(i))) continue;
             if (!begins_claim(items_[i].end)) found.push_back(items_[i]);
             if (i + 1 < items_.size() && !begins_line(next(i))) found.push_back(items_[i + 1]);
         }
     }
     void blank_strays(std::size_t head, std::string& text) const {
-        if (head < items_.front().begin) blank(text, head, items_.front().begin);
+        if (head < items_.front().begin) blank_range(text, head, items_.front().begin);
         for (std::size_t i = 0; i < items_.size(); ++i)
-            if (stray(items_[i].end, next(i))) blank(text, items_[i].end, next(i));
+            if (is_stray(items_[i].end, next(i))) blank_range(text, items_[i].end, next(i));
     }
 
 private:
@@ -155,7 +155,7 @@ private:
         return at == 0 || text_[at - 1] == '\n';
     }
 
-    [[nodiscard]] bool stray(std::size_t begin, std::size_t end) const {
+    [[nodiscard]] bool is_stray(std::size_t begin, std::size_t end) const {
         return begin < end && !std::all_of(text_.begin() + static_cast<std::ptrdiff_t>(begin),
                                            text_.begin() + static_cast<std::ptrdiff_t>(end), is_space);
     }
@@ -176,10 +176,10 @@ std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId
 /// The places of the errors in each assertion file; empty if there are errors elsewhere.
 std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Project& project) {
     std::map<std::size_t, std::vector<diagnostics::Span>> result;
-    if (project.diagnostics.dropped() > 0) return {};
-    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted()) {
+    if (project.diagnostics.dropped_count() > 0) return {};
+    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings()) {
         if (finding.rule->severity != diagnostics::Severity::error) continue;
-        if (!finding.span.known()) return {};
+        if (!finding.span.is_known()) return {};
         const std::optional<std::size_t> file = file_of(project, finding.span.source);
         if (!file || !project.model->files[*file]->is_assertions) return {};
         result[*file].push_back(finding.span);
@@ -198,14 +198,14 @@ public:
         BrokenClaims result;
         const auto& files = project_.model->files;
         for (std::size_t i = 0; i < files.size(); ++i)
-            if (!files[i]->is_library) divide(i, *files[i], result);
+            if (!files[i]->is_library) divide_file(i, *files[i], result);
         result.some = some_;
         result.broken.unit.again = true;
         return result;
     }
 
 private:
-    [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.text(file.source); }
+    [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.source_text(file.source); }
 
     /// False if the file contains a block that could not be parsed: an unknown block may replace the instantiation, on
     /// which everything depends.
@@ -227,13 +227,13 @@ private:
             std::size_t& head = heads_.try_emplace(index, std::string::npos).first->second;
             bool apart = true;
             for (const diagnostics::Span span : spans) apart = items.touched_by(span, found, head) && apart;
-            if (!items.all().empty()) items.beside_strays(head, found);
+            if (!items.all_items().empty()) items.add_stray_neighbours(head, found);
             // An error before all items, or in a definition that several claims use, affects the whole file.
             apart = apart && std::ranges::all_of(found, [](const Item& item) {
                         return item.claim != nullptr || item.block != nullptr;
                     });
             if (!apart) whole_.insert(index);
-            for (const Item& item : apart ? found : items.all()) leave_out(item);
+            for (const Item& item : apart ? found : items.all_items()) leave_out(item);
         }
         return std::ranges::none_of(blocks_,
                                     [](const CspBlock* block) { return frontend::replaces_instantiations(*block); });
@@ -269,7 +269,7 @@ private:
     }
 
     /// Adds the file to the side or sides that contain a part of it.
-    void divide(std::size_t index, const File& file, BrokenClaims& result) {
+    void divide_file(std::size_t index, const File& file, BrokenClaims& result) {
         if (!file.is_assertions) {
             result.sound.unit.files.push_back(index);
             result.broken.unit.files.push_back(index);
@@ -279,16 +279,16 @@ private:
         std::string sound(text_of(file));
         std::string broken = sound;
         std::size_t left = 0;
-        for (const Item& item : items.all()) {
+        for (const Item& item : items.all_items()) {
             const bool out = claims_.contains(item.claim) || blocks_.contains(item.block);
             left += out ? 1 : 0;
             some_ = some_ || (!out && item.claim != nullptr);
-            if (out) blank(sound, item.begin, item.end);
-            if (!out && item.claim != nullptr) blank(broken, item.begin, item.end);
+            if (out) blank_range(sound, item.begin, item.end);
+            if (!out && item.claim != nullptr) blank_range(broken, item.begin, item.end);
         }
-        if (const auto head = heads_.find(index); head != heads_.end() && !items.all().empty())
+        if (const auto head = heads_.find(index); head != heads_.end() && !items.all_items().empty())
             items.blank_strays(head->second, sound);
-        const bool whole = whole_.contains(index) || (left == items.all().size() && errors_.contains(index));
+        const bool whole = whole_.contains(index) || (left == items.all_items().size() && errors_.contains(index));
         if (!whole) result.sound.unit.files.push_back(index);
         if (left == 0 && !errors_.contains(index)) return;
         result.broken.unit.files.push_back(index);

@@ -23,13 +23,13 @@ Parsed wrong_usage(const std::string& what, const std::string& help = "") {
         fmt::format("robochart-verify: {}\ntry: robochart-verify {}--help\n", what, help.empty() ? "" : help + " ")};
 }
 
-Parsed said(std::string text) {
+Parsed answer_with_text(std::string text) {
     return {std::nullopt, Exit::success, std::move(text)};
 }
 
 /// Stores the words after an option in the options.
-void take(const OptionRow& row, const std::vector<std::string>& words, Options& options) {
-    const std::size_t behind = words_behind(row.argument);
+void store_option(const OptionRow& row, const std::vector<std::string>& words, Options& options) {
+    const std::size_t behind = words_after(row.argument);
     for (std::size_t i = 0; i < words.size(); ++i) {
         std::string word = words[i];
         if (const std::string wrong = wrong_word(row.argument, i % behind, word); !wrong.empty())
@@ -39,9 +39,11 @@ void take(const OptionRow& row, const std::vector<std::string>& words, Options& 
 }
 
 void add_option(CLI::App& app, const OptionRow& row, Options& options) {
-    const auto callback = [&row, &options](const CLI::results_t& words) { return take(row, words, options), true; };
+    const auto callback = [&row, &options](const CLI::results_t& words) {
+        return store_option(row, words, options), true;
+    };
     CLI::Option* option = app.add_option(row.names, callback)->allow_extra_args(false);
-    const auto words = static_cast<int>(words_behind(row.argument));
+    const auto words = static_cast<int>(words_after(row.argument));
     if (row.argument.repeated)
         option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1, -1)->allow_extra_args(false);
     else
@@ -66,7 +68,7 @@ void add_options(CLI::App& app, Verbs verbs, Options& options) {
 
 void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
     CLI::App* sub = app.add_subcommand(row.name);
-    add_options(*sub, of(row.verb), options);
+    add_options(*sub, verb_bit(row.verb), options);
     if (const std::string input = row.input; !input.empty()) {
         const std::size_t begin = input.front() == '[' ? 1 : 0;
         const std::string name = input.substr(begin, input.find_first_of(".] ") - begin);
@@ -99,7 +101,7 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     const std::string& first = words.front();
     std::error_code ignored;
     if (first == "emit" && words.size() > 1 && !words[1].starts_with("-")) {
-        const std::vector<std::string> known = emitted_things();
+        const std::vector<std::string> known = emit_targets();
         if (std::ranges::find(known, words[1]) != known.end()) return std::nullopt;
         const bool plus = words[1] == "c++" || words[1] == "cxx" || words[1] == "C++";
         return wrong_usage(fmt::format("emit cannot write '{}'{}", words[1],
@@ -124,20 +126,20 @@ std::string verb_reached(const CLI::App& app) {
 }
 
 Parsed help_of(const std::string& name) {
-    if (name.empty()) return said(program_help());
-    if (name == "emit") return said(emit_help());
-    if (const VerbRow* row = find_verb(name)) return said(verb_help(*row));
+    if (name.empty()) return answer_with_text(program_help());
+    if (name == "emit") return answer_with_text(emit_help());
+    if (const VerbRow* row = find_verb(name)) return answer_with_text(verb_help(*row));
     std::vector<std::string> known = first_words();
     for (const VerbRow& row : verb_table()) known.push_back(full_name(row));
     return wrong_usage(fmt::format("there is no verb '{}'{}", name, did_you_mean(name, known)));
 }
 
 /// The result of the verb `help`.
-Parsed help_asked(const Options& options) {
-    if (options.generate == "man") return said(manual_page());
-    if (options.generate == "bash") return said(bash_completion());
-    if (options.generate == "zsh") return said(zsh_completion());
-    if (options.generate == "fish") return said(fish_completion());
+Parsed answer_help(const Options& options) {
+    if (options.generate == "man") return answer_with_text(manual_page());
+    if (options.generate == "bash") return answer_with_text(bash_completion());
+    if (options.generate == "zsh") return answer_with_text(zsh_completion());
+    if (options.generate == "fish") return answer_with_text(fish_completion());
     return help_of(fmt::format("{}", fmt::join(options.inputs, " ")));
 }
 
@@ -147,7 +149,7 @@ std::string version_text() {
 
 /// A verb without the option --no-cache has no cache.
 bool has_cache(Verb verb) {
-    const std::vector<const OptionRow*> rows = options_of(of(verb));
+    const std::vector<const OptionRow*> rows = options_of(verb_bit(verb));
     return std::ranges::any_of(rows, [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
 }
 
@@ -156,10 +158,10 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
     const std::string name = given.substr(0, given.find('='));
     std::vector<std::string> known, owners;
     const VerbRow* row = find_verb(verb);
-    for (const OptionRow* option : options_of(row == nullptr ? no_verb : of(row->verb)))
+    for (const OptionRow* option : options_of(row == nullptr ? no_verb : verb_bit(row->verb)))
         known.emplace_back(long_name(*option));
     for (const VerbRow& each : verb_table())
-        for (const OptionRow* option : options_of(of(each.verb)))
+        for (const OptionRow* option : options_of(verb_bit(each.verb)))
             if (long_name(*option) == name) owners.push_back(full_name(each));
     const std::string who = verb.empty() ? "the program" : fmt::format("`{}`", verb);
     std::string text = fmt::format("{} has no option {}", who, name);
@@ -170,7 +172,7 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
 /// The argument of the verb's option, such as "FILE"; "" if there is no such option.
 std::string argument_of(const std::string& option, const std::string& verb) {
     const VerbRow* row = find_verb(verb);
-    for (const OptionRow* each : options_of(row == nullptr ? no_verb : of(row->verb)))
+    for (const OptionRow* each : options_of(row == nullptr ? no_verb : verb_bit(row->verb)))
         if (long_name(*each) == option || short_name(*each) == option) return each->argument.name;
     return "";
 }
@@ -186,7 +188,7 @@ std::string wrong_count(const CLI::ArgumentMismatch& error, const std::string& v
 
 Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     const std::string verb = verb_reached(app);
-    if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return said(version_text());
+    if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return answer_with_text(version_text());
     if (error.get_exit_code() == 0) return help_of(verb);
     // An unknown option is reported first: other errors may follow from it, such as a model that was read as its
     // argument.
@@ -195,8 +197,7 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     if (const auto* count = dynamic_cast<const CLI::ArgumentMismatch*>(&error))
         return wrong_usage(wrong_count(*count, verb), verb);
     if (verb.empty()) return wrong_usage("expected a model or a verb");
-    if (verb == "emit")
-        return wrong_usage(fmt::format("emit needs one of {}", fmt::join(emitted_things(), ", ")), verb);
+    if (verb == "emit") return wrong_usage(fmt::format("emit needs one of {}", fmt::join(emit_targets(), ", ")), verb);
     return wrong_usage(error.what(), verb);
 }
 
@@ -237,7 +238,7 @@ std::string overwritten_input(const Options& options) {
         });
         if (named || is_written_by_hand(path))
             return fmt::format("{} would overwrite {}, which is no answer of an earlier run", option,
-                               diagnostics::shown(path));
+                               diagnostics::escape_for_display(path));
     }
     return "";
 }
@@ -271,8 +272,8 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::Error& error) {
         return parse_failed(app, error);
     }
-    if (options.verb == Verb::help) return help_asked(options);
-    if (options.verb == Verb::version) return said(version_text());
+    if (options.verb == Verb::help) return answer_help(options);
+    if (options.verb == Verb::version) return answer_with_text(version_text());
     if (const std::string wrong = overwritten_input(options); !wrong.empty()) return wrong_usage(wrong);
     options.cache = options.cache && has_cache(options.verb);
     return Parsed{options, Exit::success, ""};
@@ -283,9 +284,9 @@ ir::GivenConstants given_constants(const std::vector<std::string>& texts, std::s
     for (const std::string& text : texts) {
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0)
-            error = fmt::format("--const {}: expected NAME=VALUE", diagnostics::shown(text));
+            error = fmt::format("--const {}: expected NAME=VALUE", diagnostics::escape_for_display(text));
         else if (!result.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
-            error = fmt::format("--const {} is given twice", diagnostics::shown(text.substr(0, equals)));
+            error = fmt::format("--const {} is given twice", diagnostics::escape_for_display(text.substr(0, equals)));
     }
     return result;
 }
@@ -303,9 +304,9 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
                           parse_number(view.substr(equals + 1, dots - equals - 1), low) &&
                           parse_number(view.substr(dots + 2), high);
         if (!good)
-            error = fmt::format("--range {}: expected TYPE=LOW..HIGH", diagnostics::shown(text));
+            error = fmt::format("--range {}: expected TYPE=LOW..HIGH", diagnostics::escape_for_display(text));
         else if (low > high)
-            error = fmt::format("--range {}: the range is empty", diagnostics::shown(text));
+            error = fmt::format("--range {}: the range is empty", diagnostics::escape_for_display(text));
         else
             result.ranges[text.substr(0, equals)] = {low, high};
     }

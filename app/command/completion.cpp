@@ -22,7 +22,7 @@ std::string made_for(std::string_view shell) {
 }
 
 /// The text with `with` before each of these characters.
-std::string escaped(std::string_view text, std::string_view characters, std::string_view with) {
+std::string escape_characters(std::string_view text, std::string_view characters, std::string_view with) {
     std::string out;
     for (const char c : text) {
         if (characters.find(c) != std::string_view::npos) out += with;
@@ -32,21 +32,21 @@ std::string escaped(std::string_view text, std::string_view characters, std::str
 }
 
 /// A word in single quotes for bash and zsh.
-std::string quoted(std::string_view text) {
+std::string quote_word(std::string_view text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
 }
 
 /// The codes that `explain` accepts, or those that `--allow` accepts.
-std::string codes(bool warnings) {
+std::string rule_codes(bool warnings) {
     std::set<std::string_view> found;
     for (const diagnostics::Rule* rule : all_rules())
         if (!warnings || rule->severity == diagnostics::Severity::warning) found.insert(rule->code);
     return fmt::format("{}", fmt::join(found, " "));
 }
 
-std::vector<std::string> spellings(const OptionRow& row) {
+std::vector<std::string> option_spellings(const OptionRow& row) {
     std::vector<std::string> names;
     if (!short_name(row).empty()) names.emplace_back(short_name(row));
     names.emplace_back(long_name(row));
@@ -59,14 +59,15 @@ std::string bash_options() {
     std::string out = "_robochart_verify_options() {\n  case \"$1\" in\n";
     for (const VerbRow& verb : verb_table()) {
         std::vector<std::string> names;
-        for (const OptionRow* row : options_of(of(verb.verb)))
-            for (std::string& name : spellings(*row)) names.push_back(std::move(name));
-        out += fmt::format("    '{}') echo {} ;;\n", full_name(verb), quoted(fmt::format("{}", fmt::join(names, " "))));
+        for (const OptionRow* row : options_of(verb_bit(verb.verb)))
+            for (std::string& name : option_spellings(*row)) names.push_back(std::move(name));
+        out += fmt::format("    '{}') echo {} ;;\n", full_name(verb),
+                           quote_word(fmt::format("{}", fmt::join(names, " "))));
     }
     std::vector<std::string> names;
     for (const OptionRow* row : options_of(no_verb))
-        for (std::string& name : spellings(*row)) names.push_back(std::move(name));
-    return out + fmt::format("    *) echo {} ;;\n  esac\n}}\n", quoted(fmt::format("{}", fmt::join(names, " "))));
+        for (std::string& name : option_spellings(*row)) names.push_back(std::move(name));
+    return out + fmt::format("    *) echo {} ;;\n  esac\n}}\n", quote_word(fmt::format("{}", fmt::join(names, " "))));
 }
 
 /// The completions of an argument: its choices, or the kind of its words.
@@ -91,9 +92,10 @@ std::string bash_arguments() {
         if (row.argument.kind == Kind::none) continue;
         std::vector<std::string> patterns;
         for (const VerbRow& verb : verb_table())
-            if ((row.verbs & of(verb.verb)) != 0)
-                for (const std::string& name : spellings(row)) patterns.push_back(quoted(full_name(verb) + " " + name));
-        out += fmt::format("    {}) echo {} ;;\n", fmt::join(patterns, " | "), quoted(bash_argument(row.argument)));
+            if ((row.verbs & verb_bit(verb.verb)) != 0)
+                for (const std::string& name : option_spellings(row))
+                    patterns.push_back(quote_word(full_name(verb) + " " + name));
+        out += fmt::format("    {}) echo {} ;;\n", fmt::join(patterns, " | "), quote_word(bash_argument(row.argument)));
     }
     return out + "  esac\n}\n";
 }
@@ -161,10 +163,10 @@ complete -o filenames -F _robochart_verify robochart-verify
 std::string bash_completion() {
     return made_for("bash") +
            fmt::format("_robochart_verify_verbs={}\n_robochart_verify_emitted={}\n",
-                       quoted(fmt::format("{}", fmt::join(first_words(), " "))),
-                       quoted(fmt::format("{}", fmt::join(emitted_things(), " ")))) +
-           fmt::format("_robochart_verify_codes={}\n_robochart_verify_warnings={}\n\n", quoted(codes(false)),
-                       quoted(codes(true))) +
+                       quote_word(fmt::format("{}", fmt::join(first_words(), " "))),
+                       quote_word(fmt::format("{}", fmt::join(emit_targets(), " ")))) +
+           fmt::format("_robochart_verify_codes={}\n_robochart_verify_warnings={}\n\n", quote_word(rule_codes(false)),
+                       quote_word(rule_codes(true))) +
            "# The options of a verb.\n" + bash_options() +
            "\n# What a verb's option takes: its choices, or of which kind it is; nothing if it takes no word.\n" +
            bash_arguments() + std::string(bash_function);
@@ -178,7 +180,7 @@ namespace {
 std::string zsh_argument(const Argument& argument) {
     const std::string name = argument.name;
     const std::size_t blank = name.find(' ');
-    const std::string message = escaped(name.substr(0, blank), ":", "\\");
+    const std::string message = escape_characters(name.substr(0, blank), ":", "\\");
     std::string out;
     if (argument.kind == Kind::choice)
         out = fmt::format(":{}:({})", message, fmt::join(choices_of(argument), " "));
@@ -194,15 +196,16 @@ std::string zsh_argument(const Argument& argument) {
 }
 
 std::string zsh_option(const OptionRow& row) {
-    const std::string help = fmt::format("[{}]", escaped(row.help, "[]:\\", "\\"));
+    const std::string help = fmt::format("[{}]", escape_characters(row.help, "[]:\\", "\\"));
     const bool takes = row.argument.kind != Kind::none;
     const std::string rest = help + (takes ? zsh_argument(row.argument) : "");
     const std::string repeated = row.argument.repeated ? "*" : "";
     std::string out;
-    for (const std::string& name : spellings(row)) {
-        const std::string others = row.argument.repeated ? "" : fmt::format("({})", fmt::join(spellings(row), " "));
-        const bool with_equals = takes && name.starts_with("--") && words_behind(row.argument) == 1;
-        out += fmt::format(" \\\n        {}", quoted(others + repeated + name + (with_equals ? "=" : "") + rest));
+    for (const std::string& name : option_spellings(row)) {
+        const std::string others =
+            row.argument.repeated ? "" : fmt::format("({})", fmt::join(option_spellings(row), " "));
+        const bool with_equals = takes && name.starts_with("--") && words_after(row.argument) == 1;
+        out += fmt::format(" \\\n        {}", quote_word(others + repeated + name + (with_equals ? "=" : "") + rest));
     }
     return out;
 }
@@ -214,15 +217,16 @@ std::string zsh_input(const VerbRow& verb) {
     if (verb.verb == Verb::explain) return " \\\n        '*:code:_robochart-verify_codes'";
     const std::string name(input.substr(0, input.find('.')));
     return fmt::format(" \\\n        {}",
-                       quoted(fmt::format("{}:{}:_files", input.ends_with("...") ? "*" : "1", name)));
+                       quote_word(fmt::format("{}:{}:_files", input.ends_with("...") ? "*" : "1", name)));
 }
 
 std::string zsh_verbs(std::string_view parent) {
     std::string out;
     for (const VerbRow& row : verb_table())
         if (row.parent == parent)
-            out += fmt::format("    {}\n", quoted(fmt::format("{}:{}", row.name, escaped(row.summary, ":\\", "\\"))));
-    if (parent.empty()) out += fmt::format("    {}\n", quoted(fmt::format("emit:{}", emit_summary)));
+            out += fmt::format("    {}\n",
+                               quote_word(fmt::format("{}:{}", row.name, escape_characters(row.summary, ":\\", "\\"))));
+    if (parent.empty()) out += fmt::format("    {}\n", quote_word(fmt::format("emit:{}", emit_summary)));
     return out;
 }
 
@@ -236,7 +240,7 @@ std::string zsh_completion() {
            "  )\n  _describe -t verbs 'what is written' verbs\n}\n";
     for (const bool warnings : {false, true})
         out += fmt::format("\n_robochart-verify_{}() {{\n  compadd -M 'm:{{a-z}}={{A-Z}}' -- {}\n}}\n",
-                           warnings ? "warnings" : "codes", codes(warnings));
+                           warnings ? "warnings" : "codes", rule_codes(warnings));
     out += R"text(
 _robochart-verify() {
   local verb="$words[2]"
@@ -262,8 +266,8 @@ _robochart-verify() {
     out += fmt::format("  elif [[ ' {} ' == *\" $verb \"* ]]; then\n", fmt::join(first_words(), " "));
     out += "    shift words\n    (( CURRENT -= 1 ))\n  else\n    verb=verify\n  fi\n  case \"$verb\" in\n";
     for (const VerbRow& verb : verb_table()) {
-        out += fmt::format("    {})\n      _arguments -s", quoted(full_name(verb)));
-        for (const OptionRow* row : options_of(of(verb.verb))) out += zsh_option(*row);
+        out += fmt::format("    {})\n      _arguments -s", quote_word(full_name(verb)));
+        for (const OptionRow* row : options_of(verb_bit(verb.verb))) out += zsh_option(*row);
         out += zsh_input(verb) + "\n      ;;\n";
     }
     return out + "  esac\n}\n\n_robochart-verify \"$@\"\n";
@@ -274,14 +278,14 @@ _robochart-verify() {
 namespace {
 
 std::string fish_quoted(std::string_view text) {
-    return "'" + escaped(text, "'\\", "\\") + "'";
+    return "'" + escape_characters(text, "'\\", "\\") + "'";
 }
 
 /// The verbs that have an option, for `__robochart_verify_is`.
 std::string fish_condition(const OptionRow& row) {
     std::vector<std::string> names;
     for (const VerbRow& verb : verb_table())
-        if ((row.verbs & of(verb.verb)) != 0) names.push_back("\"" + full_name(verb) + "\"");
+        if ((row.verbs & verb_bit(verb.verb)) != 0) names.push_back("\"" + full_name(verb) + "\"");
     if ((row.verbs & no_verb) != 0) names.emplace_back("none");
     return fish_quoted(fmt::format("__robochart_verify_is {}", fmt::join(names, " ")));
 }
@@ -297,7 +301,7 @@ std::string fish_option(const OptionRow& row) {
     else if (row.argument.kind == Kind::folder)
         out += " -x -a '(__fish_complete_directories)'";
     else if (row.argument.kind == Kind::warning)
-        out += fmt::format(" -x -a {}", fish_quoted(codes(true)));
+        out += fmt::format(" -x -a {}", fish_quoted(rule_codes(true)));
     else if (row.argument.kind != Kind::none)
         out += " -x";
     return out + fmt::format(" -d {}\n", fish_quoted(row.help));
@@ -341,7 +345,7 @@ std::string fish_completion() {
     out += fmt::format("complete -c robochart-verify -n '__robochart_verify_is none help' -a emit -d {}\n",
                        fish_quoted(emit_summary));
     out += fmt::format("complete -c robochart-verify -f -n '__robochart_verify_is explain' -a {}\n",
-                       fish_quoted(codes(false)));
+                       fish_quoted(rule_codes(false)));
     for (const OptionRow& row : option_table()) out += fish_option(row);
     return out;
 }

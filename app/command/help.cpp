@@ -19,7 +19,7 @@ constexpr const char* about_models =
     "projects are processed separately.";
 
 /// Breaks the text into lines that begin at this column; `lead` is written before the first.
-std::string paragraph(const std::string& lead, std::string_view text, std::size_t column) {
+std::string wrap_paragraph(const std::string& lead, std::string_view text, std::size_t column) {
     std::string out = lead;
     std::size_t used = lead.size();
     const auto new_line = [&] {
@@ -40,7 +40,7 @@ std::string paragraph(const std::string& lead, std::string_view text, std::size_
 }
 
 /// "-o, --out DIR".
-std::string spelling(const OptionRow& row) {
+std::string spelling_text(const OptionRow& row) {
     const std::string_view brief = short_name(row);
     const std::string_view name = row.argument.name;
     return fmt::format("{}{}{}{}", brief.empty() ? "    " : fmt::format("{}, ", brief), long_name(row),
@@ -48,7 +48,7 @@ std::string spelling(const OptionRow& row) {
 }
 
 /// The help text of an option with its choices and its default.
-std::string explained(const OptionRow& row) {
+std::string option_help(const OptionRow& row) {
     std::string text = row.help;
     if (row.argument.choices[0] != '\0') text += fmt::format(" {{{}}}", row.argument.choices);
     if (row.argument.usual[0] != '\0') text += fmt::format(" [{}]", row.argument.usual);
@@ -58,11 +58,12 @@ std::string explained(const OptionRow& row) {
 
 std::string options_text(Verbs verbs) {
     std::string out;
-    for (const Group group : groups()) {
+    for (const Group group : option_groups()) {
         std::string lines;
         for (const OptionRow* row : options_of(verbs))
-            if (row->group == group) lines += paragraph("  " + spelling(*row), explained(*row), text_column);
-        if (!lines.empty()) out += fmt::format("\n{}:\n{}", heading(group), lines);
+            if (row->group == group)
+                lines += wrap_paragraph("  " + spelling_text(*row), option_help(*row), text_column);
+        if (!lines.empty()) out += fmt::format("\n{}:\n{}", group_heading(group), lines);
     }
     return out;
 }
@@ -70,14 +71,14 @@ std::string options_text(Verbs verbs) {
 std::string verbs_text(bool emitted) {
     std::string out = "\nVerbs:\n";
     for (const VerbRow& row : verb_table())
-        if (!emitted || row.parent[0] != '\0') out += paragraph("  " + full_name(row), row.summary, 16);
+        if (!emitted || row.parent[0] != '\0') out += wrap_paragraph("  " + full_name(row), row.summary, 16);
     return out;
 }
 
 std::string exit_text() {
     std::string out = "\nExit status:\n";
     for (const ExitRow& row : exit_table())
-        out += paragraph(fmt::format("  {:>2}", static_cast<int>(row.exit)), row.meaning, 6);
+        out += wrap_paragraph(fmt::format("  {:>2}", static_cast<int>(row.exit)), row.meaning, 6);
     return out;
 }
 
@@ -89,24 +90,24 @@ std::string usage_line(const VerbRow& row) {
 }
 
 std::string verb_help(const VerbRow& row) {
-    std::string out = usage_line(row) + "\n" + paragraph("", row.summary, 0);
-    out += options_text(of(row.verb));
-    if (std::string_view(row.input) == "MODEL...") out += "\n" + paragraph("", about_models, 0);
+    std::string out = usage_line(row) + "\n" + wrap_paragraph("", row.summary, 0);
+    out += options_text(verb_bit(row.verb));
+    if (std::string_view(row.input) == "MODEL...") out += "\n" + wrap_paragraph("", about_models, 0);
     return out + exit_text();
 }
 
 std::string emit_help() {
-    return "usage: robochart-verify emit WHAT [OPTIONS] MODEL...\n\n" + paragraph("", emit_summary, 0) +
+    return "usage: robochart-verify emit WHAT [OPTIONS] MODEL...\n\n" + wrap_paragraph("", emit_summary, 0) +
            verbs_text(true) + "\nrobochart-verify help emit WHAT lists the options of each.\n" + exit_text();
 }
 
 std::string program_help() {
     return "usage: robochart-verify [OPTIONS] MODEL...\n       robochart-verify VERB [OPTIONS] ...\n\n" +
-           paragraph("", "Verifies RoboChart models: semantics, assertions, C++ controllers, conformance.", 0) +
+           wrap_paragraph("", "Verifies RoboChart models: semantics, assertions, C++ controllers, conformance.", 0) +
            verbs_text(false) + options_text(no_verb) +
            "\nrobochart-verify help VERB lists the options of a verb; without a verb,\nthe options of `verify` "
            "apply.\n\n" +
-           paragraph("", about_models, 0) + exit_text();
+           wrap_paragraph("", about_models, 0) + exit_text();
 }
 
 }  // namespace robochart::app

@@ -7,18 +7,18 @@
 
 namespace robochart::app {
 
-refine::Limits limits(const Options& o, const std::string& subject) {
+refine::Limits limits_of_check(const Options& o, const std::string& subject) {
     refine::Limits result;
     result.by_levels = o.by_levels;
     if (o.run != nullptr) {
         diagnostics::Budget& budget = o.run->budget();
         static_cast<diagnostics::Limits&>(result) = budget.limits();
-        result.interrupted = [&budget] { return budget.interrupted(); };
+        result.interrupted = [&budget] { return budget.is_interrupted(); };
         result.undisturbed = [run = o.run] {
-            return std::make_shared<std::unique_lock<std::recursive_mutex>>(run->edit());
+            return std::make_shared<std::unique_lock<std::recursive_mutex>>(run->lock_for_edit());
         };
         if (o.turn_ends && (!result.deadline || *o.turn_ends < *result.deadline)) result.deadline = o.turn_ends;
-        if (refine::LevelStrategy* const kept = o.run->kept_searches(o)) result.by_levels = kept;
+        if (refine::LevelStrategy* const kept = o.run->search_strategy(o)) result.by_levels = kept;
     }
     result.max_states = o.max_states;
     result.progress = progress_of(o, subject);

@@ -11,6 +11,6 @@ namespace robochart::app {
 
 /// The limits of one check: those of the run and its own. Progress is reported as the options require, under the name
 /// `subject`.
-[[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
+[[nodiscard]] refine::Limits limits_of_check(const Options&, const std::string& subject = "");
 
 }  // namespace robochart::app

@@ -11,7 +11,7 @@ namespace robochart::app {
 namespace {
 
 /// Text for troff: hyphens are ASCII hyphens, and no line or character is interpreted as a command.
-std::string roff(std::string_view text) {
+std::string roff_text(std::string_view text) {
     std::string out;
     for (const char c : text) {
         if (c == '-')
@@ -28,72 +28,73 @@ std::string roff(std::string_view text) {
     return out.starts_with('.') ? "\\&" + out : out;
 }
 
-std::string bold(std::string_view text) {
-    return fmt::format("\\fB{}\\fR", roff(text));
+std::string bold_text(std::string_view text) {
+    return fmt::format("\\fB{}\\fR", roff_text(text));
 }
 
-std::string italic(std::string_view text) {
-    return fmt::format("\\fI{}\\fR", roff(text));
+std::string italic_text(std::string_view text) {
+    return fmt::format("\\fI{}\\fR", roff_text(text));
 }
 
 /// A tagged paragraph; both arguments are troff text.
-std::string tagged(const std::string& tag, const std::string& text) {
+std::string tagged_paragraph(const std::string& tag, const std::string& text) {
     return fmt::format(".TP\n{}\n{}\n", tag, text);
 }
 
-std::string section(std::string_view name) {
+std::string section_heading(std::string_view name) {
     return fmt::format(".SH {}\n", name);
 }
 
-std::string synopsis() {
-    std::string out = section("SYNOPSIS");
-    const std::string program = bold("robochart-verify");
-    out += fmt::format("{} [{}] {}...\n", program, italic("OPTIONS"), italic("MODEL"));
+std::string synopsis_text() {
+    std::string out = section_heading("SYNOPSIS");
+    const std::string program = bold_text("robochart-verify");
+    out += fmt::format("{} [{}] {}...\n", program, italic_text("OPTIONS"), italic_text("MODEL"));
     for (const VerbRow& row : verb_table())
-        out += fmt::format(".br\n{} {}{}{}\n", program, bold(full_name(row)),
-                           row.verb == Verb::version ? "" : fmt::format(" [{}]", italic("OPTIONS")),
-                           row.input[0] == '\0' ? "" : " " + italic(row.input));
+        out += fmt::format(".br\n{} {}{}{}\n", program, bold_text(full_name(row)),
+                           row.verb == Verb::version ? "" : fmt::format(" [{}]", italic_text("OPTIONS")),
+                           row.input[0] == '\0' ? "" : " " + italic_text(row.input));
     return out;
 }
 
 std::string verbs_section() {
-    std::string out = section("VERBS");
-    for (const VerbRow& row : verb_table()) out += tagged(bold(full_name(row)), roff(row.summary) + ".");
+    std::string out = section_heading("VERBS");
+    for (const VerbRow& row : verb_table())
+        out += tagged_paragraph(bold_text(full_name(row)), roff_text(row.summary) + ".");
     return out;
 }
 
 std::string tag_of(const OptionRow& row) {
     std::string tag;
-    if (!short_name(row).empty()) tag = bold(short_name(row)) + ", ";
-    tag += bold(long_name(row));
-    if (row.argument.kind != Argument::Kind::none) tag += " " + italic(row.argument.name);
+    if (!short_name(row).empty()) tag = bold_text(short_name(row)) + ", ";
+    tag += bold_text(long_name(row));
+    if (row.argument.kind != Argument::Kind::none) tag += " " + italic_text(row.argument.name);
     return tag;
 }
 
-std::string owners(const OptionRow& row) {
+std::string owning_verbs(const OptionRow& row) {
     std::vector<std::string> names;
     for (const VerbRow& verb : verb_table())
-        if ((row.verbs & of(verb.verb)) != 0) names.push_back(full_name(verb));
+        if ((row.verbs & verb_bit(verb.verb)) != 0) names.push_back(full_name(verb));
     return names.size() == verb_table().size() ? "all verbs"
            : names.empty()                     ? "without a verb"
                                                : fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string option_paragraph(const OptionRow& row) {
-    std::string text = roff(row.help) + ".";
+    std::string text = roff_text(row.help) + ".";
     if (const auto choices = choices_of(row.argument); !choices.empty())
-        text += fmt::format("\nOne of {}.", roff(fmt::format("{}", fmt::join(choices, ", "))));
-    if (row.argument.usual[0] != '\0') text += fmt::format("\nDefault: {}.", roff(row.argument.usual));
+        text += fmt::format("\nOne of {}.", roff_text(fmt::format("{}", fmt::join(choices, ", "))));
+    if (row.argument.usual[0] != '\0') text += fmt::format("\nDefault: {}.", roff_text(row.argument.usual));
     if (row.argument.repeated) text += "\nMay be repeated.";
-    return tagged(tag_of(row), fmt::format("{}\n({})", text, italic(owners(row))));
+    return tagged_paragraph(tag_of(row), fmt::format("{}\n({})", text, italic_text(owning_verbs(row))));
 }
 
 std::string options_section() {
-    std::string out = section("OPTIONS") +
+    std::string out = section_heading("OPTIONS") +
                       "The verbs that take an option are in brackets after it. Without a verb, the options of\n" +
-                      bold("verify") + "\napply.\n";
-    for (const Group group : groups()) {
-        out += fmt::format(".SS {}\n", heading(group));
+                      bold_text("verify") + "\napply.\n";
+    for (const Group group : option_groups()) {
+        out += fmt::format(".SS {}\n", group_heading(group));
         for (const OptionRow& row : option_table())
             if (row.group == group) out += option_paragraph(row);
     }
@@ -101,9 +102,9 @@ std::string options_section() {
 }
 
 std::string exit_section() {
-    std::string out = section("\"EXIT STATUS\"");
+    std::string out = section_heading("\"EXIT STATUS\"");
     for (const ExitRow& row : exit_table())
-        out += tagged(bold(fmt::format("{}", static_cast<int>(row.exit))), roff(row.meaning) + ".");
+        out += tagged_paragraph(bold_text(fmt::format("{}", static_cast<int>(row.exit))), roff_text(row.meaning) + ".");
     return out;
 }
 
@@ -237,7 +238,8 @@ std::string manual_page() {
         ".\\\" Made by `robochart\\-verify help \\-\\-generate man`.\n"
         ".TH ROBOCHART\\-VERIFY 1 \"\" \"robochart\\-verify {}\" \"User Commands\"\n"
         ".SH NAME\nrobochart\\-verify \\- verify RoboChart models\n{}{}{}{}{}{}{}",
-        program_version, synopsis(), description, verbs_section(), options_section(), exit_section(), ranks, closing);
+        program_version, synopsis_text(), description, verbs_section(), options_section(), exit_section(), ranks,
+        closing);
 }
 
 }  // namespace robochart::app

@@ -76,20 +76,20 @@ std::vector<std::string> first_words() {
     return words;
 }
 
-std::vector<std::string> emitted_things() {
+std::vector<std::string> emit_targets() {
     std::vector<std::string> words;
     for (const VerbRow& row : verb_table())
         if (row.parent[0] != '\0') words.emplace_back(row.name);
     return words;
 }
 
-const std::vector<Group>& groups() {
+const std::vector<Group>& option_groups() {
     static const std::vector<Group> all{Group::checking, Group::model,  Group::code,   Group::simulation,
                                         Group::files,    Group::output, Group::limits, Group::general};
     return all;
 }
 
-std::string_view heading(Group group) {
+std::string_view group_heading(Group group) {
     constexpr std::array<std::string_view, 8> headings{"Checking", "Model",  "Generated code", "Simulation",
                                                        "Files",    "Output", "Limits",         "General"};
     return headings[static_cast<std::size_t>(group)];
@@ -99,18 +99,20 @@ namespace {
 
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
 
-constexpr Verbs instantiating = of(Verb::emit_csp) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests);
-constexpr Verbs emitting = instantiating | of(Verb::emit_prism);
-constexpr Verbs checking = of(Verb::verify) | of(Verb::check);
-constexpr Verbs models = checking | emitting | of(Verb::conform);
-constexpr Verbs coding =
-    of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
-constexpr Verbs deciding = of(Verb::check) | of(Verb::cspm);
-constexpr Verbs searching = models | of(Verb::cspm) | of(Verb::rules);
-constexpr Verbs limited = searching | of(Verb::prism) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) |
-                          of(Verb::format) | of(Verb::simulate) | of(Verb::tune);
-constexpr Verbs all_verbs =
-    limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::init) | of(Verb::help) | of(Verb::version);
+constexpr Verbs instantiating =
+    verb_bit(Verb::emit_csp) | verb_bit(Verb::emit_cpp) | verb_bit(Verb::emit_monitor) | verb_bit(Verb::emit_tests);
+constexpr Verbs emitting = instantiating | verb_bit(Verb::emit_prism);
+constexpr Verbs checking = verb_bit(Verb::verify) | verb_bit(Verb::check);
+constexpr Verbs models = checking | emitting | verb_bit(Verb::conform);
+constexpr Verbs coding = verb_bit(Verb::verify) | verb_bit(Verb::emit_cpp) | verb_bit(Verb::emit_monitor) |
+                         verb_bit(Verb::emit_tests) | verb_bit(Verb::conform);
+constexpr Verbs deciding = verb_bit(Verb::check) | verb_bit(Verb::cspm);
+constexpr Verbs searching = models | verb_bit(Verb::cspm) | verb_bit(Verb::rules);
+constexpr Verbs limited = searching | verb_bit(Verb::prism) | verb_bit(Verb::step) | verb_bit(Verb::validate) |
+                          verb_bit(Verb::draw) | verb_bit(Verb::format) | verb_bit(Verb::simulate) |
+                          verb_bit(Verb::tune);
+constexpr Verbs all_verbs = limited | verb_bit(Verb::explain) | verb_bit(Verb::lsp) | verb_bit(Verb::init) |
+                            verb_bit(Verb::help) | verb_bit(Verb::version);
 
 using Kind = Argument::Kind;
 
@@ -120,7 +122,7 @@ std::size_t index_of(const std::string& word, const char* words) {
     return static_cast<std::size_t>(std::ranges::find(all, word) - all.begin());
 }
 
-std::uint64_t number(const std::string& word) {
+std::uint64_t to_number(const std::string& word) {
     return std::stoull(word);
 }
 
@@ -137,7 +139,7 @@ void take_choices(Options& o, const std::string&) {
 }
 
 void take_threads(Options& o, const std::string& word) {
-    o.threads = static_cast<unsigned>(number(word));
+    o.threads = static_cast<unsigned>(to_number(word));
 }
 
 /// A file that receives the answer in a format, in addition to the output of --format.
@@ -159,36 +161,36 @@ constexpr Argument format_of(const char* choices) {
 // clang-format off
 const std::vector<OptionRow>& option_table() {
     static const std::vector<OptionRow> rows{
-        {"--assertion", Group::checking, checking | of(Verb::cspm), {.kind = Kind::name, .name = "WHICH", .repeated = true},
+        {"--assertion", Group::checking, checking | verb_bit(Verb::cspm), {.kind = Kind::name, .name = "WHICH", .repeated = true},
          "check only these: a name, a number (from 1), a range (3..5) or a pattern (Safe*); in scripts and swarms the "
          "name is the text of the claim",
          [](Options& o, const std::string& word) { o.claims.push_back(word); }},
-        {"--timed", Group::checking, checking | of(Verb::emit_csp), {}, "use only the timed semantics",
+        {"--timed", Group::checking, checking | verb_bit(Verb::emit_csp), {}, "use only the timed semantics",
          [](Options& o, const std::string&) { o.times = Times::timed; }, "--untimed"},
-        {"--untimed", Group::checking, checking | of(Verb::emit_csp) | of(Verb::step), {}, "use only the untimed semantics",
+        {"--untimed", Group::checking, checking | verb_bit(Verb::emit_csp) | verb_bit(Verb::step), {}, "use only the untimed semantics",
          [](Options& o, const std::string&) { o.times = Times::untimed; }},
-        {"--core", Group::checking, checking | of(Verb::emit_csp), {},
+        {"--core", Group::checking, checking | verb_bit(Verb::emit_csp), {},
          "also check the core properties of every component; the default only if the model has no assertions",
          [](Options& o, const std::string&) { o.core = true; }},
         {"--sizes", Group::checking, checking, {},
          "print the number of states and transitions of every component",
          [](Options& o, const std::string&) { o.sizes = true; }},
-        {"--swarm", Group::checking, of(Verb::check) | of(Verb::emit_csp), {.kind = Kind::file, .name = "FILE"},
+        {"--swarm", Group::checking, verb_bit(Verb::check) | verb_bit(Verb::emit_csp), {.kind = Kind::file, .name = "FILE"},
          "check the claims of this file (.swarm) about several robots instead of the assertions of the model",
          [](Options& o, const std::string& word) { o.swarm = word; }, "--core"},
-        {"--robots", Group::checking, of(Verb::check) | of(Verb::emit_csp),
+        {"--robots", Group::checking, verb_bit(Verb::check) | verb_bit(Verb::emit_csp),
          {.kind = Kind::whole, .name = "N", .least = 1, .most = 8},
          "with --swarm: number of robots (overrides the file)",
-         [](Options& o, const std::string& word) { o.robots = static_cast<std::uint32_t>(number(word)); }},
-        {"--grid", Group::checking, of(Verb::check) | of(Verb::emit_csp), {.kind = Kind::text, .name = "WxH"},
+         [](Options& o, const std::string& word) { o.robots = static_cast<std::uint32_t>(to_number(word)); }},
+        {"--grid", Group::checking, verb_bit(Verb::check) | verb_bit(Verb::emit_csp), {.kind = Kind::text, .name = "WxH"},
          "with --swarm: size of the grid (overrides the file)",
          [](Options& o, const std::string& word) { o.grid = word; }},
-        {"--typecheck", Group::checking, of(Verb::cspm), {}, "check names and types, then stop",
+        {"--typecheck", Group::checking, verb_bit(Verb::cspm), {}, "check names and types, then stop",
          [](Options& o, const std::string&) { o.typecheck = true; }},
-        {"--types", Group::checking, of(Verb::cspm), {}, "print the type of every name, then stop",
+        {"--types", Group::checking, verb_bit(Verb::cspm), {}, "print the type of every name, then stop",
          [](Options& o, const std::string&) { o.types = true; }},
 
-        {"--property", Group::checking, of(Verb::prism), {.kind = Kind::name, .name = "TEXT", .repeated = true},
+        {"--property", Group::checking, verb_bit(Verb::prism), {.kind = Kind::name, .name = "TEXT", .repeated = true},
          "an additional property, for example 'P=? [ F \"done\" ]'",
          [](Options& o, const std::string& word) { o.properties.push_back(word); }},
         {"--encoding", Group::checking, checking,
@@ -201,15 +203,15 @@ const std::vector<OptionRow>& option_table() {
          "how nondeterminism is resolved: any (best and worst case), urgent (internal steps before inputs and time), "
          "uniform (equally likely)",
          [](Options& o, const std::string& word) { o.scheduler = word; }},
-        {"--exact", Group::checking, checking | of(Verb::prism), {},
+        {"--exact", Group::checking, checking | verb_bit(Verb::prism), {},
          "compute exact probabilities with fractions (small models only)",
          [](Options& o, const std::string&) { o.exact = true; }},
-        {"--epsilon", Group::checking, checking | of(Verb::prism),
+        {"--epsilon", Group::checking, checking | verb_bit(Verb::prism),
          {.kind = Kind::fraction, .name = "WIDTH", .usual = "0.000001"},
          "maximum width of the interval around a value, relative to the value",
          [](Options& o, const std::string& word) { o.epsilon = std::strtod(word.c_str(), nullptr); }, "--exact"},
 
-        {"--sim", Group::checking, of(Verb::prism),
+        {"--sim", Group::checking, verb_bit(Verb::prism),
          {.kind = Kind::text, .name = "METHOD"},
          "answer by random paths: ci, aci, apmc or sprt, followed by ,samples=N ,width=W ,confidence=ALPHA ,path=STEPS",
          [](Options& o, const std::string& word) {
@@ -220,236 +222,236 @@ const std::vector<OptionRow>& option_table() {
              }
          },
          "--exact"},
-        {"--scheduler", Group::checking, of(Verb::prism),
+        {"--scheduler", Group::checking, verb_bit(Verb::prism),
          {.kind = Kind::choice, .name = "WHO", .choices = "uniform"},
          "how nondeterminism of an mdp is resolved: uniform makes all enabled commands equally likely, as in a dtmc",
          [](Options& o, const std::string& word) { o.scheduler = word; }},
-        {"--seed", Group::checking, checking | of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = any_number},
+        {"--seed", Group::checking, checking | verb_bit(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = any_number},
          "seed of random paths, for --sim, `using sim` and `prob generate path`",
-         [](Options& o, const std::string& word) { o.seed = number(word); }},
-        {"--without-limit", Group::checking, of(Verb::rules),
+         [](Options& o, const std::string& word) { o.seed = to_number(word); }},
+        {"--without-limit", Group::checking, verb_bit(Verb::rules),
          {.kind = Kind::choice, .name = "READING", .usual = "eventually", .choices = "eventually,now"},
          "when a response without limit is due: eventually, or now (at once, as in LEGOS)",
          [](Options& o, const std::string& word) { o.without_limit = word; }},
-        {"--as-sleec-tk", Group::checking, of(Verb::rules), {},
+        {"--as-sleec-tk", Group::checking, verb_bit(Verb::rules), {},
          "compare pairs of rules in the semantics of SLEEC-TK, including its faults",
          [](Options& o, const std::string&) { o.as_sleec_tk = true; }, "--without-limit"},
-        {"--suggest", Group::checking, of(Verb::rules), {},
+        {"--suggest", Group::checking, verb_bit(Verb::rules), {},
          "search for an `unless` that removes each conflict, and check it",
          [](Options& o, const std::string&) { o.suggest = true; }, "--as-sleec-tk"},
 
-        {"--const", Group::model, of(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
+        {"--const", Group::model, verb_bit(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of an open constant, or values to try: LOW:HIGH, LOW:STEP:HIGH, or a list with commas",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
         {"--const", Group::model,
-         checking | instantiating | of(Verb::conform) | of(Verb::rules) | of(Verb::step) | of(Verb::simulate),
+         checking | instantiating | verb_bit(Verb::conform) | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::simulate),
          {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
-        {"--const", Group::model, of(Verb::tune), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
+        {"--const", Group::model, verb_bit(Verb::tune), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant, or values to try: LOW..HIGH, or a list with commas",
          [](Options& o, const std::string& word) { o.constants.push_back(word); }},
-        {"--range", Group::model, models | of(Verb::rules) | of(Verb::step) | of(Verb::tune), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
+        {"--range", Group::model, models | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::tune), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
          "carrier of nat, int or real; lengths of sequences (Seq), times of clocks (clock), elements of given types (given)",
          [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
-        {"--prefs", Group::model, checking | of(Verb::emit_prism), {.kind = Kind::file, .name = "FILE"},
+        {"--prefs", Group::model, checking | verb_bit(Verb::emit_prism), {.kind = Kind::file, .name = "FILE"},
          "read RoboTool's preferences (rc2prism.prefs): the ranges of nat, int and real, and the kind of model",
          [](Options& o, const std::string& word) { o.preferences = word; }, "--range"},
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
          "print the result of a phase, then stop", [](Options& o, const std::string& word) { o.print = word; }},
-        {"--allow", Group::model, models | of(Verb::prism) | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate) | of(Verb::tune),
+        {"--allow", Group::model, models | verb_bit(Verb::prism) | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::validate) | verb_bit(Verb::draw) | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "suppress warnings with this code",
          [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
-        {"--deny-warnings", Group::model, models | of(Verb::rules) | of(Verb::step) | of(Verb::validate) | of(Verb::draw) | of(Verb::simulate) | of(Verb::tune), {},
+        {"--deny-warnings", Group::model, models | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::validate) | verb_bit(Verb::draw) | verb_bit(Verb::simulate) | verb_bit(Verb::tune), {},
          "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
 
-        {"--component", Group::code, coding | of(Verb::emit_prism) | of(Verb::rules), {.kind = Kind::name, .name = "NAME"},
+        {"--component", Group::code, coding | verb_bit(Verb::emit_prism) | verb_bit(Verb::rules), {.kind = Kind::name, .name = "NAME"},
          "process only this module, controller or machine",
          [](Options& o, const std::string& word) { o.component = word; }},
         {"--cycle", Group::code, coding,
          {.kind = Kind::whole, .name = "N", .usual = "1", .least = 1, .most = 1000},
          "time units of one control cycle",
          [](Options& o, const std::string& word) {
-             o.cycle = static_cast<std::uint32_t>(number(word));
+             o.cycle = static_cast<std::uint32_t>(to_number(word));
              o.cycle_given = true;
          }},
-        {"--target", Group::code, of(Verb::emit_cpp),
+        {"--target", Group::code, verb_bit(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "TARGET", .choices = "library,main,ros2,enki,argos"},
          "write a complete project for this platform to DIR/TARGET/COMPONENT",
          [](Options& o, const std::string& word) { o.target = word; }},
-        {"--mapping", Group::code, of(Verb::emit_cpp), {.kind = Kind::file, .name = "FILE"},
+        {"--mapping", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::file, .name = "FILE"},
          "with --target ros2: the messages and topics of operations, events and variables",
          [](Options& o, const std::string& word) { o.mapping = word; }},
-        {"--strategy", Group::code, of(Verb::emit_cpp),
+        {"--strategy", Group::code, verb_bit(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "STRATEGY", .usual = "auto", .choices = "auto,switch,table"},
          "how generated code finds the reaction to an event: a switch over states and events, or a table; auto uses a "
          "table from five states on",
          [](Options& o, const std::string& word) { o.strategy = word; }},
-        {"--choices", Group::code, of(Verb::emit_cpp), {},
+        {"--choices", Group::code, verb_bit(Verb::emit_cpp), {},
          "generate code that asks its platform (`pick`) if the model leaves a choice, instead of taking the first",
          take_choices},
-        {"--all-choices", Group::code, of(Verb::conform), {},
+        {"--all-choices", Group::code, verb_bit(Verb::conform), {},
          "explore every alternative of a choice in the model, not only the first", take_choices},
-        {"--model", Group::code, of(Verb::conform),
+        {"--model", Group::code, verb_bit(Verb::conform),
          {.kind = Kind::choice, .name = "MODEL", .usual = "failures-divergences",
           .choices = "failures-divergences,tick-tock"},
          "semantic model of the refinement; tick-tock records refusals before each tock",
          [](Options& o, const std::string& word) { o.relation = word; }},
-        {"--walks", Group::code, of(Verb::conform),
+        {"--walks", Group::code, verb_bit(Verb::conform),
          {.kind = Kind::whole, .name = "N", .usual = "200000", .most = 1'000'000'000'000},
          "cycles of guided random walks if the state space is too large; 0 for none",
-         [](Options& o, const std::string& word) { o.walks = number(word); }},
-        {"--export", Group::code, of(Verb::conform), {.kind = Kind::file, .name = "FILE"},
+         [](Options& o, const std::string& word) { o.walks = to_number(word); }},
+        {"--export", Group::code, verb_bit(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "write all states of the code to this file, for other tools (.aut, .dot), or with the model for FDR (.csp)",
          [](Options& o, const std::string& word) { o.exported_code = word; }},
-        {"--traces", Group::code, of(Verb::conform), {.kind = Kind::file, .name = "FILE", .repeated = true},
+        {"--traces", Group::code, verb_bit(Verb::conform), {.kind = Kind::file, .name = "FILE", .repeated = true},
          "compare logs of runs, instead of generated code, with the model: files, or folders with .trace files",
          [](Options& o, const std::string& word) { o.traces.push_back(word); }},
-        {"--extra-states", Group::code, of(Verb::emit_tests),
+        {"--extra-states", Group::code, verb_bit(Verb::emit_tests),
          {.kind = Kind::whole, .name = "M", .usual = "0", .most = 8},
          "number of states that an implementation may have in addition to those of the model",
-         [](Options& o, const std::string& word) { o.extra_states = static_cast<std::uint32_t>(number(word)); }},
+         [](Options& o, const std::string& word) { o.extra_states = static_cast<std::uint32_t>(to_number(word)); }},
 
-        {"--trials", Group::simulation, of(Verb::simulate),
+        {"--trials", Group::simulation, verb_bit(Verb::simulate),
          {.kind = Kind::whole, .name = "N", .least = 1, .most = 100'000},
          "number of trials (overrides the scenario)",
-         [](Options& o, const std::string& word) { o.trials = static_cast<std::uint32_t>(number(word)); }},
-        {"--seed", Group::simulation, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .most = any_number},
+         [](Options& o, const std::string& word) { o.trials = static_cast<std::uint32_t>(to_number(word)); }},
+        {"--seed", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::whole, .name = "N", .most = any_number},
          "seed of the first trial (overrides the scenario)",
-         [](Options& o, const std::string& word) { o.seed = number(word); }},
-        {"--budget", Group::simulation, of(Verb::tune),
+         [](Options& o, const std::string& word) { o.seed = to_number(word); }},
+        {"--budget", Group::simulation, verb_bit(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "1000", .least = 1, .most = 100'000'000},
          "maximum number of trials of the search",
-         [](Options& o, const std::string& word) { o.tuning_trials = number(word); }},
-        {"--seed", Group::simulation, of(Verb::tune),
+         [](Options& o, const std::string& word) { o.tuning_trials = to_number(word); }},
+        {"--seed", Group::simulation, verb_bit(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "1", .most = 1'000'000'000},
          "seed of the search; claims are decided on the seeds of the scenario",
-         [](Options& o, const std::string& word) { o.seed = number(word); }},
-        {"--test", Group::simulation, of(Verb::tune),
+         [](Options& o, const std::string& word) { o.seed = to_number(word); }},
+        {"--test", Group::simulation, verb_bit(Verb::tune),
          {.kind = Kind::choice, .name = "TEST", .usual = "friedman", .choices = "friedman,t-test"},
          "statistical test that drops worse values from the search",
          [](Options& o, const std::string& word) { o.elimination = word; }},
-        {"--verify-certificate", Group::simulation, of(Verb::tune), {.kind = Kind::file, .name = "FILE"},
+        {"--verify-certificate", Group::simulation, verb_bit(Verb::tune), {.kind = Kind::file, .name = "FILE"},
          "do not search; decide the contents of this certificate again and compare",
          [](Options& o, const std::string& word) { o.certificate = word; }},
-        {"--compare", Group::simulation, of(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
+        {"--compare", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
          "compare the estimates of a sweep with a table of earlier trials, such as its sweep.csv",
          [](Options& o, const std::string& word) { o.compare = word; }},
-        {"--monitor", Group::simulation, of(Verb::simulate), {},
+        {"--monitor", Group::simulation, verb_bit(Verb::simulate), {},
          "stop a trial if a robot violates its model or, with RULES.sleec, a rule",
          [](Options& o, const std::string&) { o.monitor = true; }},
-        {"--log", Group::simulation, of(Verb::simulate), {.kind = Kind::folder, .name = "DIR"},
+        {"--log", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::folder, .name = "DIR"},
          "write what every robot read and did in every cycle, for `conform --traces`",
          [](Options& o, const std::string& word) { o.log = word; }},
-        {"--no-pictures", Group::simulation, of(Verb::simulate), {}, "do not write tables and pictures",
+        {"--no-pictures", Group::simulation, verb_bit(Verb::simulate), {}, "do not write tables and pictures",
          [](Options& o, const std::string&) { o.pictures = false; }},
 
-        {"--fix", Group::files, of(Verb::validate), {},
+        {"--fix", Group::files, verb_bit(Verb::validate), {},
          "apply the certain fixes to the files, then report the remaining findings",
          [](Options& o, const std::string&) { o.fix = true; }},
-        {"--check", Group::files, of(Verb::format), {},
+        {"--check", Group::files, verb_bit(Verb::format), {},
          "only list the files that would change; exit 1 if there are any",
          [](Options& o, const std::string&) { o.check = true; }},
-        {"--diff", Group::files, of(Verb::format), {}, "only show the changes",
+        {"--diff", Group::files, verb_bit(Verb::format), {}, "only show the changes",
          [](Options& o, const std::string&) { o.diff = true; }},
-        {"--assertions", Group::files, of(Verb::format), {}, "read standard input (-) as an assertion file",
+        {"--assertions", Group::files, verb_bit(Verb::format), {}, "read standard input (-) as an assertion file",
          [](Options& o, const std::string&) { o.assertions = true; }},
 
-        {"--simulation", Group::files, of(Verb::init), {}, "add a scenario for `simulate`",
+        {"--simulation", Group::files, verb_bit(Verb::init), {}, "add a scenario for `simulate`",
          [](Options& o, const std::string&) { o.simulation = true; }},
-        {"--ros2", Group::files, of(Verb::init), {}, "add a mapping to ROS 2 messages for `emit cpp --target ros2`",
+        {"--ros2", Group::files, verb_bit(Verb::init), {}, "add a mapping to ROS 2 messages for `emit cpp --target ros2`",
          [](Options& o, const std::string&) { o.ros2 = true; }},
 
-        {"-o,--out", Group::output, models | of(Verb::simulate) | of(Verb::tune),
+        {"-o,--out", Group::output, models | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          {.kind = Kind::folder, .name = "DIR", .usual = "out"}, "output folder",
          [](Options& o, const std::string& word) {
              o.out = word;
              o.out_given = true;
          }},
-        {"-o,--out", Group::output, of(Verb::draw), {.kind = Kind::folder, .name = "PATH", .usual = "out/diagrams"},
+        {"-o,--out", Group::output, verb_bit(Verb::draw), {.kind = Kind::folder, .name = "PATH", .usual = "out/diagrams"},
          "folder for the diagrams; with one COMPONENT, the file for its diagram (without --out, or with -, standard output)",
          [](Options& o, const std::string& word) {
              o.out = word;
              o.out_given = true;
          }},
-        {"--format", Group::output, of(Verb::draw),
+        {"--format", Group::output, verb_bit(Verb::draw),
          {.kind = Kind::choice, .name = "FORMAT", .usual = "svg", .choices = "svg,png,pdf,mermaid,dot"},
          "format of the diagrams; png and pdf need rsvg-convert",
          [](Options& o, const std::string& word) { o.picture = word; }},
-        {"--theme", Group::output, of(Verb::draw),
+        {"--theme", Group::output, verb_bit(Verb::draw),
          {.kind = Kind::choice, .name = "THEME", .usual = "auto", .choices = "auto,light,dark"},
          "colours of the diagrams; auto follows the reader's system",
          [](Options& o, const std::string& word) { o.theme = word; }},
-        {"--format", Group::output, emitting | of(Verb::simulate) | of(Verb::tune), format_of("text,json"), "output format",
+        {"--format", Group::output, emitting | verb_bit(Verb::simulate) | verb_bit(Verb::tune), format_of("text,json"), "output format",
          take_format},
         {"--format", Group::output, checking, format_of("text,json,sarif,junit"), "output format",
          take_format},
-        {"--format", Group::output, of(Verb::conform), format_of("text,json,junit"), "output format",
+        {"--format", Group::output, verb_bit(Verb::conform), format_of("text,json,junit"), "output format",
          take_format},
-        {"--format", Group::output, of(Verb::validate), format_of("text,json,sarif"), "output format",
+        {"--format", Group::output, verb_bit(Verb::validate), format_of("text,json,sarif"), "output format",
          take_format},
-        {"--format", Group::output, of(Verb::cspm), format_of("text,plain,json,framed_json,junit"),
+        {"--format", Group::output, verb_bit(Verb::cspm), format_of("text,plain,json,framed_json,junit"),
          "output format; plain, json and framed_json are those of FDR's refines", take_format},
-        {"--format", Group::output, of(Verb::prism), format_of("text,json,csv"), "output format",
+        {"--format", Group::output, verb_bit(Verb::prism), format_of("text,json,csv"), "output format",
          take_format},
-        {"--format", Group::output, of(Verb::rules), format_of("text,json"), "output format", take_format},
-        {"--json", Group::output, emitting | checking | of(Verb::conform) | of(Verb::validate) | of(Verb::cspm) | of(Verb::prism) | of(Verb::rules) | of(Verb::simulate) | of(Verb::tune),
+        {"--format", Group::output, verb_bit(Verb::rules), format_of("text,json"), "output format", take_format},
+        {"--json", Group::output, emitting | checking | verb_bit(Verb::conform) | verb_bit(Verb::validate) | verb_bit(Verb::cspm) | verb_bit(Verb::prism) | verb_bit(Verb::rules) | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          answer_file, "also write the result as --format json prints it", take_file<Format::json>},
-        {"--sarif", Group::output, checking | of(Verb::validate), answer_file,
+        {"--sarif", Group::output, checking | verb_bit(Verb::validate), answer_file,
          "also write the result as --format sarif prints it", take_file<Format::sarif>},
-        {"--junit", Group::output, checking | of(Verb::conform) | of(Verb::cspm), answer_file,
+        {"--junit", Group::output, checking | verb_bit(Verb::conform) | verb_bit(Verb::cspm), answer_file,
          "also write the result as --format junit prints it", take_file<Format::junit>},
-        {"--html", Group::output, checking | of(Verb::conform), {.kind = Kind::file, .name = "FILE"},
+        {"--html", Group::output, checking | verb_bit(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "also write the report as a page with diagrams to step through counterexamples",
          [](Options& o, const std::string& word) { o.html = word; }},
-        {"--html", Group::output, of(Verb::step), {.kind = Kind::file, .name = "FILE"},
+        {"--html", Group::output, verb_bit(Verb::step), {.kind = Kind::file, .name = "FILE"},
          "write a page to step through the reachable states in a browser, instead of using the terminal",
          [](Options& o, const std::string& word) { o.html = word; }},
-        {"--html", Group::output, of(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
+        {"--html", Group::output, verb_bit(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
          "also write a page that plays the trials, with the active states of each robot and plots over time",
          [](Options& o, const std::string& word) { o.html = word; }},
-        {"--plot", Group::output, of(Verb::prism), {.kind = Kind::file, .name = "FILE"},
+        {"--plot", Group::output, verb_bit(Verb::prism), {.kind = Kind::file, .name = "FILE"},
          "also plot the answers over the constant with the most values, as SVG",
          [](Options& o, const std::string& word) { o.plot = word; }},
-        {"--color", Group::output, limited | of(Verb::explain),
+        {"--color", Group::output, limited | verb_bit(Verb::explain),
          {.kind = Kind::choice, .name = "WHEN", .usual = "auto", .choices = "auto,always,never"},
          "coloured text; auto: on a terminal, unless NO_COLOR is set",
          [](Options& o, const std::string& word) {
              o.color = static_cast<Color>(index_of(word, "auto,always,never"));
          }},
-        {"-q,--quiet", Group::output, searching | of(Verb::simulate) | of(Verb::tune), {},
+        {"-q,--quiet", Group::output, searching | verb_bit(Verb::simulate) | verb_bit(Verb::tune), {},
          "print only problems and the summary line", take_quiet},
-        {"-q,--quiet", Group::output, of(Verb::prism), {}, "print the answers without sizes", take_quiet},
-        {"-q,--quiet", Group::output, of(Verb::validate), {}, "print only findings", take_quiet},
-        {"-q,--quiet", Group::output, of(Verb::draw), {}, "do not list the files written", take_quiet},
-        {"-q,--quiet", Group::output, of(Verb::format), {}, "do not list the files changed", take_quiet},
-        {"--trace", Group::output, checking | of(Verb::conform), {},
+        {"-q,--quiet", Group::output, verb_bit(Verb::prism), {}, "print the answers without sizes", take_quiet},
+        {"-q,--quiet", Group::output, verb_bit(Verb::validate), {}, "print only findings", take_quiet},
+        {"-q,--quiet", Group::output, verb_bit(Verb::draw), {}, "do not list the files written", take_quiet},
+        {"-q,--quiet", Group::output, verb_bit(Verb::format), {}, "do not list the files changed", take_quiet},
+        {"--trace", Group::output, checking | verb_bit(Verb::conform), {},
          "also print the raw event traces of counterexamples",
          [](Options& o, const std::string&) { o.show_internal = true; }},
-        {"-b,--brief", Group::output, of(Verb::cspm), {}, "print verdicts without counterexamples",
+        {"-b,--brief", Group::output, verb_bit(Verb::cspm), {}, "print verdicts without counterexamples",
          [](Options& o, const std::string&) { o.brief = true; }},
-        {"--reveal-taus", Group::output, of(Verb::cspm), {}, "show hidden events by their names",
+        {"--reveal-taus", Group::output, verb_bit(Verb::cspm), {}, "show hidden events by their names",
          [](Options& o, const std::string&) { o.reveal_taus = true; }},
-        {"--split", Group::output, of(Verb::cspm), {},
+        {"--split", Group::output, verb_bit(Verb::cspm), {},
          "show what every part of the process did, even if there are many parts",
          [](Options& o, const std::string&) { o.split = true; }},
-        {"--export", Group::output, of(Verb::cspm),
+        {"--export", Group::output, verb_bit(Verb::cspm),
          {.kind = Kind::choice, .name = "FORMAT PROCESS", .choices = "aut,dot,csp"},
          "write all states of a process (any expression of the script), then stop",
          [](Options& o, const std::string& word) { o.exported.push_back(word); }},
-        {"--export", Group::output, of(Verb::prism),
+        {"--export", Group::output, verb_bit(Verb::prism),
          {.kind = Kind::choice, .name = "FORMAT", .choices = "tra,sta,lab,dot,strategy,counterexample"},
          "instead of answers, write transitions, states, labels or a graph; for one property, write the strategy that "
          "attains its value, or the paths that violate its bound as a graph",
          [](Options& o, const std::string& word) { o.exported_space = word; }},
-        {"--progress", Group::output, searching | of(Verb::simulate) | of(Verb::tune),
+        {"--progress", Group::output, searching | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          {.kind = Kind::choice, .name = "HOW", .usual = "auto", .choices = "auto,json,never"},
          "progress on standard error; auto: a line that is updated on a terminal, otherwise a new line every half minute",
          [](Options& o, const std::string& word) {
              o.progress = static_cast<ProgressMode>(index_of(word, "auto,json,never"));
          }},
-        {"--generate", Group::output, of(Verb::help),
+        {"--generate", Group::output, verb_bit(Verb::help),
          {.kind = Kind::choice, .name = "WHAT", .choices = "man,bash,zsh,fish"},
          "write the man page or the completion for a shell",
          [](Options& o, const std::string& word) { o.generate = word; }},
@@ -457,22 +459,22 @@ const std::vector<OptionRow>& option_table() {
         {"--memory", Group::limits, limited,
          {.kind = Kind::size, .name = "SIZE", .usual = "16GiB", .least = 1, .most = std::uint64_t{1} << 62U},
          "memory limit for the program and its child processes, e.g. 4GiB; the default is at most 3/4 of the machine's memory",
-         [](Options& o, const std::string& word) { o.memory_bytes = number(word); }},
+         [](Options& o, const std::string& word) { o.memory_bytes = to_number(word); }},
         {"--timeout", Group::limits, limited,
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time limit for the whole run in seconds; 0 for none",
          [](Options& o, const std::string& word) { o.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
-        {"--assertion-timeout", Group::limits, checking | of(Verb::cspm),
+        {"--assertion-timeout", Group::limits, checking | verb_bit(Verb::cspm),
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time limit for each assertion in seconds; 0 for none: assertions then take turns",
          [](Options& o, const std::string& word) { o.assertion_seconds = std::strtod(word.c_str(), nullptr); }},
         {"--threads", Group::limits, searching, {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "maximum number of threads of a check, used if its state space is wide; 0 for one per core", take_threads},
-        {"--threads", Group::limits, of(Verb::simulate) | of(Verb::tune), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
+        {"--threads", Group::limits, verb_bit(Verb::simulate) | verb_bit(Verb::tune), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "maximum number of parallel trials; 0 for one per core", take_threads},
-        {"--threads", Group::limits, of(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
+        {"--threads", Group::limits, verb_bit(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "maximum number of constant sets, answers or random paths in parallel; 0 for one per core", take_threads},
-        {"--no-reduction", Group::limits, searching | of(Verb::tune), {},
+        {"--no-reduction", Group::limits, searching | verb_bit(Verb::tune), {},
          "search all states, without confluence and symmetry reduction",
          [](Options& o, const std::string&) { o.reduction = false; }},
         {"--checkpoint", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
@@ -488,19 +490,19 @@ const std::vector<OptionRow>& option_table() {
         {"--disk", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
          "store states that exceed --memory, and checkpoints, in this folder",
          [](Options& o, const std::string& word) { o.disk = word; }},
-        {"--max-states", Group::limits, of(Verb::prism),
+        {"--max-states", Group::limits, verb_bit(Verb::prism),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "maximum number of states of the model",
-         [](Options& o, const std::string& word) { o.max_states = number(word); }},
-        {"--max-states", Group::limits, searching | of(Verb::tune),
+         [](Options& o, const std::string& word) { o.max_states = to_number(word); }},
+        {"--max-states", Group::limits, searching | verb_bit(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "maximum number of states of a check",
-         [](Options& o, const std::string& word) { o.max_states = number(word); }},
+         [](Options& o, const std::string& word) { o.max_states = to_number(word); }},
 
-        {"--no-cache", Group::general, searching | of(Verb::simulate) | of(Verb::tune), {},
+        {"--no-cache", Group::general, searching | verb_bit(Verb::simulate) | verb_bit(Verb::tune), {},
          "do not use or store results of earlier runs",
          [](Options& o, const std::string&) { o.cache = false; }},
-        {"--stdio", Group::general, of(Verb::lsp), {},
+        {"--stdio", Group::general, verb_bit(Verb::lsp), {},
          "ignored (client libraries of editors pass it): the server always uses standard input and output",
          [](Options&, const std::string&) {}},
         {"-h,--help", Group::general, all_verbs | no_verb, {}, "show the help of the program or of the verb", nullptr},
@@ -534,14 +536,14 @@ std::vector<std::string> choices_of(const Argument& argument) {
     return words;
 }
 
-std::size_t words_behind(const Argument& argument) {
+std::size_t words_after(const Argument& argument) {
     const std::string_view name = argument.name;
     if (argument.kind == Argument::Kind::none) return 0;
     return 1 + static_cast<std::size_t>(std::ranges::count(name, ' '));
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-    std::string meant = diagnostics::nearest(word, known);
+    std::string meant = diagnostics::nearest_spelling(word, known);
     std::set<std::string> begun;
     for (const std::string& each : known)
         if (word.size() > 1 && each.starts_with(word)) begun.insert(each);

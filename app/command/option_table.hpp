@@ -32,12 +32,12 @@ extern const char* const emit_summary;
 /// The verbs that may be the first word of the command line, including `emit`.
 [[nodiscard]] std::vector<std::string> first_words();
 /// The words that may follow `emit`.
-[[nodiscard]] std::vector<std::string> emitted_things();
+[[nodiscard]] std::vector<std::string> emit_targets();
 
 /// The heading under which the help lists an option.
 enum class Group : unsigned char { checking, model, code, simulation, files, output, limits, general };
-[[nodiscard]] const std::vector<Group>& groups();
-[[nodiscard]] std::string_view heading(Group);
+[[nodiscard]] const std::vector<Group>& option_groups();
+[[nodiscard]] std::string_view group_heading(Group);
 
 /// The argument of an option.
 struct Argument {
@@ -64,7 +64,7 @@ struct Argument {
 
 /// A set of verbs, one bit for each.
 using Verbs = std::uint32_t;
-[[nodiscard]] constexpr Verbs of(Verb verb) {
+[[nodiscard]] constexpr Verbs verb_bit(Verb verb) {
     return Verbs{1} << static_cast<unsigned>(verb);
 }
 /// The command without a verb.
@@ -93,7 +93,7 @@ struct OptionRow {
 /// The choices of an argument, one by one.
 [[nodiscard]] std::vector<std::string> choices_of(const Argument&);
 /// The number of words that follow the option.
-[[nodiscard]] std::size_t words_behind(const Argument&);
+[[nodiscard]] std::size_t words_after(const Argument&);
 /// The reason why an argument is wrong, "" if it is accepted. An accepted word is normalised (a size in bytes, a code
 /// as in the tables).
 [[nodiscard]] std::string wrong_word(const Argument&, std::size_t at, std::string& word);

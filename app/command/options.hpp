@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "prism/sampling/method.hpp"
 #include "checker/refine/verdict/check.hpp"
+#include "prism/sampling/method.hpp"
 #include "semantics/ir/instantiation.hpp"
 
 namespace robochart::app {

@@ -22,7 +22,7 @@ OutputError::OutputError(int cause)
     : std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(cause != 0 ? cause : EIO))),
       reader_gone_(cause == EPIPE) {}
 
-Exit OutputError::report() const {
+Exit OutputError::report_error() const {
     if (!reader_gone_) print_error("robochart-verify: {}\n", what());
     return Exit::bad_input;
 }
@@ -103,7 +103,7 @@ public:
         further_ = std::min(indent + 2, width / 2);
     }
 
-    std::string broken() {
+    std::string break_line() {
         std::string out;
         std::size_t begin = 0;
         for (std::size_t columns_left = width_; begin < text_.size(); columns_left = width_ - further_) {
@@ -144,12 +144,12 @@ private:
 
 }  // namespace
 
-std::string wrapped(std::string_view text, std::size_t width) {
+std::string wrap_lines(std::string_view text, std::size_t width) {
     if (width == 0) return std::string(text);
     std::string out;
     while (!text.empty()) {
         const std::size_t end = text.find('\n');
-        out += WideLine(text.substr(0, end), width).broken();
+        out += WideLine(text.substr(0, end), width).break_line();
         if (end == std::string_view::npos) break;
         out += '\n';
         text.remove_prefix(end + 1);

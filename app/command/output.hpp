@@ -20,7 +20,7 @@ public:
     /// `cause`: the system's error number.
     explicit OutputError(int cause);
     /// Reports the error on standard error, unless the reader has closed the pipe (`| head`). Returns the exit code.
-    [[nodiscard]] Exit report() const;
+    [[nodiscard]] Exit report_error() const;
 
 private:
     bool reader_gone_;
@@ -65,7 +65,7 @@ void prepare_output();
 [[nodiscard]] std::size_t line_width(int descriptor);
 /// The text with lines wrapped at this width, at spaces, with continuation lines indented. Colour sequences have no
 /// width. 0: unchanged.
-[[nodiscard]] std::string wrapped(std::string_view text, std::size_t width);
+[[nodiscard]] std::string wrap_lines(std::string_view text, std::size_t width);
 /// The style of findings on standard error.
 [[nodiscard]] diagnostics::TextStyle findings_style(const Options&);
 

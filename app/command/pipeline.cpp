@@ -24,13 +24,13 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/render.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/blocks/check_script.hpp"
 #include "csp_emit/swarm/compose.hpp"
 #include "csp_emit/swarm/read_swarm.hpp"
-#include "base/diagnostics/files.hpp"
-#include "base/diagnostics/render.hpp"
-#include "base/diagnostics/spelling.hpp"
 #include "frontend/names/names.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/project/units.hpp"
@@ -55,14 +55,14 @@ std::string project_name(const std::string& input) {
 }
 
 /// Sets what all phases of a project use: its budget and the suppressed warnings.
-void prepare(Project& project, const Options& options) {
-    for (const std::string& code : options.allowed) project.diagnostics.allow(code);
-    project.diagnostics.within(&options.run->budget());
+void prepare_project(Project& project, const Options& options) {
+    for (const std::string& code : options.allowed) project.diagnostics.allow_code(code);
+    project.diagnostics.set_budget(&options.run->budget());
 }
 
 bool lower(Project& project, const Options& options) {
     const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
-    if (!acceptable(project, options)) return false;
+    if (!is_acceptable(project, options)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
     return project.diagnostics.ok();
 }
@@ -71,12 +71,12 @@ bool lower(Project& project, const Options& options) {
 bool make_finite(Project& project, const Options& options, const ir::InstantiationOptions& wanted) {
     const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
     project.asked = wanted;
-    project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
+    project.instantiation = ir::instantiate_system(project.system, wanted, project.diagnostics);
     return project.diagnostics.ok();
 }
 
-ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package,
-                           const std::string& name) {
+ir::ComponentRef make_component_ref(ir::ComponentKind kind, std::size_t index, const std::string& package,
+                                    const std::string& name) {
     ir::ComponentRef ref;
     ref.kind = kind;
     ref.definition = static_cast<std::uint32_t>(index);
@@ -88,14 +88,15 @@ ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std:
 std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     std::vector<ir::ComponentRef> all;
     for (std::size_t i = 0; i < system.modules.size(); ++i)
-        all.push_back(component(ir::ComponentKind::module, i, system.modules[i].package, system.modules[i].name));
-    for (std::size_t i = 0; i < system.controllers.size(); ++i)
         all.push_back(
-            component(ir::ComponentKind::controller, i, system.controllers[i].package, system.controllers[i].name));
+            make_component_ref(ir::ComponentKind::module, i, system.modules[i].package, system.modules[i].name));
+    for (std::size_t i = 0; i < system.controllers.size(); ++i)
+        all.push_back(make_component_ref(ir::ComponentKind::controller, i, system.controllers[i].package,
+                                         system.controllers[i].name));
     for (std::size_t i = 0; i < system.machines.size(); ++i) {
         const ir::Machine& machine = system.machines[i];
         if (machine.kind == ir::MachineKind::state_machine)
-            all.push_back(component(ir::ComponentKind::machine, i, machine.package, machine.name));
+            all.push_back(make_component_ref(ir::ComponentKind::machine, i, machine.package, machine.name));
     }
     return all;
 }
@@ -122,7 +123,7 @@ void find_shared_names(Project& project) {
 
 /// Lowers the parts and makes them finite. A constant from the options applies to the parts that have it. The first
 /// part reports constants that no part has.
-void complete(const std::vector<Part>& parts, const Options& options) {
+void instantiate_parts(const std::vector<Part>& parts, const Options& options) {
     std::string error;
     const ir::InstantiationOptions given = instantiation_options(options, error);
     const ir::GivenConstants weaker = given_constants(options.weaker_constants, error);
@@ -137,7 +138,7 @@ void complete(const std::vector<Part>& parts, const Options& options) {
     }
     bool all = lowered;
     for (const Part& part : parts) {
-        if (!acceptable(*part.project, options)) continue;
+        if (!is_acceptable(*part.project, options)) continue;
         ir::InstantiationOptions wanted = given;
         wanted.constants.merge(ir::not_overridden(part.project->system, weaker, given.constants));
         const auto has = [&](const Part& each, const std::string& name) {
@@ -190,13 +191,14 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
                                                    : part->sources.add(whole.sources.path(source), other->second));
     }
     part->name = name;
-    prepare(*part, options);
+    prepare_project(*part, options);
     part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
     // If the whole project has errors in these texts, its findings are used, because a name that is unknown here may be
     // in another part.
     const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
     const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
-    if (!part->diagnostics.ok() && std::ranges::any_of(own, wrong)) part->diagnostics = whole.diagnostics.about(own);
+    if (!part->diagnostics.ok() && std::ranges::any_of(own, wrong))
+        part->diagnostics = whole.diagnostics.findings_in_texts(own);
     return part;
 }
 
@@ -206,9 +208,9 @@ std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(co
     for (const auto& file : project.model->files)
         if (file->is_assertions) assertions.insert(file->source);
     std::map<diagnostics::SourceId, diagnostics::Diagnostic> first;
-    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted()) {
+    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings()) {
         if (finding.rule->severity != diagnostics::Severity::error) continue;
-        if (!finding.span.known() || !assertions.contains(finding.span.source)) return {};
+        if (!finding.span.is_known() || !assertions.contains(finding.span.source)) return {};
         first.try_emplace(finding.span.source, finding);
     }
     return first;
@@ -234,7 +236,7 @@ std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> proj
 std::unique_ptr<Project> read(const Options& options) {
     auto project = std::make_unique<Project>();
     project->name = project_name(options.inputs.front());
-    prepare(*project, options);
+    prepare_project(*project, options);
     const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
     project->model = frontend::load_project(project->sources, options.inputs, project->diagnostics);
     return leaves_assertions(options.verb) ? without_broken_assertions(std::move(project), options)
@@ -242,7 +244,7 @@ std::unique_ptr<Project> read(const Options& options) {
 }
 
 /// If two parts have components with the same name, all output about the parts contains the part's name.
-void label(const std::vector<Part>& parts) {
+void label_parts(const std::vector<Part>& parts) {
     std::map<std::string, std::set<const Project*>> owners;
     for (const Part& part : parts)
         if (!part.again)
@@ -258,15 +260,15 @@ void label(const std::vector<Part>& parts) {
 
 /// True if there are errors without a place in a text, so that no part can be processed.
 bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
-    const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted();
+    const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted_findings();
     return std::ranges::any_of(all, [](const diagnostics::Diagnostic& finding) {
-        return finding.rule->severity == diagnostics::Severity::error && !finding.span.known();
+        return finding.rule->severity == diagnostics::Severity::error && !finding.span.is_known();
     });
 }
 
 /// Divides the project into its parts.
-std::vector<Part> apart(std::unique_ptr<Project> whole, const Options& options,
-                        const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
+std::vector<Part> split_project(std::unique_ptr<Project> whole, const Options& options,
+                                const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
     std::vector<Part> parts;
     std::vector<frontend::Unit> units;
     if (!cannot_be_read(whole->diagnostics)) units = units_of(*whole->model);
@@ -281,11 +283,11 @@ std::vector<Part> apart(std::unique_ptr<Project> whole, const Options& options,
 
 }  // namespace
 
-std::unique_ptr<Project> load(const Options& options) {
+std::unique_ptr<Project> load_project(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Part> parts;
     parts.push_back({read(options), false});
-    complete(parts, options);
+    instantiate_parts(parts, options);
     parts.front().project->seconds = seconds_since(start);
     return std::move(parts.front().project);
 }
@@ -390,7 +392,7 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
 /// A claim or CSP block with errors does not prevent the other claims from being decided. If some claims can be
 /// decided, a part with errors is divided into two (broken_claims.hpp). Scripts are written for the part without
 /// errors.
-void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
+void separate_broken_claims(std::vector<Part>& parts, const Options& options) {
     const bool writes = options.verb == Verb::emit_csp;
     if ((!decides_assertions(options.verb) && !writes) || !options.print.empty() || !are_claimed(parts, options.claims))
         return;
@@ -407,17 +409,17 @@ void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
         const Project& whole = *part.project;
         std::vector<Part> sound;
         sound.push_back({part_of(whole, found->sound.unit, whole.name, options, found->sound.texts), part.again});
-        complete(sound, unnamed);
-        set_broken_claims_apart(sound, options);  // errors in blocks are only found if there are no others
+        instantiate_parts(sound, unnamed);
+        separate_broken_claims(sound, options);  // errors in blocks are only found if there are no others
         std::set<diagnostics::SourceId> wrong;
         std::string named;  // the first file with an error
-        for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted())
+        for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted_findings())
             if (finding.rule->severity == diagnostics::Severity::error) {
                 if (wrong.empty()) named = whole.sources.path(finding.span.source);
                 wrong.insert(finding.span.source);
             }
         auto broken = part_of(whole, found->broken.unit, project_name(named), options, found->broken.texts);
-        broken->diagnostics = whole.diagnostics.about(wrong);
+        broken->diagnostics = whole.diagnostics.findings_in_texts(wrong);
         for (Part& each : sound) result.push_back(std::move(each));
         result.push_back({std::move(broken), true});
     }
@@ -430,23 +432,23 @@ std::vector<Part> load_parts(Options& options) {
     const auto start = std::chrono::steady_clock::now();
     std::unique_ptr<Project> whole = read(options);
     name_claims(*whole, options);
-    std::vector<Part> parts = apart(std::move(whole), options, frontend::units);
-    complete(parts, options);
-    set_broken_claims_apart(parts, options);
-    label(parts);
+    std::vector<Part> parts = split_project(std::move(whole), options, frontend::split_into_units);
+    instantiate_parts(parts, options);
+    separate_broken_claims(parts, options);
+    label_parts(parts);
     parts.front().project->seconds = seconds_since(start);
     return parts;
 }
 
 std::vector<Part> read_parts(const Options& options) {
-    return apart(read(options), options, [](const frontend::Model& model) {
+    return split_project(read(options), options, [](const frontend::Model& model) {
         std::vector<frontend::Unit> units;
-        for (std::vector<std::size_t> group : frontend::groups(model)) units.push_back({std::move(group), false});
+        for (std::vector<std::size_t> group : frontend::group_files(model)) units.push_back({std::move(group), false});
         return units;
     });
 }
 
-bool asked_for(const Options& options, const std::string& claim) {
+bool is_claim_selected(const Options& options, const std::string& claim) {
     const std::vector<std::string>& claims = options.claims;
     return claims.empty() || std::ranges::find(claims, claim) != claims.end();
 }
@@ -532,7 +534,7 @@ std::string file_name(const Project& project, const ir::ComponentRef& component)
 
 std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager& sources, const std::string& path,
                                                 std::string& error) {
-    if (path != "-") return sources.load(path, error);
+    if (path != "-") return sources.load_file(path, error);
     std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
     if (!error.empty()) return std::nullopt;
     return sources.add("standard input", std::move(text));
@@ -553,7 +555,7 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
 }
 
 bool write_output(Project& project, const Options& options, const std::string& path, const std::string& text) {
-    const std::string error = options.run->claim(path)
+    const std::string error = options.run->claim_path(path)
                                   ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())
                                   : fmt::format(
                                         "{}/{}: this run has already written a file of this name, "
@@ -581,7 +583,7 @@ void check_component(const std::vector<Part>& parts, const Options& options) {
         if (options.component.empty() || !code_components(part.project->system, options.component).empty()) return;
         for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
-    const std::string meant = diagnostics::nearest(options.component, known);
+    const std::string meant = diagnostics::nearest_spelling(options.component, known);
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
     constexpr std::size_t few = 8;
@@ -597,7 +599,7 @@ void check_component(const std::vector<Part>& parts, const Options& options) {
 
 }  // namespace
 
-Exit refusal(const Project& project) {
+Exit refusal_code(const Project& project) {
     const std::array about_options{&rules::bad_option,
                                    &ir::rules::unknown_constant_option,
                                    &ir::rules::bad_constant_value,
@@ -606,17 +608,17 @@ Exit refusal(const Project& project) {
                                    &ir::rules::bad_range,
                                    &ir::rules::ranges_not_nested,
                                    &ir::rules::range_too_large};
-    const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted();
+    const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted_findings();
     // Errors caused by the text of the model have a place in it.
     const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
         return each.rule->severity == diagnostics::Severity::error &&
-               (each.span.known() || std::ranges::find(about_options, each.rule) == about_options.end());
+               (each.span.is_known() || std::ranges::find(about_options, each.rule) == about_options.end());
     };
     return project.diagnostics.ok() || std::ranges::any_of(all, about_the_model) ? Exit::bad_input : Exit::usage;
 }
 
-bool acceptable(const Project& project, const Options& options) {
-    return project.diagnostics.ok() && !(options.deny_warnings && project.diagnostics.warnings() > 0);
+bool is_acceptable(const Project& project, const Options& options) {
+    return project.diagnostics.ok() && !(options.deny_warnings && project.diagnostics.warning_count() > 0);
 }
 
 namespace {
@@ -638,16 +640,16 @@ std::string refused_document(const Project& project, const Options& options, For
 }  // namespace
 
 void show_findings(const Project& project, const Options& options) {
-    const bool good = acceptable(project, options);
+    const bool good = is_acceptable(project, options);
     const diagnostics::TextStyle style = findings_style(options);
     if (options.quiet && good) {
         // These warnings are shown even with --quiet, because the verdicts are about a model that differs from the
         // text.
         diagnostics::Diagnostics kept;
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
             if (each.rule == &ir::rules::literal_outside_range || each.rule == &csp_emit::rules::inputs_hidden)
                 kept.report(*each.rule, each.span, each.arguments);
-        if (kept.warnings() > 0) print_error_styled(diagnostics::render_text(project.sources, kept, style));
+        if (kept.warning_count() > 0) print_error_styled(diagnostics::render_text(project.sources, kept, style));
         return;
     }
     print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
@@ -655,11 +657,11 @@ void show_findings(const Project& project, const Options& options) {
 }
 
 bool show_diagnostics(const Project& project, const Options& options) {
-    const bool good = acceptable(project, options);
+    const bool good = is_acceptable(project, options);
     if (!good && (options.format != Format::text || !options.files.empty())) {
         // This is the answer of the run. A limit that is reached later must not print a second document.
         options.run->finish();
-        answer(options, [&](Format format) { return refused_document(project, options, format); });
+        output_document(options, [&](Format format) { return refused_document(project, options, format); });
     }
     if (options.format != Format::json && (good || options.format == Format::text)) show_findings(project, options);
     return good;

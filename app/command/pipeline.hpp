@@ -9,8 +9,8 @@
 #include <string>
 
 #include "app/command/options.hpp"
-#include "csp_emit/emit.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "csp_emit/emit.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
@@ -40,7 +40,7 @@ struct Project {
 
 /// Reads the inputs, lowers them and makes them finite, as one project. Stops after the first phase with errors.
 /// `diagnostics` contains them, and names in the options that the model does not have.
-[[nodiscard]] std::unique_ptr<Project> load(const Options&);
+[[nodiscard]] std::unique_ptr<Project> load_project(const Options&);
 
 /// The options, completed by the swarm's file: constants, ranges, and the timed semantics if there is a grid. Errors of
 /// that file are reported when the swarm is composed. Throws UsageError if options about a swarm are given without one,
@@ -60,7 +60,7 @@ struct Part {
 [[nodiscard]] std::vector<Part> read_parts(const Options&);
 
 /// True if the claim of this name is to be decided; without names, all are.
-[[nodiscard]] bool asked_for(const Options&, const std::string& claim);
+[[nodiscard]] bool is_claim_selected(const Options&, const std::string& claim);
 
 /// True if the core properties of a part are checked: they were requested, or assertions are checked and the model has
 /// none. False if an earlier part has the same components.
@@ -93,10 +93,10 @@ struct Part {
 bool write_output(Project&, const Options&, const std::string& path, const std::string& text);
 
 /// The exit code of a run that ends with errors: wrong usage if all errors are about the command line.
-[[nodiscard]] Exit refusal(const Project&);
+[[nodiscard]] Exit refusal_code(const Project&);
 
 /// True if there are no errors and, with --deny-warnings, no warnings.
-[[nodiscard]] bool acceptable(const Project&, const Options&);
+[[nodiscard]] bool is_acceptable(const Project&, const Options&);
 
 /// Prints the project's diagnostics as text to stderr.
 void show_findings(const Project&, const Options&);

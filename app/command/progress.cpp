@@ -41,7 +41,7 @@ std::string short_number(double value) {
     return value < 1e6 ? fmt::format("{:.1f} k", value / 1e3) : fmt::format("{:.2f} M", value / 1e6);
 }
 
-std::string fitted(std::string text, std::size_t width) {
+std::string fit_columns(std::string text, std::size_t width) {
     std::size_t columns = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (!diagnostics::is_continuation(text[i]) && ++columns > width) {
@@ -86,35 +86,35 @@ std::string progress_text(const refine::Progress& p, std::size_t width) {
     if (bytes_per_state(p) > 0) parts.push_back(fmt::format("{:.0f} B/state", bytes_per_state(p)));
     std::string text =
         fmt::format("{} {:.0f} s: {}", compiling ? "compiling" : "searching", p.seconds, fmt::join(parts, ", "));
-    if (compiling && !p.part.empty()) text += ", " + diagnostics::shown(p.part);
-    return fitted(std::move(text), width);
+    if (compiling && !p.part.empty()) text += ", " + diagnostics::escape_for_display(p.part);
+    return fit_columns(std::move(text), width);
 }
 
 std::string progress_json(const refine::Progress& p, const std::string& subject) {
     const bool compiling = p.phase == refine::Progress::Phase::compiling;
-    using diagnostics::rounded;
+    using diagnostics::round_to_places;
     diagnostics::Json json{{"event", "progress"},
                            {"subject", subject},
                            {"phase", compiling ? "compiling" : "searching"},
-                           {"seconds", rounded(p.seconds, 3)},
+                           {"seconds", round_to_places(p.seconds, 3)},
                            {"states", p.states},
                            {"transitions", p.transitions},
-                           {"statesPerSecond", rounded(per_second(p.states, p.seconds), 0)},
+                           {"statesPerSecond", round_to_places(per_second(p.states, p.seconds), 0)},
                            {"frontier", p.frontier},
                            {"depth", p.depth},
                            {"residentBytes", p.resident_bytes},
-                           {"bytesPerState", rounded(bytes_per_state(p), 1)}};
+                           {"bytesPerState", round_to_places(bytes_per_state(p), 1)}};
     if (compiling) json.update({{"part", p.part}, {"component", p.component}, {"components", p.components}});
     return diagnostics::json_text(json);
 }
 
-std::optional<std::string> ProgressLog::line(const refine::Progress& progress) {
+std::optional<std::string> ProgressLog::next_line(const refine::Progress& progress) {
     constexpr double interval = 30;
     if (progress.phase != phase_ || due_ == 0) due_ = interval;
     phase_ = progress.phase;
     if (progress.seconds < due_) return std::nullopt;
     due_ = progress.seconds + interval;
-    const std::string subject = subject_.empty() ? "" : diagnostics::shown(subject_) + ": ";
+    const std::string subject = subject_.empty() ? "" : diagnostics::escape_for_display(subject_) + ": ";
     return subject + progress_text(progress, 200);
 }
 
@@ -130,7 +130,7 @@ std::function<void(const refine::Progress&)> progress_of(const Options& options,
     if (options.progress == ProgressMode::never || options.quiet) return {};
     if (!error_is_a_terminal())
         return [log = std::make_shared<ProgressLog>(subject)](const refine::Progress& progress) {
-            if (const auto line = log->line(progress)) print_error("{}\n", *line);
+            if (const auto line = log->next_line(progress)) print_error("{}\n", *line);
         };
     return [line = std::make_shared<Line>()](const refine::Progress& progress) { line->draw(progress); };
 }

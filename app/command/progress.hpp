@@ -24,7 +24,7 @@ class ProgressLog {
 public:
     explicit ProgressLog(std::string subject) : subject_(std::move(subject)) {}
     /// "A1 [timed] S is deadlock-free: searching 30 s: ...", without a line end; no value if no line is due.
-    [[nodiscard]] std::optional<std::string> line(const refine::Progress&);
+    [[nodiscard]] std::optional<std::string> next_line(const refine::Progress&);
 
 private:
     std::string subject_;

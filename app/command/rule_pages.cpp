@@ -21,7 +21,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim_spaces(std::string_view text) {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     return text;
@@ -42,35 +42,35 @@ public:
     explicit PageReader(std::string_view text) : lines_(lines_of(text)) {}
 
     RulePage read() {
-        title();
-        kind();
+        read_title();
+        read_kind();
         while (at_ < lines_.size()) body_line(lines_[at_++]);
-        if (trimmed(page_.reason).empty()) fault("there is no reason between the title and the examples");
-        if (page_.wrong.empty()) fault("there is no example under `## Wrong`");
-        if (page_.right.empty()) fault("there is no example under `## Right`");
+        if (trim_spaces(page_.reason).empty()) add_fault("there is no reason between the title and the examples");
+        if (page_.wrong.empty()) add_fault("there is no example under `## Wrong`");
+        if (page_.right.empty()) add_fault("there is no example under `## Right`");
         return std::move(page_);
     }
 
 private:
-    void fault(std::string what) { page_.faults.push_back(std::move(what)); }
+    void add_fault(std::string what) { page_.faults.push_back(std::move(what)); }
 
-    void title() {
+    void read_title() {
         const std::string_view line = at_ < lines_.size() ? lines_[at_++] : std::string_view();
         const std::size_t colon = line.find(": ");
         if (!line.starts_with("# ") || colon == std::string_view::npos)
-            return fault("the first line must be `# CODE: what is wrong`");
+            return add_fault("the first line must be `# CODE: what is wrong`");
         page_.code = line.substr(2, colon - 2);
         page_.title = line.substr(colon + 2);
         skip_blank();
     }
 
     /// `*severity · area · source*`
-    void kind() {
+    void read_kind() {
         const std::string_view line = at_ < lines_.size() ? lines_[at_] : std::string_view();
         const bool fits = line.size() > 2 && line.front() == '*' && line.back() == '*';
         const std::size_t first = line.find(separator);
         if (!fits || first == std::string_view::npos)
-            return fault("the title must be followed by `*severity · area · source*`");
+            return add_fault("the title must be followed by `*severity · area · source*`");
         ++at_;
         const std::string_view inner = line.substr(1, line.size() - 2);
         const std::size_t second = inner.find(separator, first);
@@ -82,27 +82,27 @@ private:
     }
 
     void skip_blank() {
-        while (at_ < lines_.size() && trimmed(lines_[at_]).empty()) ++at_;
+        while (at_ < lines_.size() && trim_spaces(lines_[at_]).empty()) ++at_;
     }
 
     void body_line(std::string_view line) {
         if (line.starts_with("## ")) {
             section_ = line.substr(3);
         } else if (line.starts_with(fence)) {
-            block(line.substr(fence.size()));
+            read_block(line.substr(fence.size()));
         } else if (section_.empty()) {
             page_.reason.append(line).append("\n");
         }
     }
 
-    void block(std::string_view info) {
+    void read_block(std::string_view info) {
         Block block;
         const std::size_t blank = std::min(info.find(' '), info.size());
         block.language = info.substr(0, blank);
         const std::size_t name = info.find("file=");
-        if (name != std::string_view::npos) block.file = trimmed(info.substr(name + 5));
+        if (name != std::string_view::npos) block.file = trim_spaces(info.substr(name + 5));
         while (at_ < lines_.size() && lines_[at_] != fence) block.text.append(lines_[at_++]).append("\n");
-        if (at_ == lines_.size()) fault("a fence is not closed");
+        if (at_ == lines_.size()) add_fault("a fence is not closed");
         ++at_;
         if (section_ == "Wrong") page_.wrong.push_back(std::move(block));
         if (section_ == "Right") page_.right.push_back(std::move(block));
@@ -122,7 +122,7 @@ class Drawing {
 public:
     explicit Drawing(bool color) : color_(color) {}
 
-    std::string draw(std::string_view text) {
+    std::string draw_text(std::string_view text) {
         for (const std::string_view line : lines_of(text)) draw_line(line);
         while (out_.size() > 1 && out_.ends_with("\n\n")) out_.pop_back();
         return std::move(out_);
@@ -136,10 +136,10 @@ private:
             code_line(line);
         } else if (line.starts_with("#")) {
             const std::size_t start = std::min(line.find_first_not_of("# "), line.size());
-            marked(line.substr(start), Paint::heading);
+            add_painted(line.substr(start), Paint::heading);
             out_ += '\n';
         } else {
-            words(line);
+            draw_words(line);
             out_ += '\n';
         }
     }
@@ -155,32 +155,32 @@ private:
         out_.append("    ").append(text).append("\n");
     }
 
-    void marked(std::string_view text, Paint paint) { out_ += diagnostics::painted(text, paint, color_); }
+    void add_painted(std::string_view text, Paint paint) { out_ += diagnostics::paint_text(text, paint, color_); }
 
     /// A line of text: `code`, [name](address) and *emphasis*.
-    void words(std::string_view line) {
+    void draw_words(std::string_view line) {
         while (!line.empty()) {
             const std::size_t at = std::min(line.find_first_of("`[*"), line.size());
             out_ += line.substr(0, at);
             line.remove_prefix(at);
-            if (!line.empty()) line.remove_prefix(special(line));
+            if (!line.empty()) line.remove_prefix(draw_special(line));
         }
     }
 
     /// Draws an element that begins with a special character; returns the number of characters used.
-    std::size_t special(std::string_view line) {
+    std::size_t draw_special(std::string_view line) {
         const char sign = line.front();
         if (sign == '[') {
             const std::size_t name = line.find("](");
             const std::size_t end = name == std::string_view::npos ? name : line.find(')', name);
-            if (end != std::string_view::npos) return marked(line.substr(1, name - 1), Paint::name), end + 1;
+            if (end != std::string_view::npos) return add_painted(line.substr(1, name - 1), Paint::name), end + 1;
         } else if (line.size() > 1 && line[1] != ' ') {
             const std::size_t end = line.find(sign, 1);
             if (end != std::string_view::npos) {
                 // Backquotes are kept if there are no colours.
                 const bool quotes = sign == '`' && !color_;
-                marked(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1),
-                       sign == '`' ? Paint::name : Paint::heading);
+                add_painted(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1),
+                            sign == '`' ? Paint::name : Paint::heading);
                 return end + 1;
             }
         }
@@ -206,7 +206,7 @@ RulePage read_page(std::string_view text) {
 }
 
 std::string render_page(std::string_view text, bool color) {
-    return Drawing(color).draw(text);
+    return Drawing(color).draw_text(text);
 }
 
 }  // namespace robochart::app

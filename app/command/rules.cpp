@@ -8,9 +8,6 @@
 
 #include "checker/cspm/syntax/rules.hpp"
 #include "checker/cspm/types/rules.hpp"
-#include "prism/checks/rules.hpp"
-#include "prism/explore/rules.hpp"
-#include "prism/syntax/rules.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/ros2/rules.hpp"
@@ -19,7 +16,10 @@
 #include "frontend/diagrams/stored/rules.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "prism/checks/rules.hpp"
 #include "prism/emit/rules.hpp"
+#include "prism/explore/rules.hpp"
+#include "prism/syntax/rules.hpp"
 #include "semantics/rules.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "sleec/checks/rules.hpp"
@@ -57,7 +57,7 @@ const diagnostics::Rule left_out{
 
 namespace {
 
-std::string upper(std::string_view text) {
+std::string to_upper(std::string_view text) {
     std::string result(text);
     std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return result;
@@ -68,23 +68,23 @@ std::string upper(std::string_view text) {
 std::vector<const diagnostics::Rule*> all_rules() {
     std::vector<const diagnostics::Rule*> all;
     const auto add = [&all](const auto& table) { all.insert(all.end(), table.begin(), table.end()); };
-    add(frontend::syntax::all());
+    add(frontend::syntax::rule_list());
     add(frontend::rules::all());
-    add(diagrams::rules::all());
+    add(diagrams::rules::rule_list());
     add(ir::rules::all());
     add(csp_emit::rules::all());
     add(csp_emit::swarm_rules::all());
     add(cpp_emit::rules::all());
     add(cpp_emit::ros2::rules::all());
-    add(cspm::rules::all());
-    add(cspm::types::rules::all());
+    add(cspm::rules::all_rules());
+    add(cspm::types::rules::all_rules());
     add(prism::rules::syntax());
     add(prism::rules::checks());
     add(prism::rules::explore());
     add(prism_emit::rules::all());
-    add(sleec::rules::syntax());
-    add(sleec::rules::checks());
-    add(simulation::rules::all());
+    add(sleec::rules::syntax_rule_table());
+    add(sleec::rules::check_rule_table());
+    add(simulation::rules::all_rules());
     add(conformance::rules::all());
     all.insert(all.end(),
                {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor, &rules::left_out});
@@ -93,14 +93,14 @@ std::vector<const diagnostics::Rule*> all_rules() {
 
 std::vector<std::string> codes_meant(std::string_view word) {
     const auto plain = [](std::string_view text) {
-        std::string letters = upper(text);
+        std::string letters = to_upper(text);
         std::erase_if(letters, [](unsigned char c) { return std::isalnum(c) == 0; });
         return letters;
     };
     std::set<std::string> same, ending;
     for (const diagnostics::Rule* rule : all_rules()) {
         const std::string_view code = rule->code;
-        if (upper(code) == upper(word)) return {std::string(code)};
+        if (to_upper(code) == to_upper(word)) return {std::string(code)};
         if (plain(code) == plain(word)) same.emplace(code);
         const std::size_t hyphen = code.rfind('-');
         if (hyphen != std::string_view::npos && plain(code.substr(hyphen)) == plain(word)) ending.emplace(code);
@@ -112,7 +112,7 @@ std::vector<std::string> codes_meant(std::string_view word) {
 std::vector<const diagnostics::Rule*> find_rules(std::string_view code) {
     std::vector<const diagnostics::Rule*> found;
     for (const diagnostics::Rule* rule : all_rules())
-        if (upper(rule->code) == upper(code)) found.push_back(rule);
+        if (to_upper(rule->code) == to_upper(code)) found.push_back(rule);
     return found;
 }
 

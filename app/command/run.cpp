@@ -17,11 +17,11 @@
 
 #include "app/command/command_line.hpp"
 #include "app/command/output.hpp"
+#include "base/diagnostics/ending.hpp"
+#include "base/diagnostics/files.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/storage_error.hpp"
-#include "base/diagnostics/ending.hpp"
-#include "base/diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
@@ -63,7 +63,7 @@ Run::Run(const Options& options) : budget_(limits_of(options)) {
         if (!unwanted) sigaddset(&signals_taken_, signal);
     }
     pthread_sigmask(SIG_BLOCK, &signals_taken_, &mask_before_);
-    watcher_ = std::thread([this] { watch(); });
+    watcher_ = std::thread([this] { watch_limits(); });
 }
 
 Run::~Run() {
@@ -72,7 +72,7 @@ Run::~Run() {
     pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
-refine::LevelStrategy* Run::kept_searches(const Options& options) {
+refine::LevelStrategy* Run::search_strategy(const Options& options) {
     const std::vector<std::string> named{options.disk, options.resume, options.checkpoint};
     const auto folder = std::ranges::find_if(named, [](const auto& each) { return !each.empty(); });
     if (folder == named.end()) return nullptr;
@@ -97,7 +97,7 @@ refine::LevelStrategy* Run::kept_searches(const Options& options) {
     return kept_searches_.get();
 }
 
-void Run::all_asked() {
+void Run::end_questions() {
     if (kept_searches_) kept_searches_->all_asked();
 }
 
@@ -112,7 +112,7 @@ void Run::finish() {
     diagnostics::program_ends = true;
 }
 
-Exit Run::stopped(const std::string& why) {
+Exit Run::end_run(const std::string& why) {
     finish();
     return last_word_(why);
 }
@@ -122,7 +122,7 @@ void Run::keep_for(const std::string& path, const std::string& text) {
     kept_[path] += text;
 }
 
-bool Run::write_kept() {
+bool Run::write_kept_files() {
     const std::lock_guard lock(mutex_);
     bool all = true;
     for (const auto& [path, text] : kept_) {
@@ -138,7 +138,7 @@ bool Run::write_kept() {
 /// freed; after any other limit, it ends. If this thread cannot allocate memory, it prints a fixed message and ends the
 /// program. A verb that has its answer may take its time to print it after a limit, but only a limited time after a
 /// signal.
-void Run::watch() {
+void Run::watch_limits() {
     bool beyond = false;
     Clock::time_point since;
     std::uint64_t lowest = 0;  // memory since then
@@ -150,24 +150,24 @@ void Run::watch() {
     const auto look = [&] {
         if (const int signal = sigtimedwait(&signals_taken_, nullptr, &between_looks); signal > 0) {
             if (signal != SIGXCPU) asked_to_end = signal;
-            take(signal);
+            handle_signal(signal);
         }
-        const std::string why = budget_.reached();
+        const std::string why = budget_.reached_limit();
         if (why.empty()) {
             beyond = false;
             return;
         }
         const std::uint64_t most = budget_.limits().memory_bytes;
         const std::optional<Clock::time_point>& deadline = budget_.limits().deadline;
-        const bool of_memory = !budget_.interrupted() && (!deadline || Clock::now() < *deadline);
+        const bool of_memory = !budget_.is_interrupted() && (!deadline || Clock::now() < *deadline);
         if (!of_memory) diagnostics::program_ends = true;
-        if (!beyond || (of_memory && budget_.resident() + most / 100 < lowest)) {
+        if (!beyond || (of_memory && budget_.resident_memory() + most / 100 < lowest)) {
             beyond = true;
             since = Clock::now();
-            lowest = budget_.resident();
+            lowest = budget_.resident_memory();
         }
         constexpr std::uint64_t grown = std::uint64_t{64} << 20U;  // by a table that doubles within a small limit
-        const bool far_beyond = budget_.resident() > most + std::max(most / 4, grown);
+        const bool far_beyond = budget_.resident_memory() > most + std::max(most / 4, grown);
         if (Clock::now() - since < (far_beyond ? short_grace : grace)) return;
         if (asked_to_end != 0 && Clock::now() - since >= longest_printing && finishing())
             end_at_once(128 + asked_to_end);
@@ -184,7 +184,7 @@ void Run::watch() {
 /// Programs that start this one may send a signal both to it and to its process group. Two signals within a moment
 /// therefore count as one. SIGXCPU is repeated every second after the system's CPU time limit, and never ends the
 /// program at once.
-void Run::take(int signal) {
+void Run::handle_signal(int signal) {
     constexpr std::chrono::milliseconds moment{100};
     if (signal == SIGXCPU) return budget_.interrupt();
     if (signals_.fetch_add(1) == 0) first_signal_ = Clock::now();
@@ -199,10 +199,10 @@ void Run::say_and_end(const std::string& why) {
     Exit exit = Exit::inconclusive;
     try {
         exit = last_word_(why);
-        if (!write_kept()) exit = Exit::bad_input;
+        if (!write_kept_files()) exit = Exit::bad_input;
         finish_output();
     } catch (const OutputError& error) {
-        exit = error.report();
+        exit = error.report_error();
     } catch (const std::bad_alloc&) {
         std::fputs("robochart-verify: there is no more memory\n", stderr);
     }
@@ -210,14 +210,14 @@ void Run::say_and_end(const std::string& why) {
 }
 
 void Run::end_at_once(int code) {
-    budget_.release();
+    budget_.release_resources();
     _exit(code);
 }
 
 namespace {
 
 /// True if no thread, process or memory is available.
-bool exhausted(const std::system_error& error) {
+bool is_exhausted(const std::system_error& error) {
     return error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
 }
 
@@ -226,16 +226,16 @@ Exit run_within(Run& run, const Options& options, const std::function<Exit(const
     try {
         return verb(options);
     } catch (const diagnostics::LimitReached& limit) {
-        return run.stopped(limit.what());
+        return run.end_run(limit.what());
     } catch (const cspm::EvaluationError& error) {  // verbs catch it if they know the place in the model
         run.finish();
         print_error("robochart-verify: the script cannot be evaluated: {}\n", error.what());
         return Exit::bad_input;
     } catch (const std::bad_alloc&) {
-        return run.stopped("there is no more memory");
+        return run.end_run("there is no more memory");
     } catch (const std::system_error& error) {
-        if (!exhausted(error)) throw;
-        return run.stopped(error.what());
+        if (!is_exhausted(error)) throw;
+        return run.end_run(error.what());
     }
 }
 
@@ -255,9 +255,9 @@ Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const 
     options.run = &run;
     try {
         const Exit exit = run_within(run, options, verb);
-        return run.write_kept() ? exit : Exit::bad_input;
+        return run.write_kept_files() ? exit : Exit::bad_input;
     } catch (const OutputError&) {
-        (void)run.write_kept();
+        (void)run.write_kept_files();
         throw;
     }
 }
@@ -273,7 +273,7 @@ int run_command(const char* program, int argc, const char* const* argv,
         finish_output();
         return static_cast<int>(exit);
     } catch (const OutputError& error) {
-        return static_cast<int>(error.report());
+        return static_cast<int>(error.report_error());
     } catch (const storage::BadFile& error) {
         print_error("robochart-verify: {}\n", error.what());
         return static_cast<int>(Exit::bad_input);
@@ -284,7 +284,7 @@ int run_command(const char* program, int argc, const char* const* argv,
         print_error_text("robochart-verify: there is no more memory\n");
         return static_cast<int>(Exit::inconclusive);
     } catch (const std::system_error& error) {
-        const bool limit = exhausted(error);
+        const bool limit = is_exhausted(error);
         print_error("{}: {}{}\n", program, limit ? "" : "an internal error: ", error.what());
         return static_cast<int>(limit ? Exit::inconclusive : Exit::internal);
     } catch (const std::exception& error) {

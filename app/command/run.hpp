@@ -19,8 +19,8 @@
 #include <thread>
 
 #include "app/command/options.hpp"
-#include "base/diagnostics/budget.hpp"
 #include "base/cache/cache.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::refine {
 class LevelStrategy;
@@ -41,12 +41,12 @@ public:
     [[nodiscard]] diagnostics::Cache* cache() { return cache_ ? &*cache_ : nullptr; }
     /// The strategy for searches in files, according to these options; null if files are not used. Throws UsageError,
     /// storage::BadFile or storage::CannotWrite if the files cannot be used. All calls return the same object.
-    [[nodiscard]] refine::LevelStrategy* kept_searches(const Options&);
+    [[nodiscard]] refine::LevelStrategy* search_strategy(const Options&);
     /// Must be called when the verb has registered all its assertions. The files of their searches are removed if all
     /// are decided.
-    void all_asked();
+    void end_questions();
     /// True if a signal was received.
-    [[nodiscard]] bool interrupted() const { return signals_.load() > 0; }
+    [[nodiscard]] bool is_interrupted() const { return signals_.load() > 0; }
 
     /// Prints the known part of the verb's answer when the run must end because of `why`; returns the exit code.
     using LastWord = std::function<Exit(const std::string& why)>;
@@ -54,25 +54,25 @@ public:
     /// that is being changed.
     void last_word(LastWord);
     /// Must be held while the data shown by the last word are changed. A thread may hold it several times.
-    [[nodiscard]] std::unique_lock<std::recursive_mutex> edit() { return std::unique_lock(mutex_); }
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> lock_for_edit() { return std::unique_lock(mutex_); }
     /// Must be called when the verb has its answer, or will get none, and prints it. From then on, limits do not
     /// interrupt it.
     void finish();
     /// Registers the path of a file below `--out`. True if this run has not yet written a file with this path.
-    [[nodiscard]] bool claim(const std::string& path) { return written_.insert(path).second; }
+    [[nodiscard]] bool claim_path(const std::string& path) { return written_.insert(path).second; }
     /// The last word, called by the verb's own thread.
-    Exit stopped(const std::string& why);
+    Exit end_run(const std::string& why);
     /// True if the watching thread calls this; data of the verb's thread must not be accessed then.
     [[nodiscard]] bool is_watching() const { return std::this_thread::get_id() == watcher_.get_id(); }
 
     /// Appends to a text that is written to the file with this path when the run ends, even if it ends early.
     void keep_for(const std::string& path, const std::string& text);
     /// Writes these files. Returns false, with a message, if one cannot be written.
-    [[nodiscard]] bool write_kept();
+    [[nodiscard]] bool write_kept_files();
 
 private:
-    void watch();
-    void take(int signal);
+    void watch_limits();
+    void handle_signal(int signal);
     void say_and_end(const std::string& why);
     [[noreturn]] void end_at_once(int code);
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/command/options.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::app {
 
@@ -22,7 +22,7 @@ struct LoadedScript {
 
 /// Parses the process as part of an assertion of the script, so that it is type checked where it will be evaluated.
 /// `origin`: the name of its text in findings. Null, with diagnostics, if it is wrong.
-[[nodiscard]] cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin);
+[[nodiscard]] cspm::DeclPtr parse_process(LoadedScript& loaded, const std::string& process, const std::string& origin);
 void load_script(const std::string& path, LoadedScript& loaded);
 /// Prints the findings: as text to standard error, or as JSON to standard output if that is the format.
 void show_findings(const LoadedScript& loaded, const Options& options);

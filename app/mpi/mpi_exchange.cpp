@@ -23,7 +23,7 @@ int as_count(std::size_t words) {
 }
 
 /// Computes the offset of each part if all are stored consecutively, and returns the total length.
-std::size_t place(const std::vector<int>& counts, std::vector<int>& places) {
+std::size_t compute_offsets(const std::vector<int>& counts, std::vector<int>& places) {
     std::size_t end = 0;
     places.clear();
     for (const int count : counts) {
@@ -34,7 +34,7 @@ std::size_t place(const std::vector<int>& counts, std::vector<int>& places) {
 }
 
 /// MPI itself polls without pause. Here the polling interval grows if the wait is longer than a moment.
-void await(MPI_Request request) {
+void await_request(MPI_Request request) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds moment{2}, pause{1};
     const Clock::time_point start = Clock::now();
@@ -79,14 +79,14 @@ MpiExchange::MpiExchange() {
 }
 
 void MpiExchange::all_to_all(const Messages& out, Messages& in) {
-    count(out);
+    count_messages(out);
     as_count(out.words.size());
     for (unsigned to = 0; to < ranks_; ++to) {
         send_counts_[to] = as_count(out.sizes[to]);
         send_places_[to] = as_count(out.begins[to]);
     }
     MPI_Alltoall(send_counts_.data(), 1, MPI_INT, counts_.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    in.words.resize(place(counts_, places_));
+    in.words.resize(compute_offsets(counts_, places_));
     MPI_Alltoallv(out.words.data(), send_counts_.data(), send_places_.data(), MPI_UINT32_T, in.words.data(),
                   counts_.data(), places_.data(), MPI_UINT32_T, MPI_COMM_WORLD);
     in.begins.assign(places_.begin(), places_.end());
@@ -100,7 +100,7 @@ void MpiExchange::sum(std::span<std::uint64_t> values) {
 std::vector<Words> MpiExchange::gather(const Words& own) {
     const int size = as_count(own.size());
     MPI_Allgather(&size, 1, MPI_INT, counts_.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    received_.resize(place(counts_, places_));
+    received_.resize(compute_offsets(counts_, places_));
     MPI_Allgatherv(own.data(), size, MPI_UINT32_T, received_.data(), counts_.data(), places_.data(), MPI_UINT32_T,
                    MPI_COMM_WORLD);
     std::vector<Words> all(ranks_);
@@ -113,7 +113,7 @@ void MpiExchange::broadcast(std::string& bytes) {
     std::uint64_t size = bytes.size();
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
-    await(request);
+    await_request(request);
     bytes.resize(size);
     constexpr std::size_t most = std::size_t{1} << 30U;
     for (std::size_t first = 0; first < bytes.size(); first += most)

@@ -33,7 +33,7 @@ void warn_of_few_cores(unsigned threads) {
 }
 
 /// The usual command, with a strategy for its searches.
-int command(int argc, char** argv, refine::Exchange& exchange) {
+int run_ranked(int argc, char** argv, refine::Exchange& exchange) {
     ranks::ServedRanks served(exchange, command_identity());
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
         if (given.threads > 1 && !MpiProgram::serves_threads())
@@ -67,10 +67,10 @@ void block_signals() {
 
 int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
     try {
-        if (exchange.rank() == 0) return command(argc, argv, exchange);
+        if (exchange.rank() == 0) return run_ranked(argc, argv, exchange);
         allow_many_files();  // the command calls it itself
         for (const int each : ending) signal(each, SIG_IGN);
-        ranks::serve(exchange, command_identity());
+        ranks::serve_searches(exchange, command_identity());
         return 0;
     } catch (const std::bad_alloc&) {
         end_all(exchange.rank(), Exit::inconclusive, "there is no more memory");

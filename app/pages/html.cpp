@@ -28,7 +28,7 @@ using diagnostics::xml_text;
 /// The number of steps shown of one run. For a longer run, the first and the last steps are shown.
 constexpr std::size_t most_steps = 2000;
 
-const char* look(Answer answer) {
+const char* answer_class(Answer answer) {
     return answer == Answer::holds || answer == Answer::computed ? "holds"
            : answer == Answer::fails                             ? "fails"
                                                                  : "other";
@@ -39,7 +39,7 @@ std::string title_of(const AssertionReport& assertion) {
 }
 
 /// Lines that are wider than the page can be scrolled, also by keyboard.
-std::string preformatted(const std::string& text) {
+std::string preformatted_block(const std::string& text) {
     return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
 }
 
@@ -70,12 +70,12 @@ std::string basis_list(const Basis& basis) {
 std::string values_table(const ProbabilityReport& report) {
     if (report.rows.empty()) return "";
     std::string head;
-    for (const auto& [name, value] : varying(report, report.rows.front()))
+    for (const auto& [name, value] : varying_constants(report, report.rows.front()))
         head += fmt::format("<th scope=\"col\">{}</th>", xml_text(name));
     std::string body;
     for (const probability::Row& row : report.rows) {
         body += "<tr>";
-        for (const auto& [name, value] : varying(report, row))
+        for (const auto& [name, value] : varying_constants(report, row))
             body += fmt::format("<td class=\"number\">{}</td>", xml_text(value));
         const std::string path = path_text(row, "");
         body += fmt::format("<td>{}{}</td></tr>", xml_text(row_text(row)),
@@ -108,39 +108,39 @@ public:
         : report_(report), name_(name_of(report, parts)), diagrams_(parts, budget) {}
 
     std::string write() {
-        head();
-        errors();
-        verdicts();
+        write_head();
+        write_errors();
+        write_verdicts();
         for (std::size_t i = 0; i < report_.assertions.size(); ++i)
-            if (report_.assertions[i].run) claim(i, report_.assertions[i]);
-        code();
-        pictures();
+            if (report_.assertions[i].run) write_claim(i, report_.assertions[i]);
+        write_conformance();
+        write_diagrams();
         return page_text({name_, "script.js", std::move(out_)});
     }
 
 private:
-    void head();
-    void errors();
-    void verdicts();
-    void verdict(std::size_t number, const AssertionReport& assertion);
-    void claim(std::size_t number, const AssertionReport& assertion);
+    void write_head();
+    void write_errors();
+    void write_verdicts();
+    void write_verdict(std::size_t number, const AssertionReport& assertion);
+    void write_claim(std::size_t number, const AssertionReport& assertion);
     void model_runs(std::size_t number, const ConformanceReport& report);
     void model_run(const std::string& id, const std::string& title, const std::string& more, const runs::Run& run);
-    void replay(const std::string& id, const runs::Run& run);
-    void steps(const std::string& id, const runs::Run& run);
-    void row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
-             const std::vector<runs::Machine>& after);
-    [[nodiscard]] std::vector<std::set<std::string>> marked(const runs::Run& run) const;
-    void figures(const std::string& id, const runs::Run& run);
-    void figure(const std::string& attributes, const std::string& caption, const std::string& svg);
-    void code();
-    void pictures();
-    [[nodiscard]] std::set<std::string> unexercised() const;
-    [[nodiscard]] Marks active(const std::vector<runs::Machine>& machines) const;
-    [[nodiscard]] Marks fired(const runs::Step& step) const;
-    [[nodiscard]] std::string lane(const std::string& component) const;
-    [[nodiscard]] std::string values(const std::vector<runs::Machine>& before,
-                                     const std::vector<runs::Machine>& after) const;
+    void write_replay(const std::string& id, const runs::Run& run);
+    void write_steps(const std::string& id, const runs::Run& run);
+    void write_row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+                   const std::vector<runs::Machine>& after);
+    [[nodiscard]] std::vector<std::set<std::string>> marked_elements(const runs::Run& run) const;
+    void write_figures(const std::string& id, const runs::Run& run);
+    void write_figure(const std::string& attributes, const std::string& caption, const std::string& svg);
+    void write_conformance();
+    void write_diagrams();
+    [[nodiscard]] std::set<std::string> unexercised_elements() const;
+    [[nodiscard]] Marks active_marks(const std::vector<runs::Machine>& machines) const;
+    [[nodiscard]] Marks fired_marks(const runs::Step& step) const;
+    [[nodiscard]] std::string lane_name(const std::string& component) const;
+    [[nodiscard]] std::string values_json(const std::vector<runs::Machine>& before,
+                                          const std::vector<runs::Machine>& after) const;
 
     const Report& report_;
     std::string name_;  ///< of the subject of the page
@@ -150,12 +150,13 @@ private:
     std::string out_;
 };
 
-void ReportPage::head() {
+void ReportPage::write_head() {
     out_ += fmt::format("<h1>{}</h1>\n<p>{}", xml_text(name_), xml_text(report_.summary));
     for (const std::string& note : report_.notes) out_ += fmt::format("<br>{}", xml_text(note));
     std::vector<std::string> counts;
     if (!report_.assertions.empty())
-        counts.push_back(fmt::format("{} hold, {} fail", report_.count(Answer::holds), report_.count(Answer::fails)));
+        counts.push_back(fmt::format("{} hold, {} fail", report_.count_answers(Answer::holds),
+                                     report_.count_answers(Answer::fails)));
     if (const auto& code = report_.conformance; !code.empty())
         counts.push_back(fmt::format("{} of {} components conform",
                                      std::ranges::count_if(code,
@@ -168,20 +169,20 @@ void ReportPage::head() {
     if (!report_.limit.empty())
         counts.push_back(fmt::format("ended early: {}{}", xml_text(report_.limit),
                                      diagrams_.subjects().empty() ? "; the diagrams are left out" : ""));
-    if (const std::string advice = report_.advice(); !advice.empty()) counts.push_back(xml_text(advice));
+    if (const std::string advice = report_.limit_advice(); !advice.empty()) counts.push_back(xml_text(advice));
     out_ += fmt::format("</p>\n<p>robochart-verify {}: {}</p>\n", program_version, fmt::join(counts, "; "));
 }
 
 /// Of the models that are refused, as they are printed.
-void ReportPage::errors() {
+void ReportPage::write_errors() {
     if (report_.refused.empty()) return;
     out_ += "<section id=\"errors\">\n<h2>Errors</h2>\n";
     for (const RefusedReport& refused : report_.refused)
-        out_ += fmt::format("<h3>{}</h3>\n{}\n", xml_text(refused.model), preformatted(refused.text));
+        out_ += fmt::format("<h3>{}</h3>\n{}\n", xml_text(refused.model), preformatted_block(refused.text));
     out_ += "</section>\n";
 }
 
-void ReportPage::verdicts() {
+void ReportPage::write_verdicts() {
     if (report_.assertions.empty()) return;
     out_ +=
         "<section id=\"verdicts\">\n<h2>Verdicts</h2>\n"
@@ -189,12 +190,12 @@ void ReportPage::verdicts() {
         "<table class=\"sortable\"><thead><tr><th scope=\"col\">answer</th><th scope=\"col\">claim</th><th "
         "scope=\"col\">place</th>"
         "<th scope=\"col\">states</th></tr></thead>\n<tbody>\n";
-    for (std::size_t i = 0; i < report_.assertions.size(); ++i) verdict(i, report_.assertions[i]);
+    for (std::size_t i = 0; i < report_.assertions.size(); ++i) write_verdict(i, report_.assertions[i]);
     out_ += "</tbody></table>\n";
     out_ += "</section>\n";
 }
 
-void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
+void ReportPage::write_verdict(std::size_t number, const AssertionReport& assertion) {
     std::string shown = xml_text(title_of(assertion));
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
@@ -204,28 +205,28 @@ void ReportPage::verdict(std::size_t number, const AssertionReport& assertion) {
     out_ += fmt::format(
         "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
         assertion.answer == Answer::holds || assertion.answer == Answer::computed || information ? "good" : "bad",
-        information ? "" : look(assertion.answer),
+        information ? "" : answer_class(assertion.answer),
         information ? (assertion.answer == Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
         place_text(assertion.place), assertion.statistics.states);
 }
 
 /// The active states of each machine in the current run.
-Marks ReportPage::active(const std::vector<runs::Machine>& machines) const {
+Marks ReportPage::active_marks(const std::vector<runs::Machine>& machines) const {
     Marks marks;
     for (const runs::Machine& machine : machines)
         for (std::size_t i = 0; i < machines_.size(); ++i)
             for (const std::string& state : machine.active)
-                if (const std::string id = diagrams_.named(state);
+                if (const std::string id = diagrams_.id_of_name(state);
                     machines_[i].first == machine.component && !id.empty())
                     marks.emplace_back(i, id);
     return marks;
 }
 
 /// The elements that perform the step, in the machines that take part.
-Marks ReportPage::fired(const runs::Step& step) const {
+Marks ReportPage::fired_marks(const runs::Step& step) const {
     Marks marks;
     const auto add = [&](const runs::Event& event) {
-        const std::string id = diagrams_.of(event);
+        const std::string id = diagrams_.id_of_event(event);
         for (std::size_t i = 0; i < machines_.size(); ++i)
             if (!id.empty() && machines_[i].first == event.component) marks.emplace_back(i, id);
     };
@@ -241,7 +242,7 @@ std::string change_text(const runs::Step& step, const runs::Change& change) {
 }
 
 std::string step_text(const runs::Step& step) {
-    std::string text = runs::text(step.event, step.with);
+    std::string text = runs::text_of(step.event, step.with);
     for (const runs::Change& change : step.changes)
         if (const std::string news = change_text(step, change); !news.empty()) text += "; " + news;
     return text;
@@ -280,11 +281,11 @@ std::string end_text(const runs::End& end) {
 }
 
 /// What a component does in a step, and its changes.
-std::string does(const runs::Step& step, const std::string& component) {
+std::string component_step_text(const runs::Step& step, const std::string& component) {
     std::vector<std::string> parts;
-    if (step.event.component == component) parts.push_back(runs::text(step.event));
+    if (step.event.component == component) parts.push_back(runs::text_of(step.event));
     for (const runs::Event& each : step.with)
-        if (each.component == component) parts.push_back(runs::text(each));
+        if (each.component == component) parts.push_back(runs::text_of(each));
     for (const runs::Change& change : step.changes)
         if (const std::string news = change_text(step, change); change.component == component && !news.empty())
             parts.push_back(news);
@@ -298,7 +299,7 @@ const runs::Machine* find(const std::vector<runs::Machine>& machines, const std:
 }
 
 /// The last part of the name if it is unique, otherwise all parts but the first.
-std::string ReportPage::lane(const std::string& component) const {
+std::string ReportPage::lane_name(const std::string& component) const {
     const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
     const auto alike =
         std::ranges::count_if(machines_, [&](const auto& each) { return last(each.first) == last(component); });
@@ -308,8 +309,8 @@ std::string ReportPage::lane(const std::string& component) const {
 
 /// The variables of the machines whose variables have changed, by the machine's number: name, value, whether it
 /// changed.
-std::string ReportPage::values(const std::vector<runs::Machine>& before,
-                               const std::vector<runs::Machine>& after) const {
+std::string ReportPage::values_json(const std::vector<runs::Machine>& before,
+                                    const std::vector<runs::Machine>& after) const {
     diagnostics::Json all = diagnostics::Json::object();
     for (std::size_t i = 0; i < machines_.size(); ++i) {
         const runs::Machine* const was = find(before, machines_[i].first);
@@ -329,20 +330,20 @@ std::string ReportPage::values(const std::vector<runs::Machine>& before,
 }
 
 /// One lane per machine: what it does and, below that, its new state if it changed. `step`: null for the initial state.
-void ReportPage::row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
-                     const std::vector<runs::Machine>& after) {
+void ReportPage::write_row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
+                           const std::vector<runs::Machine>& after) {
     const std::string what = step == nullptr ? "the beginning" : step_text(*step);
     out_ += fmt::format(
         "<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-values=\"{}\" data-text=\"{}\"><td "
         "class=\"number\">{}</td>",
-        text_of(active(after)), step == nullptr ? "" : text_of(fired(*step)), xml_text(values(before, after)),
-        xml_text(what), number);
+        text_of(active_marks(after)), step == nullptr ? "" : text_of(fired_marks(*step)),
+        xml_text(values_json(before, after)), xml_text(what), number);
     if (timed_)
         out_ += fmt::format("<td class=\"number\">{}</td>",
                             step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
     bool said = false;
     for (const auto& [component, definition] : machines_) {
-        const std::string done = step == nullptr ? "" : does(*step, component);
+        const std::string done = step == nullptr ? "" : component_step_text(*step, component);
         const runs::Machine* const was = find(before, component);
         const runs::Machine* const is = find(after, component);
         const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : is->text;
@@ -366,20 +367,21 @@ std::string column_style(const std::string& id, std::size_t lanes, bool timed) {
         id, timed ? "5em 4em" : "5em", lanes, 8 * lanes + 28 + (timed ? 4 : 0));
 }
 
-void ReportPage::steps(const std::string& id, const runs::Run& run) {
+void ReportPage::write_steps(const std::string& id, const runs::Run& run) {
     out_ += column_style(id, machines_.size(), timed_);
     out_ += fmt::format(
         "<div class=\"steps\" tabindex=\"0\" role=\"region\" aria-label=\"steps of {}\">\n<table><thead><tr>"
         "<th scope=\"col\">step</th>{}",
         id, timed_ ? "<th scope=\"col\">time</th>" : "");
     for (const auto& [component, definition] : machines_)
-        out_ += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component), xml_text(lane(component)));
+        out_ +=
+            fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", xml_text(component), xml_text(lane_name(component)));
     out_ +=
         "<th scope=\"col\">elsewhere</th><th scope=\"col\">place</th><th scope=\"col\" title=\"what else "
         "was possible\">also</th></tr></thead>\n"
         "<tbody>\n";
     const std::size_t columns = machines_.size() + (timed_ ? 5 : 4);
-    row(0, nullptr, {}, run.initial);
+    write_row(0, nullptr, {}, run.initial);
     const std::size_t count = run.steps.size();
     const std::vector<runs::Machine>* shown = &run.initial;
     for (std::size_t i = 0; i < count; ++i) {
@@ -389,7 +391,7 @@ void ReportPage::steps(const std::string& id, const runs::Run& run) {
                 fmt::format("<tr><td colspan=\"{}\">{} steps are left out</td></tr>\n", columns, count - most_steps);
         }
         if (run.loop_start == i) out_ += fmt::format("<tr><td colspan=\"{}\">then for ever:</td></tr>\n", columns);
-        row(i + 1, &run.steps[i], *shown, run.steps[i].machines);
+        write_row(i + 1, &run.steps[i], *shown, run.steps[i].machines);
         shown = &run.steps[i].machines;
     }
     if (run.end.kind == runs::EndKind::no_trace && !run.end.why.empty())
@@ -398,44 +400,44 @@ void ReportPage::steps(const std::string& id, const runs::Run& run) {
 }
 
 /// The elements that are marked at some point of the run, by machine.
-std::vector<std::set<std::string>> ReportPage::marked(const runs::Run& run) const {
+std::vector<std::set<std::string>> ReportPage::marked_elements(const runs::Run& run) const {
     std::vector<std::set<std::string>> result(machines_.size());
     const auto add = [&](const Marks& marks) {
         for (const auto& [machine, element] : marks) result[machine].insert(element);
     };
     for (const runs::Step& step : run.steps) {
-        add(active(step.machines));
-        add(fired(step));
+        add(active_marks(step.machines));
+        add(fired_marks(step));
     }
     return result;
 }
 
 /// The diagram of each machine after the last step, so that the page is readable without a script, and the diagrams of
 /// the operations that it calls.
-void ReportPage::figures(const std::string& id, const runs::Run& run) {
+void ReportPage::write_figures(const std::string& id, const runs::Run& run) {
     const std::vector<runs::Machine>& last = run.steps.empty() ? run.initial : run.steps.back().machines;
     std::vector<PartDiagrams::Classes> classes(machines_.size());
-    for (const auto& [machine, element] : active(last)) classes[machine][element] = "on";
+    for (const auto& [machine, element] : active_marks(last)) classes[machine][element] = "on";
     if (!run.steps.empty())
-        for (const auto& [machine, element] : fired(run.steps.back())) classes[machine][element] += " fired";
-    const std::vector<std::set<std::string>> marks = marked(run);
+        for (const auto& [machine, element] : fired_marks(run.steps.back())) classes[machine][element] += " fired";
+    const std::vector<std::set<std::string>> marks = marked_elements(run);
     out_ += "<div class=\"drawn\">\n";
     for (std::size_t i = 0; i < machines_.size(); ++i) {
-        const std::string svg = diagrams_.drawn(machines_[i].second, fmt::format("{}-{}-", id, i), classes[i]);
+        const std::string svg = diagrams_.draw_diagram(machines_[i].second, fmt::format("{}-{}-", id, i), classes[i]);
         const runs::Machine* const machine = find(last, machines_[i].first);
         const std::string values = machine == nullptr ? "" : runs::values_text(*machine);
         if (!svg.empty())
-            figure(fmt::format(" data-machine=\"{}\"", i), machines_[i].first,
-                   fmt::format("<p class=\"values\">{}</p>\n{}", xml_text(values), svg));
-        for (const auto& [name, drawn] : diagrams_.operations(marks[i], fmt::format("{}-{}-", id, i), classes[i]))
-            figure(fmt::format(" data-machine=\"{}\"", i), fmt::format("{}: operation {}", machines_[i].first, name),
-                   drawn);
+            write_figure(fmt::format(" data-machine=\"{}\"", i), machines_[i].first,
+                         fmt::format("<p class=\"values\">{}</p>\n{}", xml_text(values), svg));
+        for (const auto& [name, drawn] : diagrams_.draw_operations(marks[i], fmt::format("{}-{}-", id, i), classes[i]))
+            write_figure(fmt::format(" data-machine=\"{}\"", i),
+                         fmt::format("{}: operation {}", machines_[i].first, name), drawn);
     }
     out_ += "</div>\n";
 }
 
 /// A figure that is wider than its space can be scrolled, also by keyboard.
-void ReportPage::figure(const std::string& attributes, const std::string& caption, const std::string& svg) {
+void ReportPage::write_figure(const std::string& attributes, const std::string& caption, const std::string& svg) {
     out_ += fmt::format(
         "<figure{} tabindex=\"0\" aria-label=\"diagram of "
         "{}\"><figcaption>{}</figcaption>\n{}</figure>\n",
@@ -443,7 +445,7 @@ void ReportPage::figure(const std::string& attributes, const std::string& captio
 }
 
 /// The steps of a run next to the diagrams of its machines.
-void ReportPage::replay(const std::string& id, const runs::Run& run) {
+void ReportPage::write_replay(const std::string& id, const runs::Run& run) {
     machines_.clear();
     timed_ = run.timed;
     const auto add = [&](const std::vector<runs::Machine>& machines) {
@@ -468,21 +470,21 @@ void ReportPage::replay(const std::string& id, const runs::Run& run) {
         "<span class=\"status\" aria-live=\"polite\"></span></p>\n"
         "<p class=\"address\" hidden><label>link to this step <input type=\"text\" readonly></label></p>\n"
         "<div class=\"replay\">\n";
-    steps(id, run);
-    figures(id, run);
+    write_steps(id, run);
+    write_figures(id, run);
     out_ += "</div>\n" + end_text(run.end);
     out_ += fmt::format("<details class=\"script\"><summary>events of the script</summary>{}</details>\n",
-                        preformatted(fmt::format("{}", fmt::join(run.raw, "\n"))));
+                        preformatted_block(fmt::format("{}", fmt::join(run.raw, "\n"))));
 }
 
-void ReportPage::claim(std::size_t number, const AssertionReport& assertion) {
+void ReportPage::write_claim(std::size_t number, const AssertionReport& assertion) {
     const std::string id = fmt::format("a{}", number);
     out_ += fmt::format(
         "<section class=\"claim\" id=\"{}\">\n<h2><span class=\"{}\">{}</span> {}</h2>\n<p>{}</p>\n<p>{}</p>\n", id,
-        look(assertion.answer), answer_word(assertion.answer), xml_text(title_of(assertion)), xml_text(assertion.place),
-        xml_text(assertion.run->end.why));
+        answer_class(assertion.answer), answer_word(assertion.answer), xml_text(title_of(assertion)),
+        xml_text(assertion.place), xml_text(assertion.run->end.why));
     out_ += basis_list(assertion.basis);
-    replay(id, *assertion.run);
+    write_replay(id, *assertion.run);
     out_ += "</section>\n";
 }
 
@@ -492,7 +494,7 @@ void ReportPage::model_run(const std::string& id, const std::string& title, cons
     out_ += fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{}</h3>\n<p>{}</p>\n", id, xml_text(title),
                         xml_text(run.end.why));
     if (!more.empty()) out_ += fmt::format("<p>{}</p>\n", xml_text(more));
-    replay(id, run);
+    write_replay(id, run);
     out_ += "</section>\n";
 }
 
@@ -520,19 +522,19 @@ void ReportPage::model_runs(std::size_t number, const ConformanceReport& report)
     aside("t", " may miss a deadline", result.deadlines);
 }
 
-void ReportPage::code() {
+void ReportPage::write_conformance() {
     if (report_.conformance.empty()) return;
     out_ += "<section id=\"conformance\">\n<h2>Conformance of the generated C++</h2>\n";
     for (std::size_t i = 0; i < report_.conformance.size(); ++i) {
         const ConformanceReport& each = report_.conformance[i];
-        out_ += preformatted(conformance_text(each)) + "\n";
+        out_ += preformatted_block(conformance_text(each)) + "\n";
         model_runs(i, each);
     }
     out_ += "</section>\n";
 }
 
 /// The elements that a claim asks about and that no run exercises.
-std::set<std::string> ReportPage::unexercised() const {
+std::set<std::string> ReportPage::unexercised_elements() const {
     std::set<std::string> result, exercised;
     for (const AssertionReport& each : report_.assertions) {
         if (!each.core || (each.answer != Answer::holds && each.answer != Answer::fails)) continue;
@@ -545,18 +547,19 @@ std::set<std::string> ReportPage::unexercised() const {
     return result;
 }
 
-void ReportPage::pictures() {
+void ReportPage::write_diagrams() {
     const std::vector<PartSubject>& subjects = diagrams_.subjects();
     if (subjects.empty()) return;
     out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
     PartDiagrams::Classes classes;
-    for (const std::string& each : unexercised())
-        if (const std::string id = diagrams_.named(each); !id.empty()) classes[id] = "unexercised";
+    for (const std::string& each : unexercised_elements())
+        if (const std::string id = diagrams_.id_of_name(each); !id.empty()) classes[id] = "unexercised";
     if (!classes.empty())
         out_ += fmt::format("<p>{} {} dashed: no run exercises {}.</p>\n", classes.size(),
                             classes.size() == 1 ? "element is" : "elements are", classes.size() == 1 ? "it" : "them");
     for (std::size_t i = 0; i < subjects.size(); ++i)
-        figure("", subjects[i].subject.name, diagrams_.drawn(subjects[i], fmt::format("d{}-", i), classes));
+        write_figure("", subjects[i].subject.name,
+                     diagrams_.draw_diagram(subjects[i], fmt::format("d{}-", i), classes));
     out_ += "</section>\n";
 }
 

@@ -19,12 +19,12 @@ namespace {
 std::string end_text(const diagrams::Picture& picture, const diagrams::Outline& outline,
                      const diagrams::Elements& elements, std::size_t end) {
     const diagrams::PictureBox& box = picture.boxes[end];
-    std::string text = outline.title(end);
+    std::string text = outline.title_of_box(end);
     if (text.empty() && box.element != diagrams::none) {
-        const diagrams::Element& element = elements.all()[box.element];
+        const diagrams::Element& element = elements.all_elements()[box.element];
         text = element.kind + " " + element.name;
     }
-    return box.event_of == diagrams::none ? text : outline.title(box.event_of) + ", " + text;
+    return box.event_of == diagrams::none ? text : outline.title_of_box(box.event_of) + ", " + text;
 }
 
 /// Describes which boxes the lines join, for readers who cannot see the picture; "" if there are no lines.
@@ -34,7 +34,7 @@ std::string lines_text(const diagrams::Picture& picture, const diagrams::Element
     std::string text = outline.is_machine() ? "transitions" : "connections";
     text = fmt::format("<details class=\"lines\"><summary>{} as text</summary>\n<ul>\n", text);
     for (const diagrams::PictureLine& line : picture.lines) {
-        const std::string label = outline.label(line);
+        const std::string label = outline.label_of(line);
         const std::string joined =
             fmt::format("{} {} {}{}{}", end_text(picture, outline, elements, line.from), line.both_ways ? "<->" : "->",
                         end_text(picture, outline, elements, line.to), label.empty() ? "" : ": ", label);
@@ -73,15 +73,15 @@ PartDiagrams::PartDiagrams(const std::vector<Project*>& projects, diagnostics::B
 
 void PartDiagrams::add(Project& project) {
     elements_.push_back(std::make_unique<diagrams::Elements>(*project.model, next_));
-    next_ += elements_.back()->all().size();
-    for (const diagrams::Element& each : elements_.back()->all()) {
-        note(project.sources, each.span, each.id);
-        note(project.sources, each.name_span, each.id);
+    next_ += elements_.back()->all_elements().size();
+    for (const diagrams::Element& each : elements_.back()->all_elements()) {
+        note_place(project.sources, each.span, each.id);
+        note_place(project.sources, each.name_span, each.id);
     }
     name_elements(project);
-    stored_findings_.within(&budget_);
+    stored_findings_.set_budget(&budget_);
     stored_.read(*project.model, project.sources, stored_findings_);
-    for (diagrams::Subject& subject : diagrams::subjects(*project.model, project.sources)) {
+    for (diagrams::Subject& subject : diagrams::find_subjects(*project.model, project.sources)) {
         const std::string name = subject.file;
         for (int i = 2; !files_.insert(subject.file).second; ++i) subject.file = fmt::format("{}_{}", name, i);
         const diagrams::StoredLayout* layout = stored_.find(subject.component);
@@ -90,54 +90,58 @@ void PartDiagrams::add(Project& project) {
 }
 
 void PartDiagrams::explain_layout(const PartSubject& subject) const {
-    stored_.explain(subject.subject.component, subject.project->diagnostics);
+    stored_.explain_mismatch(subject.subject.component, subject.project->diagnostics);
 }
 
-std::string PartDiagrams::at(const runs::Place& place) const {
+std::string PartDiagrams::id_at(const runs::Place& place) const {
     const auto found = by_place_.find({place.file, place.line, place.column});
     return found == by_place_.end() ? "" : found->second;
 }
 
-std::string PartDiagrams::at(const diagnostics::SourceManager& sources, diagnostics::Span span) const {
-    const auto where = position(sources, span);
+std::string PartDiagrams::id_at(const diagnostics::SourceManager& sources, diagnostics::Span span) const {
+    const auto where = position_of(sources, span);
     const auto found = where ? by_place_.find(*where) : by_place_.end();
     return found == by_place_.end() ? "" : found->second;
 }
 
-std::string PartDiagrams::named(const std::string& element) const {
+std::string PartDiagrams::id_of_name(const std::string& element) const {
     const auto found = by_name_.find(element);
     return found == by_name_.end() ? "" : found->second;
 }
 
-std::string PartDiagrams::of(const runs::Event& event) const {
-    const std::string id = named(event.element);
-    return id.empty() && event.place ? at(*event.place) : id;
+std::string PartDiagrams::id_of_event(const runs::Event& event) const {
+    const std::string id = id_of_name(event.element);
+    return id.empty() && event.place ? id_at(*event.place) : id;
 }
 
-std::string PartDiagrams::drawn(const PartSubject& subject, const std::string& prefix, const Classes& classes) const {
+std::string PartDiagrams::draw_diagram(const PartSubject& subject, const std::string& prefix,
+                                       const Classes& classes) const {
     try {
         const diagrams::Picture picture =
-            diagrams::draw(subject.subject, {*subject.elements, nullptr, &budget_, subject.layout});
-        return diagrams::svg(picture, *subject.elements, {diagrams::Theme::automatic, prefix, classes}) +
+            diagrams::draw_subject(subject.subject, {*subject.elements, nullptr, &budget_, subject.layout});
+        return diagrams::render_svg(picture, *subject.elements, {diagrams::Theme::automatic, prefix, classes}) +
                lines_text(picture, *subject.elements);
     } catch (const diagrams::layout::TooLarge& large) {
         return fmt::format("<p>{}</p>", diagnostics::xml_text(std::string(large.what())));
     }
 }
 
-std::string PartDiagrams::drawn(const std::string& component, const std::string& prefix, const Classes& classes) const {
+std::string PartDiagrams::draw_diagram(const std::string& component, const std::string& prefix,
+                                       const Classes& classes) const {
     for (const PartSubject& each : subjects_)
-        if (each.subject.component != nullptr && each.subject.name == component) return drawn(each, prefix, classes);
+        if (each.subject.component != nullptr && each.subject.name == component)
+            return draw_diagram(each, prefix, classes);
     return "";
 }
 
-std::vector<PartDiagrams::Drawn> PartDiagrams::operations(const std::set<std::string>& elements,
-                                                          const std::string& prefix, const Classes& classes) const {
+std::vector<PartDiagrams::Drawn> PartDiagrams::draw_operations(const std::set<std::string>& elements,
+                                                               const std::string& prefix,
+                                                               const Classes& classes) const {
     std::vector<Drawn> result;
     for (const PartSubject& each : subjects_) {
         const frontend::Declaration* const declared = each.subject.component;
         if (declared == nullptr || declared->kind != frontend::DeclKind::operation) continue;
-        std::string diagram = drawn(each, fmt::format("{}{}-", prefix, result.size()), classes);
+        std::string diagram = draw_diagram(each, fmt::format("{}{}-", prefix, result.size()), classes);
         if (std::ranges::any_of(elements, [&](const std::string& id) {
                 return diagram.find(fmt::format("data-element=\"{}\"", id)) != std::string::npos;
             }))
@@ -146,20 +150,21 @@ std::vector<PartDiagrams::Drawn> PartDiagrams::operations(const std::set<std::st
     return result;
 }
 
-std::optional<PartDiagrams::Position> PartDiagrams::position(const diagnostics::SourceManager& sources,
-                                                             diagnostics::Span span) {
-    if (!span.known()) return std::nullopt;
+std::optional<PartDiagrams::Position> PartDiagrams::position_of(const diagnostics::SourceManager& sources,
+                                                                diagnostics::Span span) {
+    if (!span.is_known()) return std::nullopt;
     const diagnostics::Position begin = sources.position(span.source, span.begin);
     return Position{sources.path(span.source), begin.line, begin.column};
 }
 
-void PartDiagrams::note(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id) {
-    if (const auto where = position(sources, span)) by_place_.try_emplace(*where, id);
+void PartDiagrams::note_place(const diagnostics::SourceManager& sources, diagnostics::Span span,
+                              const std::string& id) {
+    if (const auto where = position_of(sources, span)) by_place_.try_emplace(*where, id);
 }
 
 void PartDiagrams::name_elements(const Project& project) {
     const auto name = [&](const ir::Origin& origin) {
-        const std::string id = at(project.sources, origin.span);
+        const std::string id = id_at(project.sources, origin.span);
         if (!id.empty()) by_name_.try_emplace(origin.element, id);
     };
     for (const ir::Machine& machine : project.system.machines) {

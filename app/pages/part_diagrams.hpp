@@ -14,9 +14,9 @@
 
 #include "app/command/pipeline.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "counterexample/run.hpp"
 #include "frontend/diagrams/notation/subjects.hpp"
 #include "frontend/diagrams/stored/stored_diagrams.hpp"
-#include "counterexample/run.hpp"
 
 namespace robochart::app {
 
@@ -43,35 +43,37 @@ public:
     [[nodiscard]] const diagnostics::Diagnostics& stored_findings() const { return stored_findings_; }
     void explain_layout(const PartSubject& subject) const;
     /// The id of the element that begins at a place; "" if there is none.
-    [[nodiscard]] std::string at(const runs::Place& place) const;
-    [[nodiscard]] std::string at(const diagnostics::SourceManager& sources, diagnostics::Span span) const;
+    [[nodiscard]] std::string id_at(const runs::Place& place) const;
+    [[nodiscard]] std::string id_at(const diagnostics::SourceManager& sources, diagnostics::Span span) const;
     /// The id of a state or transition by its name in the resolved model; "" if it has none.
-    [[nodiscard]] std::string named(const std::string& element) const;
+    [[nodiscard]] std::string id_of_name(const std::string& element) const;
 
     /// The id of the element that causes an event; "" if none is drawn.
-    [[nodiscard]] std::string of(const runs::Event& event) const;
+    [[nodiscard]] std::string id_of_event(const runs::Event& event) const;
 
     /// Additional classes of groups, by element id.
     using Classes = std::map<std::string, std::string>;
     /// The diagram for a page, with a text description of its lines; if it is too large, a paragraph with the reason.
     /// `prefix`: of all its ids.
-    [[nodiscard]] std::string drawn(const PartSubject& subject, const std::string& prefix, const Classes& = {}) const;
+    [[nodiscard]] std::string draw_diagram(const PartSubject& subject, const std::string& prefix,
+                                           const Classes& = {}) const;
     /// The same of a component by its qualified name; "" if it has none.
-    [[nodiscard]] std::string drawn(const std::string& component, const std::string& prefix, const Classes& = {}) const;
+    [[nodiscard]] std::string draw_diagram(const std::string& component, const std::string& prefix,
+                                           const Classes& = {}) const;
     /// The diagrams of the operations that contain one of these elements, by id.
     struct Drawn {
         std::string name, diagram;
     };
-    [[nodiscard]] std::vector<Drawn> operations(const std::set<std::string>& elements, const std::string& prefix,
-                                                const Classes& = {}) const;
+    [[nodiscard]] std::vector<Drawn> draw_operations(const std::set<std::string>& elements, const std::string& prefix,
+                                                     const Classes& = {}) const;
 
 private:
     using Position = std::tuple<std::string, std::uint32_t, std::uint32_t>;
 
-    [[nodiscard]] static std::optional<Position> position(const diagnostics::SourceManager& sources,
-                                                          diagnostics::Span span);
+    [[nodiscard]] static std::optional<Position> position_of(const diagnostics::SourceManager& sources,
+                                                             diagnostics::Span span);
     void add(Project& project);
-    void note(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id);
+    void note_place(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id);
     void name_elements(const Project& project);
 
     diagnostics::Budget& budget_;

@@ -56,14 +56,14 @@ public:
     std::string write() {
         out_ = fmt::format("<style>{}</style>\n<style>{}</style>\n", simulation::picture_style(),
                            page_part("simulation.css"));
-        head();
-        bands();
-        claims();
-        if (!shown_.trials.empty()) world();
-        plots();
-        trials();
-        diagrams();
-        notes();
+        write_head();
+        write_bands();
+        write_claims();
+        if (!shown_.trials.empty()) write_world();
+        write_plots();
+        write_trials();
+        write_diagrams();
+        write_notes();
         return page_text({scenario_.name.text, "simulation.js", std::move(out_)});
     }
 
@@ -73,38 +73,39 @@ private:
         for (const KindModel& kind : run.kinds) projects.push_back(kind.project);
         return projects;
     }
-    static const ir::Machine& machine(const KindModel& kind, const cpp_emit::DriveMachine& each) {
+    static const ir::Machine& machine_of(const KindModel& kind, const cpp_emit::DriveMachine& each) {
         return kind.project->system.machines[each.machine.index];
     }
-    [[nodiscard]] bool several() const { return run_.kinds.size() > 1; }
+    [[nodiscard]] bool has_several_kinds() const { return run_.kinds.size() > 1; }
     /// "state of rig::go"; with a number if each kind has its own machines.
     [[nodiscard]] std::string title_of(std::size_t number) const {
         const std::string& name = machines_[number].name;
-        if (several()) return machines_.size() == 1 ? "state" : fmt::format("state of machine {}", number + 1);
+        if (has_several_kinds())
+            return machines_.size() == 1 ? "state" : fmt::format("state of machine {}", number + 1);
         return name.empty() ? "state" : "state of " + xml_text(name);
     }
 
-    void head();
-    [[nodiscard]] std::string verdict() const;
-    void bands();
-    void claims();
-    [[nodiscard]] std::string strip(std::size_t band) const;
-    void world();
-    void controls();
-    void legend();
-    void robot();
+    void write_head();
+    [[nodiscard]] std::string verdict_html() const;
+    void write_bands();
+    void write_claims();
+    [[nodiscard]] std::string strip_svg(std::size_t band) const;
+    void write_world();
+    void write_controls();
+    void write_legend();
+    void write_robot();
     void robots_at_the_end(const simulation::TrialResult& trial);
-    [[nodiscard]] Json data() const;
-    [[nodiscard]] Json elements(std::size_t machine) const;
-    [[nodiscard]] Json elements(const KindModel&, const cpp_emit::DriveMachine&) const;
-    void diagram(std::size_t kind, std::size_t number);
-    [[nodiscard]] simulation::View view() const;
-    void plots();
-    void trials();
-    void trial(std::size_t number);
-    void diagrams();
-    void notes();
-    [[nodiscard]] std::vector<std::string> left_out() const;
+    [[nodiscard]] Json data_json() const;
+    [[nodiscard]] Json element_ids(std::size_t machine) const;
+    [[nodiscard]] Json element_ids(const KindModel&, const cpp_emit::DriveMachine&) const;
+    void write_diagram(std::size_t kind, std::size_t number);
+    [[nodiscard]] simulation::View common_view() const;
+    void write_plots();
+    void write_trials();
+    void write_trial(std::size_t number);
+    void write_diagrams();
+    void write_notes();
+    [[nodiscard]] std::vector<std::string> omitted_notes() const;
 
     const SimulationRun& run_;
     const simulation::Scenario& scenario_;
@@ -116,18 +117,18 @@ private:
     std::string out_;
 };
 
-void SimulationPage::head() {
+void SimulationPage::write_head() {
     out_ += fmt::format("<h1>{}</h1>\n", xml_text(scenario_.name.text));
     out_ += fmt::format("<p>{}, {} of {:g} s, seed {}; controller {}{}</p>\n", counted(scenario_.all_robots(), "robot"),
                         counted(scenario_.trials, "trial"), scenario_.duration, scenario_.seed,
                         xml_text(scenario_.component.text),
                         run_.simulator.empty() ? "" : "; in " + xml_text(run_.simulator));
-    out_ += verdict();
+    out_ += verdict_html();
     out_ += fmt::format("<p class=\"sim-small\">robochart-verify {}; {}</p>\n", program_version,
                         xml_text(diagnostics::on_one_line(simulation::run_text(scenario_, result_))));
 }
 
-std::string SimulationPage::verdict() const {
+std::string SimulationPage::verdict_html() const {
     std::size_t stopped = 0;
     for (const auto& trial : result_.trials) stopped += trial.stop ? 1U : 0U;
     std::string text;
@@ -135,16 +136,16 @@ std::string SimulationPage::verdict() const {
         text = fmt::format("<p class=\"answer fails\">a controller stopped in {}</p>\n", counted(stopped, "trial"));
     else if (!result_.bands.empty() || !result_.claims.empty())
         text = fmt::format("<p class=\"answer {}\">{}</p>\n",
-                           result_.holds()   ? "holds"
-                           : result_.fails() ? "fails"
-                                             : "other",
-                           simulation::summary(result_));
+                           result_.all_hold()     ? "holds"
+                           : result_.has_failed() ? "fails"
+                                                  : "other",
+                           simulation::summary_text(result_));
     if (run_.monitors.empty()) return text + "<p>No monitor compared the controllers with the model (--monitor).</p>\n";
     return text + fmt::format("<p>{}{}</p>\n", xml_text(diagnostics::on_one_line(run_.monitors)),
                               stopped == 0 ? "; none did what its model does not allow" : "");
 }
 
-void SimulationPage::bands() {
+void SimulationPage::write_bands() {
     if (result_.bands.empty()) return;
     out_ +=
         "<section id=\"bands\">\n<h2>Bands</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr><th "
@@ -161,12 +162,12 @@ void SimulationPage::bands() {
             "<tr><td class=\"number\">{}</td><td class=\"answer {}\">{}</td><td>{}</td><td>{} "
             "{}{}</td><td>{}</td></tr>\n",
             b + 1, found.holds ? "holds" : "fails", found.holds ? "holds" : "FAILS", xml_text(band.text),
-            band.each ? "worst" : "mean", value, outside, strip(b));
+            band.each ? "worst" : "mean", value, outside, strip_svg(b));
     }
     out_ += "</tbody></table></div>\n</section>\n";
 }
 
-void SimulationPage::claims() {
+void SimulationPage::write_claims() {
     if (result_.claims.empty()) return;
     out_ +=
         "<section id=\"claims\">\n<h2>Claims</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr><th "
@@ -185,7 +186,7 @@ void SimulationPage::claims() {
 }
 
 /// The values of the trials as ticks next to the accepted interval.
-std::string SimulationPage::strip(std::size_t band) const {
+std::string SimulationPage::strip_svg(std::size_t band) const {
     const simulation::Band& accepted = scenario_.bands[band];
     double low = INFINITY, high = -INFINITY;
     const auto take = [&](double value) {
@@ -224,7 +225,7 @@ std::string SimulationPage::strip(std::size_t band) const {
         x(accepted.high) - x(accepted.low), marks, dot);
 }
 
-simulation::View SimulationPage::view() const {
+simulation::View SimulationPage::common_view() const {
     simulation::View all = simulation::view_of(scenario_, {});
     for (const std::size_t t : shown_.trials) {
         const simulation::View each = simulation::view_of(scenario_, result_.trials[t].frames);
@@ -234,28 +235,28 @@ simulation::View SimulationPage::view() const {
     return all;
 }
 
-void SimulationPage::world() {
+void SimulationPage::write_world() {
     const simulation::TrialResult& first = result_.trials[shown_.trials.front()];
     simulation::Frame last = first.frames.back();
     const std::size_t columns = last.states.size() / last.poses.size();
     last.poses.resize(shown_.robots);
     last.states.resize(shown_.robots * columns);
     out_ += "<section id=\"world\">\n<h2>The world</h2>\n<div class=\"sim-columns\">\n<div class=\"sim-scene\">\n";
-    controls();
-    legend();
-    out_ += simulation::world_svg(scenario_, view(), last, machines_, "w");
+    write_controls();
+    write_legend();
+    out_ += simulation::world_svg(scenario_, common_view(), last, machines_, "w");
     out_ += fmt::format(
         "<noscript><p>The picture shows trial {} after {:g} s. With script, the page plays the "
         "trials.</p></noscript>\n",
         shown_.trials.front() + 1, last.time);
     out_ += "</div>\n";
-    robot();
+    write_robot();
     out_ += "</div>\n";
     robots_at_the_end(first);
-    out_ += page_data("data", diagnostics::json_text(data())) + "</section>\n";
+    out_ += page_data("data", diagnostics::json_text(data_json())) + "</section>\n";
 }
 
-void SimulationPage::controls() {
+void SimulationPage::write_controls() {
     out_ +=
         "<p class=\"controls sim-controls\"><button type=\"button\" id=\"play\" "
         "aria-keyshortcuts=\"Space\">play</button>"
@@ -284,10 +285,10 @@ void SimulationPage::controls() {
 }
 
 /// The states of the first machine, with the number of robots in each.
-void SimulationPage::legend() {
+void SimulationPage::write_legend() {
     out_ += "<ul class=\"sim-legend\">";
-    const auto entries =
-        simulation::state_entries(machines_.front(), simulation::page_world(scenario_, view(), "w").radius(), "w");
+    const auto entries = simulation::state_entries(
+        machines_.front(), simulation::page_world(scenario_, common_view(), "w").drawn_radius(), "w");
     for (std::size_t s = 0; s < entries.size(); ++s)
         out_ += fmt::format(
             "<li><svg viewBox=\"-8 -8 16 16\" aria-hidden=\"true\">{}</svg>{} <span class=\"sim-count\" "
@@ -302,7 +303,7 @@ void SimulationPage::legend() {
 }
 
 /// The selected robot: its position and its machines.
-void SimulationPage::robot() {
+void SimulationPage::write_robot() {
     out_ +=
         "<div class=\"sim-chosen-robot\">\n<p class=\"controls\"><label for=\"robot\">Robot</label> <select "
         "id=\"robot\">";
@@ -314,14 +315,14 @@ void SimulationPage::robot() {
         out_ += fmt::format("<tr><th scope=\"row\">{}</th><td></td></tr>", title_of(m));
     out_ += "</tbody></table>\n";
     for (std::size_t kind = 0; kind < run_.kinds.size(); ++kind)
-        for (std::size_t m = 0; m < run_.kinds[kind].emission->machines.size(); ++m) diagram(kind, m);
+        for (std::size_t m = 0; m < run_.kinds[kind].emission->machines.size(); ++m) write_diagram(kind, m);
     out_ += "</div>\n";
 }
 
 /// The diagram of a machine of a kind; shown while a robot of that kind is selected.
-void SimulationPage::diagram(std::size_t kind, std::size_t number) {
+void SimulationPage::write_diagram(std::size_t kind, std::size_t number) {
     const cpp_emit::DriveMachine& drive = run_.kinds[kind].emission->machines[number];
-    const ir::Machine& definition = machine(run_.kinds[kind], drive);
+    const ir::Machine& definition = machine_of(run_.kinds[kind], drive);
     const std::string name = definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
     const diagnostics::SourceManager& sources = run_.kinds[kind].project->sources;
     // Two models may have components with the same name.
@@ -332,9 +333,9 @@ void SimulationPage::diagram(std::size_t kind, std::size_t number) {
     };
     const auto subject = std::find_if(diagrams_.subjects().begin(), diagrams_.subjects().end(), is_of);
     if (subject == diagrams_.subjects().end()) return;
-    const std::string svg =
-        diagrams_.drawn(*subject, several() ? fmt::format("k{}m{}-", kind, number) : fmt::format("m{}-", number));
-    const std::string called = several() ? scenario_.controller_name(kind) : machines_[number].name;
+    const std::string svg = diagrams_.draw_diagram(
+        *subject, has_several_kinds() ? fmt::format("k{}m{}-", kind, number) : fmt::format("m{}-", number));
+    const std::string called = has_several_kinds() ? scenario_.controller_name(kind) : machines_[number].name;
     out_ += fmt::format("<figure data-machine=\"{}\" data-kind=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n",
                         number, kind, xml_text(called.empty() ? name : called + ": " + name), svg);
 }
@@ -347,8 +348,9 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
         "scope=\"col\">heading [°]</th>",
         shown_.trials.front() + 1, last.time);
     for (std::size_t m = 0; m < machines_.size(); ++m)
-        out_ += fmt::format("<th scope=\"col\">{}</th>",
-                            several() || machines_[m].name.empty() ? title_of(m) : xml_text(machines_[m].name));
+        out_ +=
+            fmt::format("<th scope=\"col\">{}</th>",
+                        has_several_kinds() || machines_[m].name.empty() ? title_of(m) : xml_text(machines_[m].name));
     out_ += "</tr></thead>\n<tbody>\n";
     for (std::size_t r = 0; r < std::min(last.poses.size(), most_rows); ++r) {
         const simulation::Pose& pose = last.poses[r];
@@ -357,7 +359,7 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
             "class=\"number\">{:.0f}</td>",
             r, pose.at.x, pose.at.y, pose.heading * 180 / std::numbers::pi);
         for (std::size_t m = 0; m < machines_.size(); ++m)
-            out_ += fmt::format("<td>{}</td>", xml_text(machines_[m].state(last.state(r, m))));
+            out_ += fmt::format("<td>{}</td>", xml_text(machines_[m].state_name(last.robot_state(r, m))));
         out_ += "</tr>\n";
     }
     out_ += "</tbody></table></details>\n";
@@ -365,21 +367,21 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
 
 /// The active elements of the diagram for each state of a machine, kind by kind: the state and the states that contain
 /// it.
-Json SimulationPage::elements(std::size_t number) const {
+Json SimulationPage::element_ids(std::size_t number) const {
     Json states = Json::array();
     for (const KindModel& kind : run_.kinds)
         if (number < kind.emission->machines.size())
-            for (Json& state : elements(kind, kind.emission->machines[number])) states.push_back(std::move(state));
+            for (Json& state : element_ids(kind, kind.emission->machines[number])) states.push_back(std::move(state));
     return states;
 }
 
-Json SimulationPage::elements(const KindModel& kind, const cpp_emit::DriveMachine& drive) const {
-    const ir::Machine& definition = machine(kind, drive);
+Json SimulationPage::element_ids(const KindModel& kind, const cpp_emit::DriveMachine& drive) const {
+    const ir::Machine& definition = machine_of(kind, drive);
     Json states = Json::array();
     for (const ir::NodeId state : drive.states) {
         Json ids = Json::array();
-        for (ir::NodeId node = state; node.valid(); node = definition.nodes[node.index].parent)
-            if (std::string id = diagrams_.at(kind.project->sources, definition.nodes[node.index].origin.span);
+        for (ir::NodeId node = state; node.is_valid(); node = definition.nodes[node.index].parent)
+            if (std::string id = diagrams_.id_at(kind.project->sources, definition.nodes[node.index].origin.span);
                 !id.empty())
                 ids.push_back(std::move(id));
         states.push_back(std::move(ids));
@@ -387,29 +389,30 @@ Json SimulationPage::elements(const KindModel& kind, const cpp_emit::DriveMachin
     return states;
 }
 
-Json SimulationPage::data() const {
-    Json json = trials_json(view(), result_, shown_, machines_.size());
+Json SimulationPage::data_json() const {
+    Json json = trials_json(common_view(), result_, shown_, machines_.size());
     json["link"] = scenario_.all_robots() <= most_linked ? simulation::link_of(scenario_) : 0;
     json["kinds"] = Json::array();  // first robot of each kind
-    for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind) json["kinds"].push_back(scenario_.first_robot(kind));
+    for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind)
+        json["kinds"].push_back(scenario_.first_robot(kind));
     json["states"] = Json::array();
     for (std::size_t m = 0; m < machines_.size(); ++m)
-        json["states"].push_back({{"names", machines_[m].states}, {"elements", elements(m)}});
+        json["states"].push_back({{"names", machines_[m].states}, {"elements", element_ids(m)}});
     for (std::size_t i = 0; i < shown_.trials.size(); ++i)
         if (const auto& stop = result_.trials[shown_.trials[i]].stop)
             json["trials"][i]["stop"] = {{"robot", stop->environment ? Json() : Json(stop->robot)},
-                                         {"time", diagnostics::rounded(stop->time, 3)},
+                                         {"time", diagnostics::round_to_places(stop->time, 3)},
                                          {"why", fmt::format("{} ({})", stop->cause, stop->place)}};
     return json;
 }
 
-void SimulationPage::plots() {
+void SimulationPage::write_plots() {
     if (charts_.charts.empty()) return;
     out_ += "<section id=\"plots\">\n<h2>Over time</h2>\n<div class=\"sim-plots\">\n";
     for (const simulation::Chart& chart : charts_.charts) {
         const bool lines = !shown_.trials.empty() && chart.series.size() <= most_line_series &&
                            chart.series.front().trials.size() <= most_line_trials;
-        const simulation::Plot made = simulation::plot(chart, charts_.times, {lines, !shown_.trials.empty()});
+        const simulation::Plot made = simulation::draw_plot(chart, charts_.times, {lines, !shown_.trials.empty()});
         out_ += fmt::format(
             "<figure><svg class=\"sim-plot\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" font-size=\"12\" "
             "data-left=\"{:g}\" "
@@ -422,7 +425,7 @@ void SimulationPage::plots() {
     out_ += "</div>\n</section>\n";
 }
 
-void SimulationPage::trials() {
+void SimulationPage::write_trials() {
     out_ +=
         "<section id=\"trials\">\n<h2>Trials</h2>\n<div class=\"sim-wide\"><table class=\"sortable\"><thead><tr><th "
         "scope=\"col\">trial</th><th "
@@ -430,11 +433,11 @@ void SimulationPage::trials() {
     for (std::size_t b = 0; b < scenario_.bands.size(); ++b)
         out_ += fmt::format("<th scope=\"col\" title=\"{}\">band {}</th>", xml_text(scenario_.bands[b].text), b + 1);
     out_ += "</tr></thead>\n<tbody>\n";
-    for (std::size_t t = 0; t < std::min(result_.trials.size(), most_rows); ++t) trial(t);
+    for (std::size_t t = 0; t < std::min(result_.trials.size(), most_rows); ++t) write_trial(t);
     out_ += "</tbody></table></div>\n</section>\n";
 }
 
-void SimulationPage::trial(std::size_t number) {
+void SimulationPage::write_trial(std::size_t number) {
     const simulation::TrialResult& trial = result_.trials[number];
     const auto found = std::ranges::find(shown_.trials, number);
     const std::string name = fmt::format("{}", number + 1);
@@ -443,7 +446,7 @@ void SimulationPage::trial(std::size_t number) {
                         scenario_.seed + number);
     if (trial.stop)
         out_ += fmt::format("<td class=\"fails\">stopped at {:g} s: {}: {} ({})</td>", trial.stop->time,
-                            trial.stop->whose(), xml_text(trial.stop->cause), xml_text(trial.stop->place));
+                            trial.stop->owner_text(), xml_text(trial.stop->cause), xml_text(trial.stop->place));
     else
         out_ += fmt::format("<td>{}</td>", trial.complete ? "complete" : "not complete");
     for (std::size_t b = 0; b < scenario_.bands.size(); ++b) {
@@ -456,18 +459,18 @@ void SimulationPage::trial(std::size_t number) {
     out_ += "</tr>\n";
 }
 
-void SimulationPage::diagrams() {
+void SimulationPage::write_diagrams() {
     const std::vector<PartSubject>& subjects = diagrams_.subjects();
     if (subjects.empty()) return;
     out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
     for (std::size_t i = 0; i < subjects.size(); ++i)
         out_ += fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xml_text(subjects[i].subject.name),
-                            diagrams_.drawn(subjects[i], fmt::format("d{}-", i)));
+                            diagrams_.draw_diagram(subjects[i], fmt::format("d{}-", i)));
     out_ += "</section>\n";
 }
 
 /// Lists data that the page omits or thins out to stay small and clear.
-std::vector<std::string> SimulationPage::left_out() const {
+std::vector<std::string> SimulationPage::omitted_notes() const {
     std::vector<std::string> list;
     const std::size_t recorded = simulation::recorded_trials(scenario_);
     if (shown_.trials.empty())
@@ -484,7 +487,7 @@ std::vector<std::string> SimulationPage::left_out() const {
                                    scenario_.all_robots()));
     if (scenario_.environment)
         list.push_back("the states of the environment were not recorded; lights and obstacles are as at the end");
-    if (simulation::page_world(scenario_, view(), "w").radius() > scenario_.world.body.radius)
+    if (simulation::page_world(scenario_, common_view(), "w").drawn_radius() > scenario_.world.body.radius)
         list.push_back("robots are drawn larger than they are, so that they can be seen");
     if (charts_.every > 1) list.push_back(fmt::format("the plots have one in {} of the recorded times", charts_.every));
     if (!charts_.charts.empty() && recorded < result_.trials.size())
@@ -494,14 +497,14 @@ std::vector<std::string> SimulationPage::left_out() const {
     return list;
 }
 
-void SimulationPage::notes() {
+void SimulationPage::write_notes() {
     out_ += "<section id=\"notes\">\n<h2>About this page</h2>\n";
     out_ +=
         "<p>Positions are rounded to 1/4095 of the width and height of the world; between two recorded times the "
         "animation moves the robots evenly. The active state is that of the recorded time: the innermost one, or the "
         "one whose action is running. Keys: space plays, left and right (or k and j) go from time to time, Home and "
         "End to the ends, [ and ] from robot to robot.</p>\n";
-    const std::vector<std::string> missing = left_out();
+    const std::vector<std::string> missing = omitted_notes();
     if (!missing.empty()) out_ += "<p>What the page leaves out or changes:</p>\n<ul>";
     for (const std::string& each : missing) out_ += fmt::format("<li>{}</li>", each);
     if (!missing.empty()) out_ += "</ul>\n";

@@ -19,12 +19,12 @@ constexpr std::size_t most_trials = 20;
 /// The number of trials is reduced before the number of frames falls below this.
 constexpr std::size_t enough_frames = 120;
 
-std::size_t share(double value, double low, double width) {
+std::size_t scaled_share(double value, double low, double width) {
     return static_cast<std::size_t>(std::llround(last * std::clamp((value - low) / width, 0.0, 1.0)));
 }
 
 /// The priority of a trial for a reader; lower is more interesting.
-int rank(const simulation::Scenario& scenario, const simulation::TrialResult& trial) {
+int rank_of_trial(const simulation::Scenario& scenario, const simulation::TrialResult& trial) {
     if (trial.stop) return 0;
     for (std::size_t b = 0; b < scenario.bands.size() && b < trial.statistics.size(); ++b) {
         const double value = trial.statistics[b];
@@ -50,12 +50,12 @@ ShownTrials shown_trials(const simulation::Scenario& scenario, const simulation:
     const std::size_t wanted = std::min(enough_frames, std::max<std::size_t>(recorded, 1));
     const std::size_t trials = std::clamp<std::size_t>(frames / wanted, 1, most_trials);
     std::ranges::stable_sort(shown.trials, [&](std::size_t a, std::size_t b) {
-        return rank(scenario, result.trials[a]) < rank(scenario, result.trials[b]);
+        return rank_of_trial(scenario, result.trials[a]) < rank_of_trial(scenario, result.trials[b]);
     });
     if (shown.trials.size() > trials) shown.trials.resize(trials);
     std::ranges::sort(shown.trials);
     const std::size_t each = std::max<std::size_t>(2, frames / std::max<std::size_t>(1, shown.trials.size()));
-    shown.every = simulation::thinning(recorded, each);
+    shown.every = simulation::thinning_factor(recorded, each);
     return shown;
 }
 
@@ -70,10 +70,11 @@ std::string frame_letters(const simulation::View& view, const simulation::Frame&
     for (std::size_t r = 0; r < std::min(robots, frame.poses.size()); ++r) {
         const simulation::Pose& pose = frame.poses[r];
         const double turn = pose.heading / (2 * std::numbers::pi);
-        text += two_letters(share(pose.at.x, view.left, view.width));
-        text += two_letters(share(-pose.at.y, view.top, view.height));
+        text += two_letters(scaled_share(pose.at.x, view.left, view.width));
+        text += two_letters(scaled_share(-pose.at.y, view.top, view.height));
         text += two_letters(static_cast<std::size_t>(std::llround(4096 * (turn - std::floor(turn)))) % 4096);
-        for (std::size_t m = 0; m < machines; ++m) text += two_letters(std::min<std::size_t>(frame.state(r, m), 4095));
+        for (std::size_t m = 0; m < machines; ++m)
+            text += two_letters(std::min<std::size_t>(frame.robot_state(r, m), 4095));
     }
     return text;
 }
@@ -85,9 +86,9 @@ Json trials_json(const simulation::View& view, const simulation::RunResult& resu
         const std::vector<simulation::Frame>& frames = result.trials[t].frames;
         Json letters = Json::array();
         Json times = Json::array();
-        for (const std::size_t f : simulation::thinned(frames.size(), shown.every)) {
+        for (const std::size_t f : simulation::kept_indices(frames.size(), shown.every)) {
             letters.push_back(frame_letters(view, frames[f], shown.robots, machines));
-            times.push_back(diagnostics::rounded(frames[f].time, 3));
+            times.push_back(diagnostics::round_to_places(frames[f].time, 3));
         }
         trials.push_back({{"number", t + 1}, {"times", std::move(times)}, {"frames", std::move(letters)}});
     }

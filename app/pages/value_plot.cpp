@@ -21,17 +21,17 @@ struct Point {
     double x = 0, low = 0, high = 0;
 };
 
-std::optional<double> number(const std::string& text) {
+std::optional<double> to_number(const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (end == text.c_str() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
     return value;
 }
 
-std::optional<Point> point(const ProbabilityReport& report, const probability::Row& row) {
-    const auto constants = varying(report, row);
+std::optional<Point> point_of_row(const ProbabilityReport& report, const probability::Row& row) {
+    const auto constants = varying_constants(report, row);
     if (constants.size() != 1 || row.results.empty()) return std::nullopt;
-    const auto x = number(constants.front().second);
+    const auto x = to_number(constants.front().second);
     const bool numbers = std::ranges::all_of(row.results, [](const prism::Result& each) {
         return each.kind == prism::Result::Kind::number && std::isfinite(each.low.bounds().high);
     });
@@ -39,10 +39,10 @@ std::optional<Point> point(const ProbabilityReport& report, const probability::R
     return Point{*x, interval_of(row.results.front()).low, interval_of(row.results.back()).high};
 }
 
-std::vector<Point> points(const ProbabilityReport& report) {
+std::vector<Point> points_of_report(const ProbabilityReport& report) {
     std::vector<Point> result;
     for (const probability::Row& row : report.rows) {
-        const auto one = point(report, row);
+        const auto one = point_of_row(report, row);
         if (!one) return {};
         result.push_back(*one);
     }
@@ -54,7 +54,7 @@ std::vector<Point> points(const ProbabilityReport& report) {
 
 std::string value_plot(const ProbabilityReport& report) {
     constexpr double left = 60, top = 10, width = 320, height = 120;
-    const std::vector<Point> all = points(report);
+    const std::vector<Point> all = points_of_report(report);
     if (all.size() < 2 || all.front().x == all.back().x) return "";
     double least = all.front().low;
     double most = all.front().high;
@@ -77,7 +77,7 @@ std::string value_plot(const ProbabilityReport& report) {
             "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"{}\" fill=\"currentColor\">{}</text>", x, y, anchor,
             diagnostics::xml_text(text));
     };
-    const std::string name = varying(report, report.rows.front()).front().first;
+    const std::string name = varying_constants(report, report.rows.front()).front().first;
     return fmt::format(
                "<svg role=\"img\" aria-label=\"values over {}\" viewBox=\"0 0 400 170\" width=\"400\" height=\"170\">"
                "<path d=\"M{} {}V{}H{}\" fill=\"none\" stroke=\"currentColor\"/>"

@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "app/command/pipeline.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "prism/checks/check.hpp"
+#include "prism/emit/emit.hpp"
+#include "prism/emit/ranges.hpp"
 #include "prism/session/experiment.hpp"
 #include "prism/syntax/reader.hpp"
 #include "prism/syntax/rules.hpp"
-#include "base/diagnostics/escape.hpp"
-#include "prism/emit/emit.hpp"
-#include "prism/emit/ranges.hpp"
 
 namespace robochart::app {
 namespace {
@@ -21,7 +21,8 @@ namespace {
 std::optional<diagnostics::SourceId> load_text(const std::string& path, LoadedModel& loaded) {
     std::string error;
     const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
-    if (!source) loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::shown(path), error});
+    if (!source)
+        loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::escape_for_display(path), error});
     return source;
 }
 
@@ -51,7 +52,7 @@ void resolve_choices(const Options& options, LoadedModel& loaded) {
 
 }  // namespace
 
-void load(const Options& options, LoadedModel& loaded) {
+void load_model(const Options& options, LoadedModel& loaded) {
     const auto source = load_text(options.inputs.front(), loaded);
     if (!source) return;
     const prism::ModelFile model = prism::read_model(loaded.sources, *source, loaded.diagnostics);
@@ -66,12 +67,12 @@ void load(const Options& options, LoadedModel& loaded) {
     }
     if (!loaded.diagnostics.ok()) return;
     loaded.model = prism::check_model(model, loaded.diagnostics);
-    if (loaded.model) note_left_out(loaded.sources.text(*source), *loaded.model);
+    if (loaded.model) note_left_out(loaded.sources.source_text(*source), *loaded.model);
     if (loaded.model) resolve_choices(options, loaded);
     if (loaded.model) loaded.properties = prism::check_properties(*loaded.model, properties, loaded.diagnostics);
 }
 
-Experiment experiment(const LoadedModel& loaded, const Options& options) {
+Experiment make_experiment(const LoadedModel& loaded, const Options& options) {
     const std::vector<prism::Constant> of_model = prism::open_constants(loaded.model->constants);
     std::vector<prism::Constant> open = prism::open_constants(loaded.properties.constants);
     open.insert(open.end(), of_model.begin(), of_model.end());

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/command/options.hpp"
-#include "prism/checks/checked.hpp"
-#include "prism/explore/evaluation.hpp"
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/source.hpp"
+#include "prism/checks/checked.hpp"
+#include "prism/explore/evaluation.hpp"
 
 namespace robochart::app {
 
@@ -25,7 +25,7 @@ struct LoadedModel {
 
 /// Reads the model, the property files and those of `--property`; mistakes are added to the findings. Throws UsageError
 /// if paths of an mdp are requested without a scheduler.
-void load(const Options& options, LoadedModel& loaded);
+void load_model(const Options& options, LoadedModel& loaded);
 
 /// The values requested on the command line: for constants of the model, and for those of the properties.
 struct Experiment {
@@ -33,6 +33,6 @@ struct Experiment {
 };
 
 /// Throws UsageError.
-[[nodiscard]] Experiment experiment(const LoadedModel& loaded, const Options& options);
+[[nodiscard]] Experiment make_experiment(const LoadedModel& loaded, const Options& options);
 
 }  // namespace robochart::app

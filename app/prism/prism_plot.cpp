@@ -14,7 +14,7 @@ namespace robochart::app {
 namespace {
 
 /// The value of a constant: a whole number, a decimal or a fraction.
-std::optional<double> number(const std::string& text) {
+std::optional<double> constant_number(const std::string& text) {
     const auto decimal = [](std::string_view part) -> std::optional<double> {
         double value = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
@@ -42,7 +42,8 @@ std::string parameter_of(const ValuesByName& values) {
     std::string result;
     std::size_t most = 1;
     for (const auto& [name, all] : values) {
-        const bool numeric = std::ranges::all_of(all, [](const std::string& text) { return number(text).has_value(); });
+        const bool numeric =
+            std::ranges::all_of(all, [](const std::string& text) { return constant_number(text).has_value(); });
         if (!numeric || all.size() <= most) continue;
         result = name;
         most = all.size();
@@ -76,7 +77,7 @@ std::string prism_plot(const PrismReport& report) {
             std::string others;
             for (const auto& [name, value] : constants_of(run, answer))
                 if (name == parameter)
-                    point->x = *number(value);
+                    point->x = *constant_number(value);
                 else if (values[name].size() > 1)
                     others += ", " + name + "=" + value;
             lines[{answer.property, others}].push_back(*point);

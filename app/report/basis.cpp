@@ -20,8 +20,8 @@ void add(Basis& basis, Ground ground) {
 }
 
 void set_place(const diagnostics::SourceManager& sources, diagnostics::Span span, Ground& ground) {
-    ground.place = sources.place(span);
-    if (!span.known()) return;
+    ground.place = sources.path_and_line(span);
+    if (!span.is_known()) return;
     const diagnostics::Position begin = sources.position(span.source, span.begin);
     const diagnostics::Position end = sources.position(span.source, span.end);
     ground.region = runs::Place{sources.path(span.source), begin.line, begin.column, end.line, end.column};

@@ -10,11 +10,11 @@
 #include <functional>
 
 #include "app/command/run.hpp"
+#include "base/diagnostics/text.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/expressions/clipping.hpp"
-#include "base/diagnostics/text.hpp"
 #include "semantics/ir/element_at.hpp"
 
 namespace robochart::app {
@@ -27,11 +27,11 @@ constexpr std::size_t most_states = 20'000;
 constexpr std::array<const char*, 3> of_sequences{"sequence_toolkit_extract", "sequence_toolkit_size", "access_"};
 
 /// The expression as written, on one line.
-std::string written(const diagnostics::SourceManager& sources, diagnostics::Span span) {
-    return diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin));
+std::string expression_text(const diagnostics::SourceManager& sources, diagnostics::Span span) {
+    return diagnostics::on_one_line(sources.source_text(span.source).substr(span.begin, span.end - span.begin));
 }
 
-bool inside(diagnostics::Span part, diagnostics::Span whole) {
+bool is_inside(diagnostics::Span part, diagnostics::Span whole) {
     return part.source == whole.source && whole.begin <= part.begin && part.end <= whole.end;
 }
 
@@ -55,17 +55,18 @@ BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emissio
 cspm::CallObserver BoundWatch::observer() {
     std::set<std::string> functions = emission_.bounded;
     if (!sequence_limits_.empty()) functions.insert(of_sequences.begin(), of_sequences.end());
-    return {std::move(functions), [this](const cspm::ObservedCall& call) { note(call); }};
+    return {std::move(functions), [this](const cspm::ObservedCall& call) { note_call(call); }};
 }
 
-void BoundWatch::note(const cspm::ObservedCall& call) {
+void BoundWatch::note_call(const cspm::ObservedCall& call) {
     // Calls without a place, and those in CSP blocks, are not expressions of the model.
-    if (!call.span.known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
+    if (!call.span.is_known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
     if (std::ranges::find(of_sequences, call.function) != of_sequences.end()) {
         for (const ir::SequenceLimit& limit : sequence_limits_)
-            if (inside(limit.span, call.span))
+            if (is_inside(limit.span, call.span))
                 add(limit.span,
-                    text_of(limit, written(project_.sources, limit.span), project_.instantiation.sequence_bound),
+                    text_of(limit, expression_text(project_.sources, limit.span),
+                            project_.instantiation.sequence_bound),
                     fmt::format("--range Seq=0..{} lets sequences hold more", limit.needed));
         return;
     }
@@ -74,7 +75,7 @@ void BoundWatch::note(const cspm::ObservedCall& call) {
     const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
     if (!known_.emplace(call.function, at).second) return;
     const bool chosen = text->find("has no body") != std::string::npos;
-    add(call.span, fmt::format("in {}, {}", written(project_.sources, call.span), *text),
+    add(call.span, fmt::format("in {}, {}", expression_text(project_.sources, call.span), *text),
         chosen ? "a csp block Instantiations defines functions" : "--range gives types more values");
 }
 
@@ -141,7 +142,7 @@ Processes processes_of(const csp_emit::Obligation& claim) {
 
 }  // namespace
 
-const ReachedBounds::Visited& ReachedBounds::visited(const cspm::ExprPtr& process) {
+const ReachedBounds::Visited& ReachedBounds::visit_process(const cspm::ExprPtr& process) {
     const auto [at, added] = visited_.try_emplace(cspm::print(process));
     Visited& result = at->second;
     if (!added) return result;
@@ -149,7 +150,7 @@ const ReachedBounds::Visited& ReachedBounds::visited(const cspm::ExprPtr& proces
     // evaluation.
     cspm::Session session(emission_.script, &options_.run->budget());
     BoundWatch watch(project_, emission_);
-    session.observe(watch.observer());
+    session.set_observer(watch.observer());
     try {
         std::deque<process::TermId> waiting{session.process(process)};
         std::set<process::TermId> seen{waiting.front()};
@@ -167,7 +168,7 @@ const ReachedBounds::Visited& ReachedBounds::visited(const cspm::ExprPtr& proces
     } catch (const process::SemanticsError&) {
         result.all = false;
     }
-    result.reached = watch.met();
+    result.reached = watch.met_bounds();
     return result;
 }
 
@@ -183,10 +184,10 @@ bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& pro
     });
 }
 
-Basis ReachedBounds::of(const csp_emit::Obligation& claim, const std::vector<Ground>& met) {
+Basis ReachedBounds::basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met) {
     Basis result;
     for (const cspm::ExprPtr& process : processes_of(claim)) {
-        const Visited& found = visited(process);
+        const Visited& found = visit_process(process);
         for (const Ground& ground : found.reached) add(result, ground);
         if (found.all) continue;
         for (Ground ground : met) {

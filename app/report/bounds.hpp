@@ -24,10 +24,10 @@ public:
 
     [[nodiscard]] cspm::CallObserver observer();
     /// The bounds observed so far, once for each function and place.
-    [[nodiscard]] const std::vector<Ground>& met() const { return met_; }
+    [[nodiscard]] const std::vector<Ground>& met_bounds() const { return met_; }
 
 private:
-    void note(const cspm::ObservedCall& call);
+    void note_call(const cspm::ObservedCall& call);
     void add(diagnostics::Span span, std::string text, std::string remedy);
 
     const Project& project_;
@@ -46,14 +46,14 @@ public:
         : project_(project), emission_(emission), options_(options) {}
 
     /// `met`: the bounds observed by the search, for this claim or others.
-    [[nodiscard]] Basis of(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
+    [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
 
 private:
     struct Visited {
         std::vector<Ground> reached;
         bool all = true;  ///< every state was explored
     };
-    const Visited& visited(const cspm::ExprPtr& process);
+    const Visited& visit_process(const cspm::ExprPtr& process);
     [[nodiscard]] bool is_part(const std::string& element, const cspm::ExprPtr& process) const;
 
     const Project& project_;

@@ -44,15 +44,16 @@ private:
     static constexpr std::ptrdiff_t most = 1000;
     [[nodiscard]] std::ptrdiff_t height() const { return static_cast<std::ptrdiff_t>(before_.size()); }
     [[nodiscard]] std::ptrdiff_t width() const { return static_cast<std::ptrdiff_t>(after_.size()); }
-    [[nodiscard]] static std::ptrdiff_t at(const Frontier& frontier, std::ptrdiff_t diagonal) {
+    [[nodiscard]] static std::ptrdiff_t furthest_at(const Frontier& frontier, std::ptrdiff_t diagonal) {
         return frontier[static_cast<std::size_t>(diagonal + most + 1)];
     }
-    [[nodiscard]] static bool down(const Frontier& frontier, std::ptrdiff_t step, std::ptrdiff_t diagonal) {
-        return diagonal == -step || (diagonal != step && at(frontier, diagonal - 1) < at(frontier, diagonal + 1));
+    [[nodiscard]] static bool moves_down(const Frontier& frontier, std::ptrdiff_t step, std::ptrdiff_t diagonal) {
+        return diagonal == -step ||
+               (diagonal != step && furthest_at(frontier, diagonal - 1) < furthest_at(frontier, diagonal + 1));
     }
-    bool advance(std::ptrdiff_t step);
-    [[nodiscard]] std::vector<Edit> trace() const;
-    [[nodiscard]] std::vector<Edit> replace() const;
+    bool advance_step(std::ptrdiff_t step);
+    [[nodiscard]] std::vector<Edit> trace_back() const;
+    [[nodiscard]] std::vector<Edit> replace_all() const;
 
     const Lines& before_;
     const Lines& after_;
@@ -61,11 +62,11 @@ private:
 };
 
 /// Extends every path by one change and then along equal lines; returns true if one reached the end.
-bool Search::advance(std::ptrdiff_t step) {
+bool Search::advance_step(std::ptrdiff_t step) {
     history_.push_back(frontier_);
     for (std::ptrdiff_t diagonal = -step; diagonal <= step; diagonal += 2) {
-        std::ptrdiff_t x =
-            down(frontier_, step, diagonal) ? at(frontier_, diagonal + 1) : at(frontier_, diagonal - 1) + 1;
+        std::ptrdiff_t x = moves_down(frontier_, step, diagonal) ? furthest_at(frontier_, diagonal + 1)
+                                                                 : furthest_at(frontier_, diagonal - 1) + 1;
         while (x < height() && x - diagonal < width() && x - diagonal >= 0 &&
                before_[static_cast<std::size_t>(x)] == after_[static_cast<std::size_t>(x - diagonal)])
             ++x;
@@ -75,7 +76,7 @@ bool Search::advance(std::ptrdiff_t step) {
     return false;
 }
 
-std::vector<Edit> Search::trace() const {
+std::vector<Edit> Search::trace_back() const {
     std::vector<Edit> edits;
     const auto add = [&](char kind, std::ptrdiff_t x, std::ptrdiff_t y) {
         edits.push_back({kind, static_cast<std::size_t>(x), static_cast<std::size_t>(y)});
@@ -85,8 +86,8 @@ std::vector<Edit> Search::trace() const {
     for (auto step = static_cast<std::ptrdiff_t>(history_.size()) - 1; step >= 0; --step) {
         const Frontier& frontier = history_[static_cast<std::size_t>(step)];
         const std::ptrdiff_t diagonal = x - y;
-        const std::ptrdiff_t from = down(frontier, step, diagonal) ? diagonal + 1 : diagonal - 1;
-        const std::ptrdiff_t old_x = step == 0 ? 0 : at(frontier, from);
+        const std::ptrdiff_t from = moves_down(frontier, step, diagonal) ? diagonal + 1 : diagonal - 1;
+        const std::ptrdiff_t old_x = step == 0 ? 0 : furthest_at(frontier, from);
         const std::ptrdiff_t old_y = step == 0 ? 0 : old_x - from;
         while (x > old_x && y > old_y) add(' ', --x, --y);
         if (step == 0) break;
@@ -99,7 +100,7 @@ std::vector<Edit> Search::trace() const {
     return edits;
 }
 
-std::vector<Edit> Search::replace() const {
+std::vector<Edit> Search::replace_all() const {
     std::vector<Edit> edits;
     for (std::size_t i = 0; i < before_.size(); ++i) edits.push_back({'-', i, 0});
     for (std::size_t i = 0; i < after_.size(); ++i) edits.push_back({'+', before_.size(), i});
@@ -108,8 +109,8 @@ std::vector<Edit> Search::replace() const {
 
 std::vector<Edit> Search::run() {
     for (std::ptrdiff_t step = 0; step <= std::min(most, height() + width()); ++step)
-        if (advance(step)) return trace();
-    return replace();
+        if (advance_step(step)) return trace_back();
+    return replace_all();
 }
 
 /// The edits between two texts, including the common lines at both ends.
@@ -133,23 +134,23 @@ std::vector<Edit> edits_between(const Lines& before, const Lines& after) {
     return edits;
 }
 
-std::string range(std::size_t first, std::size_t count) {
+std::string range_text(std::size_t first, std::size_t count) {
     return count == 1 ? fmt::format("{}", first + 1) : fmt::format("{},{}", count == 0 ? first : first + 1, count);
 }
 
 using Place = std::vector<Edit>::const_iterator;
 
-bool changes(const Edit& edit) {
+bool is_change(const Edit& edit) {
     return edit.kind != ' ';
 }
 
-std::string hunk(Place begin, Place end, const Lines& before, const Lines& after) {
+std::string hunk_text(Place begin, Place end, const Lines& before, const Lines& after) {
     const auto counted = [&](char other) {
         return static_cast<std::size_t>(
             std::count_if(begin, end, [&](const Edit& e) { return e.kind == ' ' || e.kind == other; }));
     };
     std::string out =
-        fmt::format("@@ -{} +{} @@\n", range(begin->before, counted('-')), range(begin->after, counted('+')));
+        fmt::format("@@ -{} +{} @@\n", range_text(begin->before, counted('-')), range_text(begin->after, counted('+')));
     for (Place edit = begin; edit != end; ++edit) {
         const std::string_view line = edit->kind == '+' ? after[edit->after] : before[edit->before];
         out += fmt::format("{}{}", edit->kind, line);
@@ -161,8 +162,8 @@ std::string hunk(Place begin, Place end, const Lines& before, const Lines& after
 /// The end of the hunk that begins at `change`: changes closer than twice the context are in one hunk.
 Place hunk_end(Place change, Place end, std::ptrdiff_t context) {
     for (;;) {
-        const Place quiet = std::find_if_not(change, end, changes);
-        change = std::find_if(quiet, end, changes);
+        const Place quiet = std::find_if_not(change, end, is_change);
+        change = std::find_if(quiet, end, is_change);
         if (change == end || change - quiet > 2 * context) return quiet + std::min(context, end - quiet);
     }
 }
@@ -177,11 +178,11 @@ std::string unified_diff(const std::string& path, std::string_view before, std::
     const std::vector<Edit> edits = edits_between(old_lines, new_lines);
     std::string out = fmt::format("--- {}\n+++ {}\n", path, path);
     Place at = edits.begin();
-    for (Place change = std::find_if(at, edits.end(), changes); change != edits.end();
-         change = std::find_if(at, edits.end(), changes)) {
+    for (Place change = std::find_if(at, edits.end(), is_change); change != edits.end();
+         change = std::find_if(at, edits.end(), is_change)) {
         const Place begin = change - std::min(context, change - at);
         at = hunk_end(change, edits.end(), context);
-        out += hunk(begin, at, old_lines, new_lines);
+        out += hunk_text(begin, at, old_lines, new_lines);
     }
     return out;
 }

@@ -27,7 +27,7 @@ std::string double_text(double value) {
     return fmt::format("{}", value);
 }
 
-double middle(const prism::Real& value) {
+double middle_of(const prism::Real& value) {
     const prism::Enclosure bounds = value.bounds();
     return std::isinf(bounds.high) || std::isinf(bounds.low) ? bounds.high : bounds.middle();
 }
@@ -36,16 +36,16 @@ double middle(const prism::Real& value) {
 
 std::string value_text(const prism::Real& value) {
     const prism::Enclosure bounds = value.bounds();
-    if (value.exact()) return prism::fraction_text(value.value());
+    if (value.is_exact()) return prism::fraction_text(value.value());
     if (bounds.low == bounds.high) return double_text(bounds.low);
-    return fmt::format("{:.10g} (from {} to {})", middle(value), double_text(bounds.low), double_text(bounds.high));
+    return fmt::format("{:.10g} (from {} to {})", middle_of(value), double_text(bounds.low), double_text(bounds.high));
 }
 
 Json real_json(const prism::Real& value) {
     const prism::Enclosure bounds = value.bounds();
     Json json{
-        {"value", number_json(middle(value))}, {"low", number_json(bounds.low)}, {"high", number_json(bounds.high)}};
-    if (value.exact()) json["exact"] = value.value().str();
+        {"value", number_json(middle_of(value))}, {"low", number_json(bounds.low)}, {"high", number_json(bounds.high)}};
+    if (value.is_exact()) json["exact"] = value.value().str();
     return json;
 }
 
@@ -115,13 +115,13 @@ std::string result_text(const PrismAnswer& answer) {
     return "not decided: " + result.reason;
 }
 
-std::string list(const NamedValues& constants) {
+std::string constants_text(const NamedValues& constants) {
     std::string text;
     for (const auto& [name, value] : constants) text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
     return text;
 }
 
-std::string title(const PrismProperty& property) {
+std::string property_title(const PrismProperty& property) {
     return property.name.empty() ? property.text : fmt::format("\"{}\": {}", property.name, property.text);
 }
 
@@ -132,7 +132,7 @@ std::string kind_text(const PrismReport& report) {
 
 std::string run_text(const PrismReport& report, const PrismRun& run) {
     std::string text = fmt::format("{}{}{}: {}, {} states", report.model, run.constants.empty() ? "" : ", ",
-                                   list(run.constants), kind_text(report), run.states);
+                                   constants_text(run.constants), kind_text(report), run.states);
     if (run.initial != 1) text += fmt::format(" ({} initial)", run.initial);
     if (report.kind == prism::ModelKind::mdp && report.scheduler.empty())
         text += fmt::format(", {} choices", run.choices);
@@ -161,7 +161,7 @@ NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismA
 
 /// "0.25", "0.333333".
 std::string total_text(const prism::Enclosure& total) {
-    return total.exact() ? double_text(total.low) : fmt::format("{:.6g}", total.middle());
+    return total.is_exact() ? double_text(total.low) : fmt::format("{:.6g}", total.middle());
 }
 
 /// The most probable path, step by step.
@@ -193,7 +193,7 @@ std::string counterexample_text(const PrismReport& report, const prism::Countere
 
 std::string answer_text(const PrismReport& report, const PrismAnswer& answer, const std::string& indent) {
     std::string text = indent;
-    if (!answer.constants.empty()) text += list(answer.constants) + ": ";
+    if (!answer.constants.empty()) text += constants_text(answer.constants) + ": ";
     text += result_text(answer) + "\n";
     const bool number = answer.result.kind == Kind::number || answer.result.kind == Kind::range;
     const std::string binomial = binomial_text(answer.result);
@@ -281,7 +281,7 @@ Json answer_json(const PrismReport& report, const PrismAnswer& answer) {
 }
 
 /// A cell of RFC 4180.
-std::string cell(const std::string& text) {
+std::string csv_cell(const std::string& text) {
     if (text.find_first_of("\",\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -305,15 +305,15 @@ std::vector<std::string> names_of(const PrismReport& report) {
 std::string csv_row(const PrismReport& report, const PrismRun& run, const PrismAnswer& answer,
                     const std::vector<std::string>& names) {
     std::string row;
-    for (const std::string& name : names) row += cell(value_of(name, run, answer)) + ",";
-    row += cell(title(report.properties[answer.property])) + "," + answer_word(answer);
+    for (const std::string& name : names) row += csv_cell(value_of(name, run, answer)) + ",";
+    row += csv_cell(property_title(report.properties[answer.property])) + "," + answer_word(answer);
     const prism::Result& result = answer.result;
     const bool number = answer.error.empty() && (result.kind == Kind::number || result.kind == Kind::range);
     if (!number) return row + ",,,\n";
     const prism::Enclosure bounds = interval_of(result);
     const std::string value = result.kind == Kind::range ? ""
                               : result.estimate          ? double_text(result.estimate->mean)
-                                                         : double_text(middle(result.low));
+                                                         : double_text(middle_of(result.low));
     return row + fmt::format(",{},{},{}\n", value, double_text(bounds.low), double_text(bounds.high));
 }
 
@@ -360,7 +360,7 @@ std::string prism_text(const PrismReport& report, const Options& options) {
                 answer.constants = varying(report, run, answer);
                 answers += answer_text(report, answer, "  ");
             }
-        if (!answers.empty()) text += title(report.properties[i]) + "\n" + answers;
+        if (!answers.empty()) text += property_title(report.properties[i]) + "\n" + answers;
     }
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     return text;
@@ -382,7 +382,7 @@ std::string prism_json(const PrismReport& report) {
             one["choices"] = run.choices;
             one["transitions"] = run.transitions;
             one["deadlocks"] = run.deadlocks;
-            one["seconds"] = diagnostics::rounded(run.seconds, 3);
+            one["seconds"] = diagnostics::round_to_places(run.seconds, 3);
         }
         one["answers"] = Json::array();
         for (const PrismAnswer& answer : run.answers) one["answers"].push_back(answer_json(report, answer));
@@ -396,7 +396,7 @@ std::string prism_json(const PrismReport& report) {
 std::string prism_csv(const PrismReport& report) {
     const std::vector<std::string> names = names_of(report);
     std::string text;
-    for (const std::string& name : names) text += cell(name) + ",";
+    for (const std::string& name : names) text += csv_cell(name) + ",";
     text += "property,answer,value,low,high\n";
     for (const PrismRun& run : report.runs)
         for (const PrismAnswer& answer : run.answers) text += csv_row(report, run, answer, names);

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/command/options.hpp"
-#include "prism/session/counterexample.hpp"
-#include "prism/session/result.hpp"
 #include "base/diagnostics/json.hpp"
 #include "base/diagnostics/source.hpp"
+#include "prism/session/counterexample.hpp"
+#include "prism/session/result.hpp"
 
 namespace robochart::app {
 

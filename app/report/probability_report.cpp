@@ -62,7 +62,7 @@ Json row_json(const Row& row) {
               {"answer", word_of(row)},
               {"states", row.states},
               {"transitions", row.transitions},
-              {"seconds", diagnostics::rounded(row.seconds, 3)}};
+              {"seconds", diagnostics::round_to_places(row.seconds, 3)}};
     for (const auto& [name, value] : row.constants) json["constants"][name] = value;
     if (!row.error.empty()) json["reason"] = row.error;
     if (row.path) json["path"] = path_json(*row.path);
@@ -111,7 +111,7 @@ std::string path_text(const Row& row, const std::string& indent) {
     return text;
 }
 
-std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport& report, const Row& row) {
+std::vector<std::pair<std::string, std::string>> varying_constants(const ProbabilityReport& report, const Row& row) {
     std::vector<std::pair<std::string, std::string>> result;
     for (std::size_t i = 0; i < row.constants.size(); ++i)
         if (std::ranges::any_of(report.rows,
@@ -140,7 +140,7 @@ std::string probability_text(const ProbabilityReport& report, const std::string&
     std::string text = fmt::format("{}{}:\n", indent, reading_of(report));
     for (const Row& row : report.rows) {
         std::string constants;
-        for (const auto& [name, value] : varying(report, row))
+        for (const auto& [name, value] : varying_constants(report, row))
             constants += fmt::format("{}{}={}", constants.empty() ? "" : ", ", name, value);
         text += fmt::format("{}  {}{}{}\n", indent, constants, constants.empty() ? "" : ": ", row_text(row));
         text += path_text(row, indent + "    ");

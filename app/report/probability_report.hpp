@@ -17,8 +17,8 @@ namespace robochart::app {
 /// The steps of a row's path, one per line; "" if it has none.
 [[nodiscard]] std::string path_text(const probability::Row&, const std::string& indent);
 /// The constants of a row that take several values.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport&,
-                                                                       const probability::Row&);
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> varying_constants(const ProbabilityReport&,
+                                                                                 const probability::Row&);
 /// The model that was used, and how bounds on steps are counted in it.
 [[nodiscard]] std::string reading_of(const ProbabilityReport&);
 

@@ -20,18 +20,18 @@ using refine::ViolationKind;
 /// Notes which events are shown.
 class EventMap {
 public:
-    std::uint64_t number(Event event) {
+    std::uint64_t event_number(Event event) {
         if (event == process::no_event) return 0;
         used_.push_back(event);
         return std::uint64_t{event} + 1;
     }
     template <class Events>
-    Json numbers(const Events& events) {
+    Json event_numbers(const Events& events) {
         Json list = Json::array();
-        for (const Event event : events) list.push_back(number(event));
+        for (const Event event : events) list.push_back(event_number(event));
         return list;
     }
-    [[nodiscard]] const std::vector<Event>& used() const { return used_; }
+    [[nodiscard]] const std::vector<Event>& used_events() const { return used_; }
 
 private:
     std::vector<Event> used_;
@@ -72,8 +72,8 @@ public:
     Behaviours(const refine::Counterexample& counterexample, EventMap& events, const Options& options)
         : counterexample_(counterexample), events_(events), options_(options) {}
 
-    Json implementation(const std::string& name) {
-        Json json{{"machine_name", name}, {"type", type()}};
+    Json implementation_json(const std::string& name) {
+        Json json{{"machine_name", name}, {"type", behaviour_type()}};
         std::vector<Event> trace;
         std::vector<Event> revealed;
         Json states = Json::array({counterexample_.initial});
@@ -87,12 +87,12 @@ public:
         append(counterexample_.steps);
         append(counterexample_.loop);
         if (offence_of_whole()) states.erase(states.size() - 1);
-        finish(json, trace, revealed, counterexample_.offered, offence_of_whole());
+        add_trace(json, trace, revealed, counterexample_.offered, offence_of_whole());
         json["states"] = std::move(states);
         return json;
     }
     /// The run that accepts the event; the event is its last step.
-    Json accepting(const std::string& name) {
+    Json accepting_json(const std::string& name) {
         Json json{{"machine_name", name}, {"type", "trace"}};
         std::vector<Event> trace;
         Json states = Json::array({counterexample_.accepting_initial});
@@ -100,12 +100,12 @@ public:
             trace.push_back(step.event);
             states.push_back(step.state);
         }
-        json["trace"] = events_.numbers(trace);
+        json["trace"] = events_.event_numbers(trace);
         json["states"] = std::move(states);
         return json;
     }
-    void parts(Json& json, const process::Behaviour& whole) { children(json, whole, offence_of_whole()); }
-    Json specification(const std::string& name) {
+    void add_parts(Json& json, const process::Behaviour& whole) { add_children(json, whole, offence_of_whole()); }
+    Json specification_json(const std::string& name) {
         std::vector<Event> trace;
         for (const refine::Step& step : counterexample_.steps)
             if (step.event != process::tau) trace.push_back(step.event);
@@ -113,10 +113,11 @@ public:
         Json json{{"machine_name", name},
                   {"type", "trace"},
                   {"error_event", 0},
-                  {"trace", events_.numbers(trace)},
+                  {"trace", events_.event_numbers(trace)},
                   {"states", Json::array({name})}};
         json["allowed"] = Json::array();
-        for (const process::EventSet& each : counterexample_.required) json["allowed"].push_back(events_.numbers(each));
+        for (const process::EventSet& each : counterexample_.required)
+            json["allowed"].push_back(events_.event_numbers(each));
         return json;
     }
 
@@ -137,21 +138,21 @@ private:
         if (last == part.trace.rend()) return std::nullopt;
         return static_cast<std::size_t>(part.trace.rend() - last) - 1;
     }
-    Json part(const process::Behaviour& behaviour, Offence offence) {
-        Json json{{"machine_name", behaviour.name}, {"type", type()}};
-        finish(json, behaviour.trace, behaviour.revealed, behaviour.offered, offence);
+    Json part_json(const process::Behaviour& behaviour, Offence offence) {
+        Json json{{"machine_name", behaviour.name}, {"type", behaviour_type()}};
+        add_trace(json, behaviour.trace, behaviour.revealed, behaviour.offered, offence);
         if (!behaviour.op.empty()) json["operator"] = behaviour.op;
         json["states"] = Json::array({behaviour.name, behaviour.state});
-        children(json, behaviour, offence);
+        add_children(json, behaviour, offence);
         return json;
     }
-    void children(Json& json, const process::Behaviour& behaviour, Offence offence) {
+    void add_children(Json& json, const process::Behaviour& behaviour, Offence offence) {
         if (behaviour.parts.empty()) return;
         json["child_behaviours"] = Json::array();
         for (const process::Behaviour& each : behaviour.parts)
-            json["child_behaviours"].push_back(part(each, offence_of(each, behaviour, offence)));
+            json["child_behaviours"].push_back(part_json(each, offence_of(each, behaviour, offence)));
     }
-    [[nodiscard]] const char* type() const {
+    [[nodiscard]] const char* behaviour_type() const {
         switch (counterexample_.kind) {
             case ViolationKind::trace:
             case ViolationKind::no_trace:
@@ -163,26 +164,26 @@ private:
         }
     }
     /// A state that can terminate may always do so, so its least acceptance is {✓}.
-    static process::EventSet least(const process::EventSet& offered) {
+    static process::EventSet least_acceptance(const process::EventSet& offered) {
         const bool terminates = !offered.empty() && offered.front() == process::tick;
         return terminates ? process::EventSet{process::tick} : offered;
     }
-    void finish(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered,
-                Offence offence) {
+    void add_trace(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered,
+                   Offence offence) {
         if (counterexample_.kind == ViolationKind::trace) {
             const bool has_it = offence && *offence < trace.size();
-            json["error_event"] = has_it ? events_.number(trace[*offence]) : 0;
+            json["error_event"] = has_it ? events_.event_number(trace[*offence]) : 0;
             if (has_it) trace.resize(*offence);
             if (has_it) revealed.resize(*offence);
         } else if (counterexample_.kind == ViolationKind::no_trace) {
-            json["error_event"] = counterexample_.event ? events_.number(*counterexample_.event) : 0;
+            json["error_event"] = counterexample_.event ? events_.event_number(*counterexample_.event) : 0;
         } else if (counterexample_.kind == ViolationKind::divergence) {
             json["loop_start"] = std::min(counterexample_.steps.size(), trace.size());
         } else {
-            json["acceptance"] = events_.numbers(least(offered));
+            json["acceptance"] = events_.event_numbers(least_acceptance(offered));
         }
-        json["trace"] = events_.numbers(trace);
-        if (options_.reveal_taus) json["revealed_trace"] = events_.numbers(revealed);
+        json["trace"] = events_.event_numbers(trace);
+        if (options_.reveal_taus) json["revealed_trace"] = events_.event_numbers(revealed);
     }
 
     const refine::Counterexample& counterexample_;
@@ -190,24 +191,25 @@ private:
     const Options& options_;
 };
 
-Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Options& options) {
+Json script_counterexample_json(const ScriptAssertion& assertion, EventMap& events, const Options& options) {
     const refine::Counterexample& counterexample = *assertion.result.verdict.counterexample;
     Behaviours behaviours(counterexample, events, options);
     Json json{{"type", counterexample_type(counterexample.kind)}};
     if (!assertion.specification.empty())
-        json["specification_behaviour"] = behaviours.specification(assertion.specification);
-    json["implementation_behaviour"] = behaviours.implementation(assertion.process);
-    if (assertion.behaviour) behaviours.parts(json["implementation_behaviour"], *assertion.behaviour);
+        json["specification_behaviour"] = behaviours.specification_json(assertion.specification);
+    json["implementation_behaviour"] = behaviours.implementation_json(assertion.process);
+    if (assertion.behaviour) behaviours.add_parts(json["implementation_behaviour"], *assertion.behaviour);
     if (counterexample.kind == ViolationKind::nondeterminism && counterexample.event) {
-        json["event"] = events.number(*counterexample.event);
-        if (!counterexample.accepting.empty()) json["accepting_behaviour"] = behaviours.accepting(assertion.process);
+        json["event"] = events.event_number(*counterexample.event);
+        if (!counterexample.accepting.empty())
+            json["accepting_behaviour"] = behaviours.accepting_json(assertion.process);
     }
     json["replayed_by"] = counterexample.replayed_by_terms ? "terms" : "compiled rules";
     json["shortest"] = counterexample.shortest;
     return json;
 }
 
-Json result(const ScriptAssertion& a, EventMap& events, const Options& options) {
+Json script_result_json(const ScriptAssertion& a, EventMap& events, const Options& options) {
     constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
     const refine::Verdict& verdict = a.result.verdict;
     Json json{{"assertion_string", a.text}, {"errors", a.errors}, {"is_negated", a.result.negated ? 1 : 0}};
@@ -216,7 +218,8 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["visited_transitions"] = verdict.statistics.transitions;
     json["visited_plys"] = verdict.statistics.depth;
     json["counterexamples"] = Json::array();
-    if (verdict.counterexample && !options.brief) json["counterexamples"].push_back(counterexample(a, events, options));
+    if (verdict.counterexample && !options.brief)
+        json["counterexamples"].push_back(script_counterexample_json(a, events, options));
     json["number"] = a.number;
     json["place"] = a.place;
     json["answer"] = words[static_cast<std::size_t>(a.answer)];
@@ -237,14 +240,14 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
 
 void name_events(ScriptAssertion& assertion, const process::EventTable& table, const Options& options) {
     EventMap events;
-    (void)result(assertion, events, options);
-    for (const Event event : events.used()) assertion.events.try_emplace(event, table.name(event));
+    (void)script_result_json(assertion, events, options);
+    for (const Event event : events.used_events()) assertion.events.try_emplace(event, table.name(event));
 }
 
 std::string refines_json(const ScriptReport& report, const Options& options) {
     EventMap events;
     Json results = Json::array();
-    for (const ScriptAssertion& each : report.assertions) results.push_back(result(each, events, options));
+    for (const ScriptAssertion& each : report.assertions) results.push_back(script_result_json(each, events, options));
     Json prints = Json::array();
     for (const ScriptPrint& each : report.prints) {
         const Json errors = each.error.empty() ? Json::array() : Json::array({each.error});

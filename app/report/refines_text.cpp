@@ -20,26 +20,26 @@ class Names {
 public:
     Names(const process::EventTable& events, bool reveal) : events_(events), reveal_(reveal) {}
 
-    [[nodiscard]] std::string of(Event event) const { return events_.name(event); }
-    [[nodiscard]] std::string of(Event event, Event revealed) const {
+    [[nodiscard]] std::string event_text(Event event) const { return events_.name(event); }
+    [[nodiscard]] std::string event_text(Event event, Event revealed) const {
         const bool hidden =
             reveal_ && event == process::tau && revealed != process::tau && revealed != process::no_event;
         return hidden ? fmt::format("τ({})", events_.name(revealed)) : events_.name(event);
     }
-    [[nodiscard]] std::string set(const process::EventSet& events) const {
+    [[nodiscard]] std::string set_text(const process::EventSet& events) const {
         std::vector<std::string> names;
-        for (const Event event : events) names.push_back(of(event));
+        for (const Event event : events) names.push_back(event_text(event));
         return fmt::format("{{{}}}", fmt::join(names, ", "));
     }
-    [[nodiscard]] std::string run(const std::vector<refine::Step>& steps) const {
+    [[nodiscard]] std::string run_text(const std::vector<refine::Step>& steps) const {
         std::vector<std::string> names;
-        for (const refine::Step& step : steps) names.push_back(of(step.event, step.revealed));
+        for (const refine::Step& step : steps) names.push_back(event_text(step.event, step.revealed));
         return fmt::format("<{}>", fmt::join(names, ", "));
     }
-    [[nodiscard]] std::string run(const Behaviour& part) const {
+    [[nodiscard]] std::string run_text(const Behaviour& part) const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < part.trace.size(); ++i)
-            if (part.trace[i] != process::no_event) names.push_back(of(part.trace[i], part.revealed[i]));
+            if (part.trace[i] != process::no_event) names.push_back(event_text(part.trace[i], part.revealed[i]));
         return fmt::format("<{}>", fmt::join(names, ", "));
     }
 
@@ -48,16 +48,16 @@ private:
     bool reveal_;
 };
 
-std::string sets(const Names& names, const std::vector<process::EventSet>& list) {
+std::string sets_text(const Names& names, const std::vector<process::EventSet>& list) {
     std::vector<std::string> shown;
-    for (const process::EventSet& each : list) shown.push_back(names.set(each));
+    for (const process::EventSet& each : list) shown.push_back(names.set_text(each));
     return fmt::format("{}", fmt::join(shown, " "));
 }
 
 std::string not_allowed(const refine::Counterexample& c, const Names& names, const std::string& event) {
     const bool ends = std::ranges::all_of(c.required, [](const auto& each) { return each.empty(); });
     if (ends) return fmt::format("where the specification allows no event, so not {}", event);
-    return fmt::format("where the specification does not allow {}, only {}", event, sets(names, c.required));
+    return fmt::format("where the specification does not allow {}, only {}", event, sets_text(names, c.required));
 }
 
 /// In the failures model, a specification without a stable state after the trace has no failures there, so it allows no
@@ -67,33 +67,33 @@ std::string refusal(const refine::Counterexample& c, const Names& names) {
         return fmt::format(
             "then is stable and offers {}; the specification has no stable state after this trace (its taus never "
             "end), so it allows none",
-            names.set(c.offered));
-    return fmt::format("then offers {}; the specification requires one of: {}", names.set(c.offered),
-                       sets(names, c.required));
+            names.set_text(c.offered));
+    return fmt::format("then offers {}; the specification requires one of: {}", names.set_text(c.offered),
+                       sets_text(names, c.required));
 }
 
 /// Both runs, if the second is known.
-std::string nondeterminism(const refine::Counterexample& c, const Names& names, const std::string& event) {
-    std::string out = fmt::format("then refuses {}: the state offers {}", event, names.set(c.offered));
+std::string nondeterminism_text(const refine::Counterexample& c, const Names& names, const std::string& event) {
+    std::string out = fmt::format("then refuses {}: the state offers {}", event, names.set_text(c.offered));
     if (c.accepting.empty()) return out + fmt::format("; after the same events it can also accept {}", event);
     const std::vector<refine::Step> before(c.accepting.begin(), c.accepting.end() - 1);
-    return out + fmt::format("\n                 and accepts {} after {}", event, names.run(before));
+    return out + fmt::format("\n                 and accepts {} after {}", event, names.run_text(before));
 }
 
 /// The offending event after the trace, with the events that the specification allows.
-std::string offence(const refine::Counterexample& c, const Names& names) {
-    const std::string event = c.event ? names.of(*c.event) : "";
+std::string offence_text(const refine::Counterexample& c, const Names& names) {
+    const std::string event = c.event ? names.event_text(*c.event) : "";
     switch (c.kind) {
         case ViolationKind::trace:
             return not_allowed(c, names, event);
         case ViolationKind::refusal:
             return refusal(c, names);
         case ViolationKind::divergence:
-            return fmt::format("then diverges by {} for ever", names.run(c.loop));
+            return fmt::format("then diverges by {} for ever", names.run_text(c.loop));
         case ViolationKind::deadlock:
             return "then can do nothing";
         case ViolationKind::nondeterminism:
-            return nondeterminism(c, names, event);
+            return nondeterminism_text(c, names, event);
         case ViolationKind::no_return:
             return "then can never again do what is asked for";
         case ViolationKind::no_trace:
@@ -102,28 +102,28 @@ std::string offence(const refine::Counterexample& c, const Names& names) {
     return "";
 }
 
-std::size_t count(const Behaviour& part) {
+std::size_t count_parts(const Behaviour& part) {
     std::size_t parts = 1;
-    for (const Behaviour& each : part.parts) parts += count(each);
+    for (const Behaviour& each : part.parts) parts += count_parts(each);
     return parts;
 }
 
 void write_part(const Behaviour& part, std::size_t indent, const Names& names, std::string& out) {
     const std::string title = part.op.empty() ? part.name : part.op;
-    out += fmt::format("{:{}}{}  {}", "", indent, title, names.run(part));
+    out += fmt::format("{:{}}{}  {}", "", indent, title, names.run_text(part));
     if (part.left) {
         out += ", then left";
     } else if (part.parts.empty()) {
         out += fmt::format(", now {}{} offering {}", part.state, part.stable ? "" : " (unstable)",
-                           names.set(part.offered));
+                           names.set_text(part.offered));
     }
     out += '\n';
     for (const Behaviour& each : part.parts) write_part(each, indent + 2, names, out);
 }
 
-std::string split(const ScriptAssertion& a, std::size_t indent, const Names& names, const Options& options) {
+std::string split_text(const ScriptAssertion& a, std::size_t indent, const Names& names, const Options& options) {
     if (!a.behaviour || a.behaviour->parts.empty()) return "";
-    const std::size_t parts = count(*a.behaviour);
+    const std::size_t parts = count_parts(*a.behaviour);
     if (parts > few_parts && !options.split)
         return fmt::format("{:{}}{} parts took part; --split shows what each did\n", "", indent, parts);
     std::string out = fmt::format("{:{}}each part did\n", "", indent);
@@ -131,7 +131,7 @@ std::string split(const ScriptAssertion& a, std::size_t indent, const Names& nam
     return out;
 }
 
-const char* title(ViolationKind kind) {
+const char* violation_title(ViolationKind kind) {
     switch (kind) {
         case ViolationKind::trace:
             return "Trace";
@@ -154,30 +154,31 @@ const char* title(ViolationKind kind) {
 std::string visible_trace(const refine::Counterexample& c, const Names& names) {
     std::vector<std::string> trace;
     for (const refine::Step& step : c.steps)
-        if (step.event != process::tau) trace.push_back(names.of(step.event));
+        if (step.event != process::tau) trace.push_back(names.event_text(step.event));
     if (c.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
     return fmt::format("<{}>", fmt::join(trace, ", "));
 }
 
 std::string plain_counterexample(const ScriptAssertion& a, const Names& names, const Options& options) {
     const refine::Counterexample& c = *a.result.verdict.counterexample;
-    std::string out = fmt::format("    Counterexample ({} Counterexample)\n", title(c.kind));
+    std::string out = fmt::format("    Counterexample ({} Counterexample)\n", violation_title(c.kind));
     if (!a.specification.empty())
         out += fmt::format(
             "        Specification Debug:\n            {}:\n                Trace: {}\n                Allowed: {}\n",
             a.specification, visible_trace(c, names),
-            c.required.empty() && c.kind == ViolationKind::refusal ? "no stable state" : sets(names, c.required));
+            c.required.empty() && c.kind == ViolationKind::refusal ? "no stable state" : sets_text(names, c.required));
     std::vector<refine::Step> steps = c.steps;
     if (c.kind == ViolationKind::trace && !steps.empty()) steps.pop_back();
     out += fmt::format("        Implementation Debug:\n            {}:\n                Trace: {}\n", a.process,
-                       names.run(steps));
-    if (c.kind == ViolationKind::divergence) out += fmt::format("                Repeating: {}\n", names.run(c.loop));
-    if (c.event) out += fmt::format("                Error Event: {}\n", names.of(*c.event));
-    if (!c.accepting.empty()) out += fmt::format("                Accepted: {}\n", names.run(c.accepting));
+                       names.run_text(steps));
+    if (c.kind == ViolationKind::divergence)
+        out += fmt::format("                Repeating: {}\n", names.run_text(c.loop));
+    if (c.event) out += fmt::format("                Error Event: {}\n", names.event_text(*c.event));
+    if (!c.accepting.empty()) out += fmt::format("                Accepted: {}\n", names.run_text(c.accepting));
     const bool stops = c.kind == ViolationKind::refusal || c.kind == ViolationKind::deadlock ||
                        c.kind == ViolationKind::nondeterminism;
-    if (stops) out += fmt::format("                Min Acceptance: {}\n", names.set(c.offered));
-    return out + split(a, 16, names, options);
+    if (stops) out += fmt::format("                Min Acceptance: {}\n", names.set_text(c.offered));
+    return out + split_text(a, 16, names, options);
 }
 
 const char* sentence_of(Answer answer) {
@@ -206,12 +207,12 @@ std::string refines_plain(const ScriptAssertion& a, const process::EventTable& e
 std::string counterexample_text(const ScriptAssertion& a, const process::EventTable& events, const Options& options) {
     const Names names(events, options.reveal_taus);
     const refine::Counterexample& c = *a.result.verdict.counterexample;
-    std::string out = fmt::format("                 trace {}\n", names.run(c.steps));
-    out += fmt::format("                 {}\n", offence(c, names));
+    std::string out = fmt::format("                 trace {}\n", names.run_text(c.steps));
+    out += fmt::format("                 {}\n", offence_text(c, names));
     if (!c.replayed_by_terms)
         out += "                 (replayed by the compiled rules alone: its terms are too many)\n";
     if (!c.shortest) out += fmt::format("                 ({})\n", not_shortest);
-    return out + split(a, 17, names, options);
+    return out + split_text(a, 17, names, options);
 }
 
 }  // namespace robochart::app

@@ -12,9 +12,9 @@
 #include "app/base/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/report/probability_report.hpp"
-#include "conformance/model/rules.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/paint.hpp"
+#include "conformance/model/rules.hpp"
 #include "counterexample/text.hpp"
 
 namespace robochart::app {
@@ -29,9 +29,9 @@ std::string_view outcome_word(conformance::Outcome outcome) {
 using diagnostics::Paint;
 
 /// A verdict at the beginning of a line, padded to the width of the longest verdict.
-std::string verdict(std::string_view word, Paint paint, bool color) {
+std::string padded_verdict(std::string_view word, Paint paint, bool color) {
     constexpr std::size_t widest = 12;
-    return fmt::format("  {}{:<{}} ", diagnostics::painted(word, paint, color), "",
+    return fmt::format("  {}{:<{}} ", diagnostics::paint_text(word, paint, color), "",
                        widest - std::min(widest, word.size()));
 }
 
@@ -45,7 +45,7 @@ Paint paint_of(conformance::Outcome outcome) {
     return outcome == conformance::Outcome::inconclusive ? Paint::warning : Paint::error;
 }
 
-std::string duration(double seconds) {
+std::string duration_text(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
@@ -78,7 +78,7 @@ struct SharedRun {
 /// The run of the model with its raw events.
 std::string run_lines(const AssertionReport& a, const Options& options) {
     if (!a.run) return a.counterexample;
-    std::string out = runs::text(*a.run, indent_of_runs);
+    std::string out = runs::text_of(*a.run, indent_of_runs);
     const std::vector<std::string> raw(a.run->raw.begin(),
                                        a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
     if (options.show_internal && !raw.empty())
@@ -96,7 +96,7 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
     std::string out = fmt::format("{:<{}}", a.core && width > 0 ? a.core->property : a.title, padded);
     if (has_statistics(a))
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
-                           a.searched ? duration(a.statistics.seconds) : "known");
+                           a.searched ? duration_text(a.statistics.seconds) : "known");
     out += '\n';
     out += symmetry_text(a.statistics);
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
@@ -105,8 +105,9 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
     if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
     if (!shared.shown_at.empty()) return out + fmt::format("               by the run of {} above\n", shared.shown_at);
-    const std::string claimed =
-        a.place.empty() ? "" : fmt::format("{} at {}; ", a.core ? "declared" : "claimed", diagnostics::shown(a.place));
+    const std::string claimed = a.place.empty() ? ""
+                                                : fmt::format("{} at {}; ", a.core ? "declared" : "claimed",
+                                                              diagnostics::escape_for_display(a.place));
     out += fmt::format("               {}the {} does:\n{}", claimed, subject, run_lines(a, options));
     if (!shared.others.empty())
         out += fmt::format("               the same run is one of {}\n", fmt::join(shared.others, " and of "));
@@ -115,7 +116,7 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
 
 std::string assertion_block(const AssertionReport& a, const std::string& subject, std::size_t width,
                             const Options& options, bool color, const SharedRun& shared = {}) {
-    return verdict(answer_word(a.answer), paint_of(a.answer), color) +
+    return padded_verdict(answer_word(a.answer), paint_of(a.answer), color) +
            diagnostics::shown_lines(assertion_rest(a, subject, width, options, shared));
 }
 
@@ -137,7 +138,7 @@ std::string code_of(const diagnostics::Rule* rule) {
 void write_explanation(std::string& out, const conformance::Explanation& explanation) {
     if (explanation.rule == nullptr) return;
     for (const std::string& place : explanation.where)
-        out += fmt::format("                 {}\n", diagnostics::shown(place));
+        out += fmt::format("                 {}\n", diagnostics::escape_for_display(place));
     if (!explanation.remedy.empty())
         out += fmt::format("               to make it schedulable: {}\n", explanation.remedy);
     out += fmt::format("               see `robochart-verify explain {}`\n", explanation.rule->code);
@@ -227,7 +228,7 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     std::string out =
         fmt::format("{}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
                     c.component, with_commas(r.code_states), with_commas(r.code_cycles), with_commas(r.product.states),
-                    with_commas(r.product.transitions), duration(c.seconds));
+                    with_commas(r.product.transitions), duration_text(c.seconds));
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
@@ -247,7 +248,7 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
 }
 
 std::string conformance_block(const ConformanceReport& c, const Options& options, bool color) {
-    return verdict(outcome_word(c.result.outcome), paint_of(c.result.outcome), color) +
+    return padded_verdict(outcome_word(c.result.outcome), paint_of(c.result.outcome), color) +
            diagnostics::shown_lines(conformance_rest(c, options));
 }
 
@@ -255,10 +256,11 @@ void write_files(std::string& out, std::string_view title, const std::vector<Fil
     if (files.empty()) return;
     out += fmt::format("\n{}\n", title);
     for (const FileReport& file : files)
-        out += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(file.path), with_commas(file.bytes));
+        out +=
+            fmt::format("  {:<70} {:>9} bytes\n", diagnostics::escape_for_display(file.path), with_commas(file.bytes));
 }
 
-std::string shown(const SizeReport::Size& size) {
+std::string size_text(const SizeReport::Size& size) {
     if (!size.whole) return fmt::format("{:>10} states and more      ", with_commas(size.states));
     return fmt::format("{:>10} states {:>11} transitions", with_commas(size.states), with_commas(size.transitions));
 }
@@ -267,12 +269,12 @@ void write_sizes(std::string& out, const std::vector<SizeReport>& sizes) {
     if (sizes.empty()) return;
     out += "\nsizes of the components, as they are and compressed\n";
     for (const SizeReport& size : sizes)
-        out += fmt::format("  {:<7} {:<45} {} {}\n", size.time, size.component, shown(size.process),
-                           shown(size.compressed));
+        out += fmt::format("  {:<7} {:<45} {} {}\n", size.time, size.component, size_text(size.process),
+                           size_text(size.compressed));
 }
 
-std::string closing(const Report& report) {
-    const auto count = [&](Answer answer) { return report.count(answer); };
+std::string closing_line(const Report& report) {
+    const auto count = [&](Answer answer) { return report.count_answers(answer); };
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
         const auto decisive = std::ranges::count_if(report.assertions, [](const auto& a) {
@@ -298,7 +300,8 @@ std::string closing(const Report& report) {
     if (!report.refused.empty()) {
         std::vector<std::string> names;
         for (const RefusedReport& each : report.refused)
-            if (std::string name = diagnostics::shown(each.model); std::ranges::find(names, name) == names.end())
+            if (std::string name = diagnostics::escape_for_display(each.model);
+                std::ranges::find(names, name) == names.end())
                 names.push_back(std::move(name));
         parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
     }
@@ -328,7 +331,7 @@ std::string_view answer_word(Answer answer) {
 
 const std::string_view indent_of_runs = "                 ";
 
-std::size_t Report::count(Answer answer) const {
+std::size_t Report::count_answers(Answer answer) const {
     return static_cast<std::size_t>(std::ranges::count_if(
         assertions, [&](const auto& a) { return a.answer == answer && !(a.core && a.core->information); }));
 }
@@ -340,7 +343,7 @@ bool Report::all_decided() const {
            });
 }
 
-std::string Report::advice() const {
+std::string Report::limit_advice() const {
     const auto met = [&](std::string_view words) {
         return limit.find(words) != std::string::npos ||
                std::ranges::any_of(assertions, [&](const AssertionReport& each) {
@@ -360,8 +363,8 @@ std::string Report::advice() const {
     return fmt::format("what may help: {}", fmt::join(helps, "; "));
 }
 
-Exit Report::exit() const {
-    const auto any = [&](Answer answer) { return count(answer) > 0; };
+Exit Report::exit_code() const {
+    const auto any = [&](Answer answer) { return count_answers(answer) > 0; };
     const auto code = [&](conformance::Outcome outcome) {
         return std::ranges::any_of(conformance, [&](const auto& c) { return c.result.outcome == outcome; });
     };
@@ -379,9 +382,10 @@ Exit Report::exit() const {
 namespace {
 
 std::string heading_text(const Report& report) {
-    std::string out = report.summary.empty() ? diagnostics::shown(report.model) + "\n"
-                                             : fmt::format("{}: {} ({})\n", diagnostics::shown(report.model),
-                                                           report.summary, duration(report.load_seconds));
+    std::string out = report.summary.empty()
+                          ? diagnostics::escape_for_display(report.model) + "\n"
+                          : fmt::format("{}: {} ({})\n", diagnostics::escape_for_display(report.model), report.summary,
+                                        duration_text(report.load_seconds));
     for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
     return out;
 }
@@ -407,8 +411,8 @@ SharedRuns shared_runs(const Report& report, const Options& options) {
 }
 
 /// The title column is as wide as the widest title, up to 80 characters.
-std::string blocks(const Listed& listed, const std::string& subject, const Options& options, bool color,
-                   const SharedRuns& shared) {
+std::string blocks_text(const Listed& listed, const std::string& subject, const Options& options, bool color,
+                        const SharedRuns& shared) {
     std::size_t width = 0;
     for (const AssertionReport* a : listed)
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
@@ -428,7 +432,7 @@ std::string assertions_text(const Report& report, const Options& options, bool c
     for (const AssertionReport& a : report.assertions)
         if (!a.core) listed.push_back(&a);
     const std::string heading = listed.empty() || options.quiet ? "" : "\nassertions\n";
-    return heading + blocks(listed, report.subject, options, color, {});
+    return heading + blocks_text(listed, report.subject, options, color, {});
 }
 
 /// The informative properties of a component in one sentence. Unreachable states are listed with their places.
@@ -469,9 +473,9 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     const SharedRuns shared = shared_runs(report, options);
     std::string out;
     for (const std::string& component : components) {
-        const std::string required = blocks(parts[component].first, report.subject, options, color, shared);
+        const std::string required = blocks_text(parts[component].first, report.subject, options, color, shared);
         if (!required.empty() || !options.quiet)
-            out += fmt::format("  {}\n{}", diagnostics::shown(component), required);
+            out += fmt::format("  {}\n{}", diagnostics::escape_for_display(component), required);
         if (!options.quiet) out += diagnostics::shown_lines(information_text(parts[component].second));
     }
     if (out.empty()) return out;
@@ -479,7 +483,7 @@ std::string core_text(const Report& report, const Options& options, bool color) 
 }
 
 /// Explains the word that is printed in place of the seconds, if the report contains it.
-std::string legend(const Report& report, const Options& options) {
+std::string legend_text(const Report& report, const Options& options) {
     const auto shown = [&](const AssertionReport& a) {
         return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds || !a.basis.empty());
     };
@@ -505,7 +509,7 @@ std::string render_text(const Report& report, const Options& options) {
     using diagnostics::shown_lines;
     const bool color = color_wanted(options.color, STDOUT_FILENO);
     std::string out = options.quiet ? "" : shown_lines(heading_text(report));
-    out += assertions_text(report, options, color) + core_text(report, options, color) + legend(report, options);
+    out += assertions_text(report, options, color) + core_text(report, options, color) + legend_text(report, options);
     std::string found;
     write_sizes(found, report.sizes);
     out += shown_lines(found);
@@ -514,9 +518,9 @@ std::string render_text(const Report& report, const Options& options) {
         if (!options.quiet || c.result.outcome != conformance::Outcome::conforms)
             out += conformance_block(c, options, color);
     if (!options.quiet) out += shown_lines(files_text(report));
-    if (const std::string advice = report.advice(); !advice.empty())
+    if (const std::string advice = report.limit_advice(); !advice.empty())
         out += fmt::format("{}{}\n", options.quiet ? "" : "\n", advice);
-    if (const std::string last = closing(report); !last.empty())
+    if (const std::string last = closing_line(report); !last.empty())
         out += shown_lines(fmt::format("{}{}\n", options.quiet ? "" : "\n", last));
     return out;
 }

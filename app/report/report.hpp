@@ -11,8 +11,8 @@
 #include "app/report/basis.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "conformance/check/conform.hpp"
-#include "prism/assertions/experiments/experiment.hpp"
 #include "counterexample/run.hpp"
+#include "prism/assertions/experiments/experiment.hpp"
 
 namespace robochart::app {
 
@@ -135,13 +135,13 @@ struct Report {
     bool nothing_checked = false;  ///< and nothing else was done, either
     std::string limit;             ///< why the run ended early; "" if it did not
 
-    [[nodiscard]] Exit exit() const;
+    [[nodiscard]] Exit exit_code() const;
     /// A suggestion if a limit ended a claim or the run; "" otherwise.
-    [[nodiscard]] std::string advice() const;
+    [[nodiscard]] std::string limit_advice() const;
     /// True if every assertion has an answer: none was rejected, and none was left out because of a limit.
     [[nodiscard]] bool all_decided() const;
     /// The number of assertions with this answer, without informative ones.
-    [[nodiscard]] std::size_t count(Answer) const;
+    [[nodiscard]] std::size_t count_answers(Answer) const;
 };
 
 /// The indentation of counterexamples.

@@ -5,8 +5,8 @@
 #include "app/report/probability_report.hpp"
 #include "app/report/report.hpp"
 #include "app/report/script_report.hpp"
-#include "conformance/model/rules.hpp"
 #include "base/diagnostics/json.hpp"
+#include "conformance/model/rules.hpp"
 #include "counterexample/json.hpp"
 #include "counterexample/text.hpp"
 
@@ -28,26 +28,27 @@ namespace {
 
 using diagnostics::Json;
 
-Json statistics(const refine::Statistics& s) {
+Json statistics_json(const refine::Statistics& s) {
     return {{"states", s.states},        {"transitions", s.transitions}, {"depth", s.depth},
             {"chased", s.chased},        {"replicas", s.replicas},       {"distinguished", s.distinguished},
             {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
 }
 
 /// The counterexample as text, as events of the script, and as data.
-Json counterexample(const runs::Run& run) {
+Json run_counterexample_json(const runs::Run& run) {
     const auto loop = run.raw.end() - static_cast<std::ptrdiff_t>(run.raw_loop);
-    Json json{{"text", runs::text(run, indent_of_runs)}, {"events", std::vector<std::string>(run.raw.begin(), loop)}};
+    Json json{{"text", runs::text_of(run, indent_of_runs)},
+              {"events", std::vector<std::string>(run.raw.begin(), loop)}};
     json["loopEvents"] = std::vector<std::string>(loop, run.raw.end());
-    json.update(runs::json(run));
+    json.update(runs::run_json(run));
     return json;
 }
 
-Json assertion(const AssertionReport& a) {
+Json assertion_json(const AssertionReport& a) {
     Json json{{"title", a.title},
               {"place", a.place},
               {"answer", name_of(a.answer)},
-              {"statistics", statistics(a.statistics)}};
+              {"statistics", statistics_json(a.statistics)}};
     const bool decided = a.answer == Answer::holds || a.answer == Answer::fails;
     if (decided && !a.searched) json["known"] = true;
     if (a.core)
@@ -56,30 +57,30 @@ Json assertion(const AssertionReport& a) {
     if (a.probability) json["probability"] = probability_json(*a.probability);
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (!a.basis.empty()) json["basis"] = grounds_json(a.basis);
-    if (a.run) json["counterexample"] = counterexample(*a.run);
+    if (a.run) json["counterexample"] = run_counterexample_json(*a.run);
     return json;
 }
 
-Json behaviour(const conformance::Behaviour& b) {
+Json behaviour_json(const conformance::Behaviour& b) {
     return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}};
 }
 
-Json cycles(const std::vector<conformance::Cycle>& list) {
+Json cycles_json(const std::vector<conformance::Cycle>& list) {
     Json json = Json::array();
     for (const conformance::Cycle& cycle : list)
         json.push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
     return json;
 }
 
-Json aside(const conformance::Aside& a) {
+Json aside_json(const conformance::Aside& a) {
     if (a.holds) return {{"holds", true}};
-    Json json{{"holds", false}, {"reason", a.reason}, {"cycles", cycles(a.cycles)}};
+    Json json{{"holds", false}, {"reason", a.reason}, {"cycles", cycles_json(a.cycles)}};
     if (a.rule != nullptr) json.update({{"code", a.rule->code}, {"meaning", a.rule->explanation}});
-    if (a.run) json["run"] = runs::json(*a.run);
+    if (a.run) json["run"] = runs::run_json(*a.run);
     return json;
 }
 
-Json missed(const conformance::MissedEvent& m) {
+Json missed_json(const conformance::MissedEvent& m) {
     const auto number = [](const std::optional<std::uint64_t>& cycles) {
         return cycles ? Json(*cycles) : Json(nullptr);
     };
@@ -91,7 +92,7 @@ Json missed(const conformance::MissedEvent& m) {
     return json;
 }
 
-Json overtaken(const conformance::OvertakenEvent& found) {
+Json overtaken_json(const conformance::OvertakenEvent& found) {
     return {{"event", found.event},
             {"code", conformance::rules::event_overtaken.code},
             {"by", found.by},
@@ -101,8 +102,9 @@ Json overtaken(const conformance::OvertakenEvent& found) {
 
 Json conformance_json(const ConformanceReport& c) {
     const conformance::Result& r = c.result;
-    Json json{{"component", c.component},    {"outcome", name_of(r.outcome)}, {"codeStates", r.code_states},
-              {"codeCycles", r.code_cycles}, {"dispatched", r.dispatched},    {"statistics", statistics(r.product)},
+    Json json{{"component", c.component},    {"outcome", name_of(r.outcome)},
+              {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
+              {"dispatched", r.dispatched},  {"statistics", statistics_json(r.product)},
               {"seconds", c.seconds}};
     for (const conformance::FewValues& each : r.represented)
         json["represented"].push_back({{"type", each.type}, {"values", each.values}});
@@ -111,19 +113,19 @@ Json conformance_json(const ConformanceReport& c) {
         json["code"] = e.rule->code;
         json["explanation"] = {{"where", e.where}, {"remedy", e.remedy}};
     }
-    if (r.explanation.run) json["explanation"]["run"] = runs::json(*r.explanation.run);
+    if (r.explanation.run) json["explanation"]["run"] = runs::run_json(*r.explanation.run);
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)
         json["apiDifference"] = {{"event", r.api_difference->event},
                                  {"differs", r.api_difference->what},
-                                 {"step", behaviour(r.api_difference->cycle)},
-                                 {"dispatch", behaviour(r.api_difference->dispatched)}};
-    if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
-    if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
-    for (const conformance::MissedEvent& each : r.missed) json["missedEvents"].push_back(missed(each));
-    for (const conformance::OvertakenEvent& each : r.overtaken) json["overtakenEvents"].push_back(overtaken(each));
+                                 {"step", behaviour_json(r.api_difference->cycle)},
+                                 {"dispatch", behaviour_json(r.api_difference->dispatched)}};
+    if (r.register_cycles) json["registerCycles"] = aside_json(*r.register_cycles);
+    if (r.deadlines) json["deadlinesMet"] = aside_json(*r.deadlines);
+    for (const conformance::MissedEvent& each : r.missed) json["missedEvents"].push_back(missed_json(each));
+    for (const conformance::OvertakenEvent& each : r.overtaken) json["overtakenEvents"].push_back(overtaken_json(each));
     if (r.cycles.empty()) return json;
-    json["cycles"] = cycles(r.cycles);
+    json["cycles"] = cycles_json(r.cycles);
     json["expected"] = r.expected;
     json["events"] = r.raw;
     return json;
@@ -133,7 +135,7 @@ Json size(const SizeReport::Size& size) {
     return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}};
 }
 
-Json files(const std::vector<FileReport>& list) {
+Json files_json(const std::vector<FileReport>& list) {
     Json json = Json::array();
     for (const FileReport& file : list) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
     return json;
@@ -146,12 +148,12 @@ std::string render_json(const Report& report) {
               {"model", report.model},
               {"summary", report.summary},
               {"notes", report.notes},
-              {"exit", static_cast<int>(report.exit())}};
+              {"exit", static_cast<int>(report.exit_code())}};
     if (!report.unclaimed.empty()) json["unclaimed"] = report.unclaimed;
     if (!report.limit.empty()) json["limit"] = report.limit;
-    if (const std::string advice = report.advice(); !advice.empty()) json["advice"] = advice;
+    if (const std::string advice = report.limit_advice(); !advice.empty()) json["advice"] = advice;
     json["assertions"] = Json::array();
-    for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion(a));
+    for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion_json(a));
     json["bounds"] = Json::array();
     for (const BoundReport& b : report.bounds)
         json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
@@ -163,11 +165,11 @@ std::string render_json(const Report& report) {
                                  {"compressed", size(s.compressed)}});
     json["conformance"] = Json::array();
     for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
-    json["cspFiles"] = files(report.csp_files);
-    json["cppFiles"] = files(report.cpp_files);
-    if (!report.prism_files.empty()) json["prismFiles"] = files(report.prism_files);
-    if (!report.monitor_files.empty()) json["monitorFiles"] = files(report.monitor_files);
-    if (!report.test_files.empty()) json["testFiles"] = files(report.test_files);
+    json["cspFiles"] = files_json(report.csp_files);
+    json["cppFiles"] = files_json(report.cpp_files);
+    if (!report.prism_files.empty()) json["prismFiles"] = files_json(report.prism_files);
+    if (!report.monitor_files.empty()) json["monitorFiles"] = files_json(report.monitor_files);
+    if (!report.test_files.empty()) json["testFiles"] = files_json(report.test_files);
     if (!report.remarks.empty()) json["remarks"] = report.remarks;
     for (const RefusedReport& each : report.refused)
         json["refused"].push_back(

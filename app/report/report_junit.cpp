@@ -28,7 +28,7 @@ Kind kind_of(Answer answer) {
     return Kind::error;
 }
 
-std::string why(const AssertionReport& a) {
+std::string reason_of(const AssertionReport& a) {
     if (!a.reason.empty()) return a.reason;
     return a.run ? a.run->end.why : "it does not hold";
 }
@@ -43,7 +43,7 @@ JunitCase case_of(const AssertionReport& a, const std::string& subject) {
         if (!a.basis.empty()) made.text = assertion_text(a, subject);
         return made;
     }
-    made.message = why(a);
+    made.message = reason_of(a);
     made.text = assertion_text(a, subject);
     return made;
 }

@@ -24,7 +24,7 @@ enum class Rule : unsigned char { assertion, conformance };
 // Kinds of results.
 constexpr std::string_view failure = "fail", left_open = "open", informational = "informational";
 
-Json rules() {
+Json sarif_rules() {
     return Json::array(
         {diagnostics::sarif_rule("assertion", "an assertion of the model does not hold",
                                  "A run of the model does what the assertion excludes, or it could not be decided "
@@ -45,7 +45,7 @@ std::string step_text(const runs::Step& step) {
 }
 
 /// The steps that have places; null if there are none.
-Json flow(const runs::Run& run) {
+Json code_flow_json(const runs::Run& run) {
     Json locations = Json::array();
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
         const runs::Step& step = run.steps[i];
@@ -59,8 +59,8 @@ Json flow(const runs::Run& run) {
 }
 
 /// `region`: without a value, the result is at the beginning of `file`, because readers reject results without a place.
-Json result(Rule rule, std::string_view kind, const std::string& message, const std::string& subject,
-            const std::optional<runs::Place>& region, const std::string& file) {
+Json sarif_result(Rule rule, std::string_view kind, const std::string& message, const std::string& subject,
+                  const std::optional<runs::Place>& region, const std::string& file) {
     const runs::Place beginning{file, 1, 1, 1, 1};
     constexpr std::array<const char*, 2> ids{"assertion", "conformance"};
     const auto index = static_cast<std::size_t>(rule);
@@ -104,10 +104,10 @@ void add(const AssertionReport& a, const std::string& file, Json& results) {
     std::string message = fmt::format("{}: {}{}{}", a.title, words_of(a.answer), why.empty() ? "" : ": ", why);
     Json related = Json::array();
     add_basis(a.basis, message, related);
-    Json one = result(Rule::assertion, kind_in_log(a.answer), message, a.title, a.region, file);
+    Json one = sarif_result(Rule::assertion, kind_in_log(a.answer), message, a.title, a.region, file);
     if (!related.empty()) one["relatedLocations"] = related;
     if (a.run)
-        if (const Json steps = flow(*a.run); !steps.is_null()) one["codeFlows"] = steps;
+        if (const Json steps = code_flow_json(*a.run); !steps.is_null()) one["codeFlows"] = steps;
     results.push_back(one);
 }
 
@@ -115,14 +115,14 @@ void add(const ConformanceReport& c, const std::string& file, Json& results) {
     using conformance::Outcome;
     if (c.result.outcome == Outcome::conforms) return;
     const bool known = c.result.outcome == Outcome::differs || c.result.outcome == Outcome::not_schedulable;
-    results.push_back(result(Rule::conformance, known ? failure : left_open,
-                             fmt::format("the code of {} {}: {}", c.component,
-                                         known ? "does not conform" : "was not compared", c.result.reason),
-                             c.component, c.region, file));
+    results.push_back(sarif_result(Rule::conformance, known ? failure : left_open,
+                                   fmt::format("the code of {} {}: {}", c.component,
+                                               known ? "does not conform" : "was not compared", c.result.reason),
+                                   c.component, c.region, file));
 }
 
 /// Why the results are incomplete.
-std::string incomplete(const Report& report) {
+std::string why_incomplete(const Report& report) {
     if (!report.limit.empty()) return report.limit;
     if (!report.refused.empty()) return fmt::format("{} has errors", report.refused.front().model);
     return report.nothing_checked ? report.unclaimed : "";
@@ -134,13 +134,13 @@ std::string render_sarif(const Report& report, const std::string& verb) {
     diagnostics::SarifRun run;
     run.version = program_version;
     run.what = fmt::format("{}/{}", verb, report.model);
-    run.rules = rules();
+    run.rules = sarif_rules();
     const std::string file = report.file.empty() ? report.model : report.file;
     for (const AssertionReport& each : report.assertions)
         if (!each.core || !each.core->information) add(each, file, run.results);
     for (const ConformanceReport& each : report.conformance) add(each, file, run.results);
-    run.limit = incomplete(report);
-    run.properties = {{"model", report.model}, {"exit", static_cast<int>(report.exit())}};
+    run.limit = why_incomplete(report);
+    run.properties = {{"model", report.model}, {"exit", static_cast<int>(report.exit_code())}};
     return diagnostics::sarif_log(run);
 }
 

@@ -13,14 +13,14 @@ namespace {
 
 using diagnostics::Json;
 
-std::string names(const RulesReport& report, const std::vector<std::size_t>& rules) {
+std::string rule_names(const RulesReport& report, const std::vector<std::size_t>& rules) {
     std::string text;
     for (std::size_t i = 0; i < rules.size(); ++i)
         text += (i == 0 ? "" : i + 1 == rules.size() ? " and " : ", ") + report.rules[rules[i]].name;
     return text;
 }
 
-bool open(const ComparedPair& pair) {
+bool is_open(const ComparedPair& pair) {
     return !pair.deadline_missed || !pair.only_time_passes || !pair.first_redundant || !pair.second_redundant;
 }
 
@@ -29,7 +29,7 @@ bool in_conflict(const ComparedPair& pair) {
 }
 
 std::string conflict_text(const RulesReport& report, const RuleConflict& conflict) {
-    const std::string rules = names(report, conflict.rules) + (conflict.rules.size() == 1 ? " with itself" : "");
+    const std::string rules = rule_names(report, conflict.rules) + (conflict.rules.size() == 1 ? " with itself" : "");
     if (!conflict.decided) return fmt::format("not decided: conflict of {}: {}\n", rules, conflict.reason);
     std::string text = fmt::format("conflict: {}\n", rules);
     for (const std::string& line : conflict.lines) text += fmt::format("  {}\n", line);
@@ -44,7 +44,7 @@ std::string redundant_text(const RulesReport& report, const RedundantRule& found
         return fmt::format("not decided: redundancy of {}: {} ({})\n", rule.name, found.reason, rule.place);
     std::string places = rule.place;
     for (const std::size_t each : found.by) places += ", " + report.rules[each].place;
-    return fmt::format("redundant: {}, which {} {} ({})\n", rule.name, names(report, found.by),
+    return fmt::format("redundant: {}, which {} {} ({})\n", rule.name, rule_names(report, found.by),
                        found.by.size() == 1 ? "implies" : "together imply", places);
 }
 
@@ -55,8 +55,8 @@ std::string property_text(const RulesReport& report, const RuleProperty& propert
     if (!property.concern) {
         const std::string by = property.excluded.empty() ? "nothing can bring it about"
                                : property.excluded.size() == 1
-                                   ? names(report, property.excluded) + " excludes it"
-                                   : names(report, property.excluded) + " together exclude it";
+                                   ? rule_names(report, property.excluded) + " excludes it"
+                                   : rule_names(report, property.excluded) + " together exclude it";
         return fmt::format("purpose blocked: {}: {} ({})\n", property.name, by, property.place);
     }
     std::string text = fmt::format("concern raised: {}: the rules allow it ({})\n", property.name, property.place);
@@ -66,14 +66,14 @@ std::string property_text(const RulesReport& report, const RuleProperty& propert
 
 std::string pair_text(const RulesReport& report, const ComparedPair& pair) {
     std::string text;
-    const std::string both = names(report, {pair.first, pair.second});
+    const std::string both = rule_names(report, {pair.first, pair.second});
     if (pair.deadline_missed.value_or(false))
         text += fmt::format("conflict: {}: a deadline is missed\n", both);
     else if (pair.only_time_passes.value_or(false))
         text += fmt::format("conflict: {}: only time can pass\n", both);
     if (pair.first_redundant.value_or(false)) text += redundant_text(report, {pair.first, {pair.second}});
     if (pair.second_redundant.value_or(false)) text += redundant_text(report, {pair.second, {pair.first}});
-    if (open(pair)) text += fmt::format("not decided: {}\n", both);
+    if (is_open(pair)) text += fmt::format("not decided: {}\n", both);
     return text;
 }
 
@@ -87,7 +87,7 @@ std::string closing_text(const RulesReport& report) {
     for (const RuleConflict& each : report.conflicts) ++(each.decided ? conflicts : undecided);
     for (const ComparedPair& each : report.pairs) {
         if (in_conflict(each)) ++conflicts;
-        if (open(each)) ++undecided;
+        if (is_open(each)) ++undecided;
         for (const auto& each_redundant : {each.first_redundant, each.second_redundant})
             if (each_redundant.value_or(false)) ++redundant;
     }
@@ -211,7 +211,7 @@ Exit exit_of(const RulesReport& report) {
     for (const RuleProperty& each : report.properties) (each.decided ? failed : undecided) = true;
     for (const ComparedPair& each : report.pairs) {
         failed = failed || in_conflict(each);
-        undecided = undecided || open(each);
+        undecided = undecided || is_open(each);
     }
     return failed ? Exit::failed : undecided ? Exit::inconclusive : Exit::success;
 }

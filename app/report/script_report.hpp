@@ -10,8 +10,8 @@
 
 #include "app/command/options.hpp"
 #include "app/report/report.hpp"
-#include "checker/cspm/session.hpp"
 #include "base/diagnostics/json.hpp"
+#include "checker/cspm/session.hpp"
 
 namespace robochart::app {
 

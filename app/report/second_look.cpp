@@ -41,7 +41,7 @@ std::string event_named(const ExprPtr& expr, const csp_emit::Provenance& provena
 }
 
 /// True if the set contains the channel with any values.
-bool does(const std::set<std::string>& events, const std::string& channel) {
+bool contains_channel(const std::set<std::string>& events, const std::string& channel) {
     if (events.contains(channel)) return true;
     const auto next = events.lower_bound(channel + ".");
     return next != events.end() && next->starts_with(channel + ".");
@@ -49,7 +49,7 @@ bool does(const std::set<std::string>& events, const std::string& channel) {
 
 /// The events of components in prefixes of the expression and of the definitions that it uses, each with its first
 /// place.
-std::map<std::string, diagnostics::Span> prefixed(const csp_emit::Emission& emission, const ExprPtr& process) {
+std::map<std::string, diagnostics::Span> prefixed_events(const csp_emit::Emission& emission, const ExprPtr& process) {
     std::map<std::string, diagnostics::Span> found;
     csp_emit::visit_named(emission, {process}, [&](const ExprPtr& expr) {
         if (expr->kind != cspm::ExprKind::prefix) return;
@@ -65,10 +65,10 @@ SecondLook::SecondLook(const Project& project, const csp_emit::Emission& emissio
                        const Options& options)
     : project_(project), emission_(emission), session_(session), options_(options) {}
 
-SecondLook::Seen SecondLook::looked(const ExprPtr& process) {
+SecondLook::Seen SecondLook::find_seen(const ExprPtr& process) {
     Seen seen;
     try {
-        const auto system = session_.system(process, limits(options_));
+        const auto system = session_.system(process, limits_of_check(options_));
         const lts::Exploration all = lts::explore(*system, [&](std::size_t states) {
             if (states > most_states_for_second_look) throw TooMany{};
             options_.run->budget().poll();
@@ -101,9 +101,9 @@ SecondLook::Seen SecondLook::looked(const ExprPtr& process) {
     return seen;
 }
 
-const SecondLook::Seen& SecondLook::look(const ExprPtr& process) {
+const SecondLook::Seen& SecondLook::seen_of(const ExprPtr& process) {
     const auto [known, added] = seen_.try_emplace(cspm::print(process));
-    if (added) known->second = looked(process);
+    if (added) known->second = find_seen(process);
     return known->second;
 }
 
@@ -122,7 +122,7 @@ ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std
     if (obligation.property == ir::no_id) return nullptr;
     const ir::Property& property = project_.system.properties[obligation.property];
     if (property.subject.kind == ir::ComponentKind::process || !property.constants.empty()) return nullptr;
-    const std::string path = ir::qualified(property.subject);
+    const std::string path = ir::qualified_name(property.subject);
     for (const csp_emit::ComponentProcesses& component : emission_.components) {
         if (component.path != path) continue;
         auto process = std::make_shared<cspm::Expr>(*component.process);
@@ -133,7 +133,7 @@ ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std
 }
 
 void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report) {
-    const Seen& seen = look(with_outputs_taken(process));
+    const Seen& seen = seen_of(with_outputs_taken(process));
     if (!seen.whole || !seen.time_stops) return;
     add(report.basis, {GroundKind::time_stops,
                        "time can stop, and after that nothing is asked any more",
@@ -149,7 +149,7 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
     if (!report.run || report.run->end.kind != runs::EndKind::forbidden || !report.run->end.event ||
         report.run->end.event->kind != runs::Kind::tock)
         return;
-    const Seen& seen = look(assertion.specification);
+    const Seen& seen = seen_of(assertion.specification);
     if (!seen.whole || seen.time_passes) return;
     const std::string name = cspm::print(assertion.specification);
     add(report.basis,
@@ -164,13 +164,13 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
 }
 
 /// If an event never occurs, the part of the specification after it has no influence on the answer.
-void SecondLook::add_never_asked(const cspm::Assertion& assertion, AssertionReport& report) {
-    const auto named = prefixed(emission_, assertion.specification);
+void SecondLook::note_unreached_events(const cspm::Assertion& assertion, AssertionReport& report) {
+    const auto named = prefixed_events(emission_, assertion.specification);
     if (named.empty()) return;
-    const Seen& seen = look(assertion.implementation);
+    const Seen& seen = seen_of(assertion.implementation);
     if (!seen.whole) return;
     for (const auto& [event, span] : named) {
-        if (does(seen.events, event)) continue;
+        if (contains_channel(seen.events, event)) continue;
         Ground ground;
         ground.kind = GroundKind::never_asked;
         ground.text = fmt::format("no run has `{}`: what the specification says of it is never asked",
@@ -189,7 +189,7 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     const bool of_model = !csp_emit::components_in(emission_, {assertion.implementation}).empty();
     if (timed && of_model) add_time_stops(assertion.implementation, report);
     if (assertion.model == cspm::Model::failures) {
-        const Seen& seen = look(assertion.implementation);
+        const Seen& seen = seen_of(assertion.implementation);
         if (seen.whole && seen.diverges)
             add(report.basis,
                 {GroundKind::never_at_rest,
@@ -200,14 +200,14 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
                  "hide no inputs (docs/claims-in-csp.md, \"Never hide inputs\"), or claim it in the "
                  "failures divergences model"});
     }
-    add_never_asked(assertion, report);
+    note_unreached_events(assertion, report);
 }
 
 /// In the timed semantics, a component that has terminated, or in which time has stopped, is not deadlocked.
 void SecondLook::add_of_deadlock(const csp_emit::Obligation& obligation, AssertionReport& report) {
     const ExprPtr process = subject_of(obligation, "D__");
     if (!process) return;
-    const Seen& seen = look(process);
+    const Seen& seen = seen_of(process);
     if (seen.whole && seen.ends)
         add(report.basis, {GroundKind::ended,
                            "it can come to its end, which is no deadlock in time",
@@ -223,8 +223,8 @@ void SecondLook::add_of_missed_event(const csp_emit::Obligation& obligation, Ass
     const ir::Property& property = project_.system.properties[obligation.property];
     const ExprPtr states = property.state.empty() ? nullptr : subject_of(obligation, "VS__");
     if (!states) return;
-    const std::string entered = fmt::format("{}::{}::entered", ir::qualified(property.subject), property.state);
-    const Seen& seen = look(b::project(states, b::productions({b::name(entered)})));
+    const std::string entered = fmt::format("{}::{}::entered", ir::qualified_name(property.subject), property.state);
+    const Seen& seen = seen_of(b::project(states, b::productions({b::name(entered)})));
     if (seen.whole && seen.events.empty())
         add(report.basis, {GroundKind::never_asked,
                            fmt::format("no run enters {}: whether it misses the event is never asked", property.state),

@@ -35,13 +35,13 @@ private:
         std::set<std::string> events;
     };
 
-    const Seen& look(const cspm::ExprPtr&);
-    Seen looked(const cspm::ExprPtr&);
+    const Seen& seen_of(const cspm::ExprPtr&);
+    Seen find_seen(const cspm::ExprPtr&);
     [[nodiscard]] cspm::ExprPtr with_outputs_taken(const cspm::ExprPtr&) const;
     [[nodiscard]] cspm::ExprPtr subject_of(const csp_emit::Obligation&, const std::string& variant) const;
     void add_of_refinement(const cspm::Decl&, bool timed, AssertionReport&);
     void add_no_time(const cspm::Assertion&, AssertionReport&);
-    void add_never_asked(const cspm::Assertion&, AssertionReport&);
+    void note_unreached_events(const cspm::Assertion&, AssertionReport&);
     void add_of_deadlock(const csp_emit::Obligation&, AssertionReport&);
     void add_of_missed_event(const csp_emit::Obligation&, AssertionReport&);
     void add_time_stops(const cspm::ExprPtr&, AssertionReport&);

@@ -6,7 +6,7 @@
 
 namespace robochart::app {
 
-lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known) {
+lts::Graph explore_graph(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known) {
     refine::Budget budget(limits);
     known = 0;
     budget.report_by([&known](refine::Progress& progress) { progress.states = known; });

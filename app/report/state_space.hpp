@@ -8,6 +8,6 @@
 namespace robochart::app {
 
 /// Throws process::Interrupted if a limit is reached; `known` then contains the number of states found so far.
-[[nodiscard]] lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known);
+[[nodiscard]] lts::Graph explore_graph(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known);
 
 }  // namespace robochart::app

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
-#include "csp_emit/claimed_components.hpp"
 #include "base/diagnostics/text.hpp"
+#include "csp_emit/claimed_components.hpp"
 #include "semantics/ir/element_at.hpp"
 #include "semantics/ir/untimed_guards.hpp"
 
@@ -14,21 +15,21 @@ namespace {
 
 const char* const remedy_of_guards = "a `timed assertion` decides these conditions";
 
-bool within(diagnostics::Span inner, diagnostics::Span outer) {
-    return inner.known() && inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
+bool is_within(diagnostics::Span inner, diagnostics::Span outer) {
+    return inner.is_known() && inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-std::string written(const diagnostics::SourceManager& sources, diagnostics::Span span) {
-    if (!span.known()) return "its clocks";
-    return fmt::format("`{}`",
-                       diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin)));
+std::string guard_text(const diagnostics::SourceManager& sources, diagnostics::Span span) {
+    if (!span.is_known()) return "its clocks";
+    return fmt::format(
+        "`{}`", diagnostics::on_one_line(sources.source_text(span.source).substr(span.begin, span.end - span.begin)));
 }
 
 Ground ground_of(const Project& project, const ir::Transition& transition) {
     const std::vector<ir::ExprPtr> left_open = ir::untimed_guard(transition.guard).left_open;
     std::vector<std::string> parts;
     for (const ir::ExprPtr& part : left_open) {
-        std::string text = written(project.sources, part->span);
+        std::string text = guard_text(project.sources, part->span);
         if (std::ranges::find(parts, text) == parts.end()) parts.push_back(std::move(text));
     }
     Ground ground;
@@ -37,7 +38,7 @@ Ground ground_of(const Project& project, const ir::Transition& transition) {
                               fmt::join(parts, ", "));
     ground.element = project.label + ir::element_at(project.system, transition.origin.span);
     const diagnostics::Span first = left_open.empty() ? diagnostics::Span{} : left_open.front()->span;
-    set_place(project.sources, within(first, transition.origin.span) ? first : transition.origin.span, ground);
+    set_place(project.sources, is_within(first, transition.origin.span) ? first : transition.origin.span, ground);
     ground.remedy = remedy_of_guards;
     return ground;
 }
@@ -95,7 +96,7 @@ void TakenGuards::add_of(const std::vector<cspm::ExprPtr>& expressions, Basis& b
 }
 
 void TakenGuards::add_of_assertion(const cspm::Decl& decl, bool holds, Basis& basis) const {
-    if (!any()) return;
+    if (!has_guards()) return;
     const cspm::Assertion& assertion = decl.assertion;
     const bool traces = assertion.kind == cspm::AssertionKind::refinement && assertion.model == cspm::Model::traces;
     if (traces && holds != assertion.negated)

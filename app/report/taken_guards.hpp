@@ -20,7 +20,7 @@ public:
     /// A timed script has no such conditions.
     TakenGuards(const Project&, const csp_emit::Emission&, csp_emit::Time);
 
-    [[nodiscard]] bool any() const { return !guards_.empty(); }
+    [[nodiscard]] bool has_guards() const { return !guards_.empty(); }
     /// Adds the conditions of the transitions in the run.
     void add_of_run(const runs::Run&, Basis&) const;
     /// Adds the conditions for an assertion without a run. Without time, a component has more behaviours, so a true

@@ -11,9 +11,9 @@
 #include "app/command/run.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
-#include "csp_emit/assertion_forms.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/interpreter.hpp"
+#include "csp_emit/assertion_forms.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/obligations/open.hpp"
 
@@ -26,7 +26,7 @@ public:
     BrokenRule(const RulesOf& of, const sleec::Watch& watch, const sleec::Linking& linking, std::size_t rule)
         : of_(of), watch_(watch), linking_(linking), rule_(rule) {}
 
-    void take(const std::string& event) {
+    void replay_event(const std::string& event) {
         const bool second = event == "tock" || event == sleec::Watch::waiting;
         if (const auto way = sleec::Watch::way_of(event)) begin(*way);
         if (second) ++now_;
@@ -43,7 +43,7 @@ public:
     }
 
     /// The demands, each with the clause that made it.
-    [[nodiscard]] std::vector<std::string> asked() const {
+    [[nodiscard]] std::vector<std::string> demand_lines() const {
         std::vector<std::string> lines;
         const sleec::Asked& way = watch_.ways()[way_.value()];
         for (const sleec::Demand& each : watch_.obligations()[way.obligation].any)
@@ -52,12 +52,12 @@ public:
     }
     /// The event that broke the rule; "" if the end of a second without an event did.
     [[nodiscard]] std::string breaking_event() const { return event_of(breaking_) ? breaking_ : ""; }
-    [[nodiscard]] std::string how(const std::string& place) const {
+    [[nodiscard]] std::string break_text(const std::string& place) const {
         const auto event = event_of(breaking_);
-        return event ? fmt::format("{} comes at second {}{}", of_.rules.event(*event), at_, place)
+        return event ? fmt::format("{} comes at second {}{}", of_.rules.event_name(*event), at_, place)
                      : fmt::format("second {} ends without it", at_);
     }
-    [[nodiscard]] std::int64_t now() const { return now_; }
+    [[nodiscard]] std::int64_t current_second() const { return now_; }
     [[nodiscard]] std::optional<std::size_t> event_of(const std::string& name) const {
         for (std::size_t i = 0; i < linking_.events.size(); ++i)
             if (linking_.events[i] && (name == *linking_.events[i] || name.starts_with(*linking_.events[i] + ".")))
@@ -91,12 +91,12 @@ public:
         : of_(of),
           rule_(rule),
           watch_(of.of_.rules, rule, of.linking_.linking, of.component_.process, readings),
-          session_(of.session(script())) {}
+          session_(of.make_session(make_script())) {}
 
     /// Decides that no demand is broken and that no demand without limit stays open forever. Returns false if a limit
     /// is reached.
-    bool decide(JudgedRule& judged) {
-        const refine::Verdict found = session_->check(*obeyed_, limits(of_.options_)).verdict;
+    bool decide_rule(JudgedRule& judged) {
+        const refine::Verdict found = session_->check(*obeyed_, limits_of_check(of_.options_)).verdict;
         RuleVerdict& verdict = judged.verdict;
         verdict.states = std::max(verdict.states, found.statistics.states);
         if (found.outcome == refine::Outcome::inconclusive) {
@@ -106,49 +106,49 @@ public:
         }
         verdict.kind = RuleVerdict::Kind::obeyed;
         if (found.outcome == refine::Outcome::fails)
-            broken(*found.counterexample, judged);
+            report_broken(*found.counterexample, judged);
         else if (watch_.has_demand_without_limit())
-            wait(judged);
+            check_waiting(judged);
         return verdict.kind != RuleVerdict::Kind::not_decided;
     }
 
     /// True if the rule makes no demand in any run.
-    bool never_asked() {
-        return session_->check(*never_asked_, limits(of_.options_)).verdict.outcome == refine::Outcome::holds;
+    bool makes_no_demand() {
+        return session_->check(*never_asked_, limits_of_check(of_.options_)).verdict.outcome == refine::Outcome::holds;
     }
-    [[nodiscard]] bool reads() const { return watch_.reads(); }
+    [[nodiscard]] bool reads_measures() const { return watch_.reads_measures(); }
 
 private:
-    cspm::Script script() {
+    cspm::Script make_script() {
         cspm::Script script = of_.emission_.script;
         for (const cspm::DeclPtr& each : watch_.declarations()) script.decls.push_back(each);
         std::vector<std::size_t> ways;
         for (std::size_t i = 0; i < watch_.ways().size(); ++i)
             if (watch_.ways()[i].obligation < watch_.obligations().size()) ways.push_back(i);
-        obeyed_ = watch_.obeyed();
-        never_asked_ = watch_.never_asked(ways);
+        obeyed_ = watch_.obeyed_assertion();
+        never_asked_ = watch_.never_asked_assertion(ways);
         script.decls.push_back(obeyed_);
         script.decls.push_back(never_asked_);
         return script;
     }
 
-    void broken(const refine::Counterexample& run, JudgedRule& judged) {
+    void report_broken(const refine::Counterexample& run, JudgedRule& judged) {
         BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
-        for (const refine::Step& step : run.steps) reading.take(session_->event_table().name(step.revealed));
+        for (const refine::Step& step : run.steps) reading.replay_event(session_->event_table().name(step.revealed));
         judged.verdict.kind = RuleVerdict::Kind::broken;
-        judged.verdict.lines = reading.asked();
-        judged.verdict.lines.push_back(reading.how(place_in_model(reading.breaking_event())));
-        draw(run, judged);
+        judged.verdict.lines = reading.demand_lines();
+        judged.verdict.lines.push_back(reading.break_text(place_in_model(reading.breaking_event())));
+        add_run(run, judged);
     }
 
     /// The run in terms of the model; the verdict contains its lines.
-    void draw(const refine::Counterexample& run, JudgedRule& judged) {
+    void add_run(const refine::Counterexample& run, JudgedRule& judged) {
         csp_emit::Obligation claim;
         claim.kind = ir::PropertyKind::conforms;
         claim.time = csp_emit::Time::timed;
-        judged.run = runs::interpret({of_.emission_.provenance, of_.project_.system, of_.project_.instantiation,
-                                      of_.project_.sources, *session_},
-                                     claim, run);
+        judged.run = runs::interpret_counterexample({of_.emission_.provenance, of_.project_.system,
+                                                     of_.project_.instantiation, of_.project_.sources, *session_},
+                                                    claim, run);
         // Events of the rule's own process are not steps of the model.
         const auto own = [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); };
         if (std::optional<std::size_t>& loop = judged.run->loop_start) {
@@ -162,9 +162,9 @@ private:
     }
 
     /// A demand without limit is met eventually, unless an infinite run never meets it.
-    void wait(JudgedRule& judged) {
+    void check_waiting(JudgedRule& judged) {
         RuleVerdict& verdict = judged.verdict;
-        const refine::Limits bounds = limits(of_.options_);
+        const refine::Limits bounds = limits_of_check(of_.options_);
         try {
             const auto system = session_->system(watch_.waiting_process(), bounds);
             const auto run = sleec::endless_run(*system, session_->event_table().intern(sleec::Watch::waiting),
@@ -175,7 +175,7 @@ private:
                                                     verdict.states = std::max<std::uint64_t>(verdict.states, states);
                                                 });
             if (!run) return;
-            endless(*run, verdict);
+            report_endless(*run, verdict);
             draw_endless(*system, *run, judged);
         } catch (const process::Interrupted& limit) {
             verdict.kind = RuleVerdict::Kind::not_decided;
@@ -183,20 +183,20 @@ private:
         }
     }
 
-    void endless(const sleec::EndlessRun& run, RuleVerdict& verdict) {
+    void report_endless(const sleec::EndlessRun& run, RuleVerdict& verdict) {
         BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
         const auto name = [&](lts::Event event) { return session_->event_table().name(event); };
-        for (const sleec::EndlessStep& each : run.steps) reading.take(name(each.revealed));
-        const std::int64_t from = reading.now();
+        for (const sleec::EndlessStep& each : run.steps) reading.replay_event(name(each.revealed));
+        const std::int64_t from = reading.current_second();
         std::string between;
         for (const sleec::EndlessStep& each : run.loop) {
-            reading.take(name(each.revealed));
+            reading.replay_event(name(each.revealed));
             if (const auto event = reading.event_of(name(each.revealed)))
-                between += (between.empty() ? ", with " : ", ") + of_.of_.rules.event(*event);
+                between += (between.empty() ? ", with " : ", ") + of_.of_.rules.event_name(*event);
         }
         verdict.kind = RuleVerdict::Kind::broken;
-        verdict.lines = reading.asked();
-        const std::int64_t seconds = reading.now() - from;
+        verdict.lines = reading.demand_lines();
+        const std::int64_t seconds = reading.current_second() - from;
         verdict.lines.push_back(fmt::format(
             "from second {} on time can pass for ever without it{}", from,
             seconds == 1 && between.empty()
@@ -212,25 +212,25 @@ private:
         for (const auto* steps : {&run.steps, &run.loop})
             for (const sleec::EndlessStep& each : *steps)
                 violation.run.steps.push_back({each.event, each.revealed, {}});
-        const refine::Limits bounds = limits(of_.options_);
+        const refine::Limits bounds = limits_of_check(of_.options_);
         refine::Budget budget(bounds);
         refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
         if (again.run.steps.size() != violation.run.steps.size()) return;
-        refine::Counterexample drawn = refine::tell({std::move(again), system.reference(), true});
+        refine::Counterexample drawn = refine::make_counterexample({std::move(again), system.reference(), true});
         const auto stem = static_cast<std::ptrdiff_t>(run.steps.size());
         drawn.loop.assign(drawn.steps.begin() + stem, drawn.steps.end());
         drawn.steps.resize(run.steps.size());
         drawn.loop_terms.assign(drawn.terms.begin() + stem, drawn.terms.end());
         drawn.terms.resize(run.steps.size() + 1);
         drawn.kind = refine::ViolationKind::divergence;
-        draw(drawn, judged);
+        add_run(drawn, judged);
     }
 
     /// " (model.rct:12)": the declaration of the event or operation.
     [[nodiscard]] std::string place_in_model(const std::string& event) const {
         const auto found = of_.emission_.provenance.events.find(event);
-        if (found == of_.emission_.provenance.events.end() || !found->second.origin.span.known()) return "";
-        return fmt::format(" ({})", of_.project_.sources.place(found->second.origin.span));
+        if (found == of_.emission_.provenance.events.end() || !found->second.origin.span.is_known()) return "";
+        return fmt::format(" ({})", of_.project_.sources.path_and_line(found->second.origin.span));
     }
 
     const ModelRules& of_;
@@ -247,15 +247,15 @@ ModelRules::ModelRules(RulesOf of, const Project& project, const csp_emit::Emiss
       emission_(emission),
       component_(component),
       options_(options),
-      linking_(sleec::link(of.rules, emission, component.path, project.system, project.instantiation)) {}
+      linking_(sleec::link_rules(of.rules, emission, component.path, project.system, project.instantiation)) {}
 
-std::unique_ptr<cspm::Session> ModelRules::session(cspm::Script script) const {
+std::unique_ptr<cspm::Session> ModelRules::make_session(cspm::Script script) const {
     auto session = std::make_unique<cspm::Session>(std::move(script), &options_.run->budget());
-    if (diagnostics::Cache* const cache = options_.run->cache()) session->remember(*cache);
+    if (diagnostics::Cache* const cache = options_.run->cache()) session->set_cache(*cache);
     return session;
 }
 
-JudgedRule ModelRules::judge(std::size_t rule) const {
+JudgedRule ModelRules::judge_rule(std::size_t rule) const {
     const diagnostics::Budget::Phase phase(
         options_.run->budget(), fmt::format("asking whether {} obeys {}", component_.path, of_.rules.name(rule)));
     JudgedRule judged;
@@ -267,7 +267,7 @@ JudgedRule ModelRules::judge(std::size_t rule) const {
         return judged;
     }
     try {
-        follow(judged);
+        follow_rule(judged);
     } catch (const sleec::NotDecided& error) {
         judged.verdict.reason = error.what();
     } catch (const cspm::EvaluationError& error) {
@@ -277,17 +277,17 @@ JudgedRule ModelRules::judge(std::size_t rule) const {
     return judged;
 }
 
-void ModelRules::follow(JudgedRule& judged) const {
+void ModelRules::follow_rule(JudgedRule& judged) const {
     Question question(*this, judged.verdict.rule, sleec::Readings::one_value);
-    if (!question.decide(judged) || judged.verdict.kind != RuleVerdict::Kind::obeyed) return;
-    if (question.never_asked()) {
+    if (!question.decide_rule(judged) || judged.verdict.kind != RuleVerdict::Kind::obeyed) return;
+    if (question.makes_no_demand()) {
         judged.verdict.kind = RuleVerdict::Kind::never_asked;
         return;
     }
-    if (!question.reads()) return;
+    if (!question.reads_measures()) return;
     JudgedRule changing;
     Question other(*this, judged.verdict.rule, sleec::Readings::any);
-    if (other.decide(changing) && changing.verdict.kind == RuleVerdict::Kind::broken)
+    if (other.decide_rule(changing) && changing.verdict.kind == RuleVerdict::Kind::broken)
         judged.verdict.reason = "as long as no measure changes within a second";
 }
 
@@ -299,7 +299,8 @@ TimeStops ModelRules::time_stops() const {
                     build::productions(csp_emit::outputs_of(emission_.provenance, component_.path))));
     script.decls.push_back(asked);
     try {
-        const refine::Verdict verdict = session(std::move(script))->check(*asked, limits(options_)).verdict;
+        const refine::Verdict verdict =
+            make_session(std::move(script))->check(*asked, limits_of_check(options_)).verdict;
         return {verdict.outcome == refine::Outcome::fails,
                 verdict.outcome == refine::Outcome::inconclusive ? verdict.reason : "", false};
     } catch (const cspm::EvaluationError& error) {

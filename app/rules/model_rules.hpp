@@ -42,13 +42,13 @@ public:
     ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,
                const csp_emit::ComponentProcesses& component, const Options& options);
 
-    [[nodiscard]] JudgedRule judge(std::size_t rule) const;
+    [[nodiscard]] JudgedRule judge_rule(std::size_t rule) const;
     [[nodiscard]] TimeStops time_stops() const;
 
 private:
     class Question;
-    [[nodiscard]] std::unique_ptr<cspm::Session> session(cspm::Script script) const;
-    void follow(JudgedRule& judged) const;
+    [[nodiscard]] std::unique_ptr<cspm::Session> make_session(cspm::Script script) const;
+    void follow_rule(JudgedRule& judged) const;
 
     RulesOf of_;
     const Project& project_;

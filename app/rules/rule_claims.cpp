@@ -25,9 +25,10 @@ namespace {
 
 /// The message about a rule file with errors.
 std::string first_error(const LoadedRules& file) {
-    for (const diagnostics::Diagnostic& each : file.diagnostics.sorted())
+    for (const diagnostics::Diagnostic& each : file.diagnostics.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error)
-            return fmt::format("{}{}{}", file.sources.place(each.span), each.span.known() ? ": " : "", each.message());
+            return fmt::format("{}{}{}", file.sources.path_and_line(each.span), each.span.is_known() ? ": " : "",
+                               each.message());
     return "";
 }
 
@@ -46,17 +47,17 @@ void load_rules(const std::string& path, LoadedRules& loaded) {
     const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
     if (!source) {
         loaded.diagnostics.report(sleec::rules::unreadable, {},
-                                  {diagnostics::shown(path), error + files_inside(path, ".sleec")});
+                                  {diagnostics::escape_for_display(path), error + files_inside(path, ".sleec")});
         return;
     }
     const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
-    if (loaded.diagnostics.ok()) loaded.rules = sleec::check(file, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.rules = sleec::check_rules(file, loaded.diagnostics);
 }
 
 void show_rule_findings(const LoadedRules& loaded, const Options& options) {
     const diagnostics::TextStyle style = findings_style(options);
     diagnostics::Diagnostics wrong;  // not printed with --quiet
-    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
+    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted_findings()) {
         if (each.rule->severity == diagnostics::Severity::note) continue;
         diagnostics::Diagnostic& kept = wrong.report(*each.rule, each.span, each.arguments);
         kept.notes = each.notes;
@@ -70,7 +71,7 @@ RuleClaims::RuleClaims(const Project& project, const csp_emit::Emission& emissio
 
 RuleClaims::~RuleClaims() = default;
 
-const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::files_beside(const std::string& assertions) {
+const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::rule_files_for(const std::string& assertions) {
     const std::filesystem::path path(assertions);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     if (const auto known = folders_.find(folder); known != folders_.end()) return known->second;
@@ -78,7 +79,7 @@ const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::files_beside(const 
                                                       // reading
     for (const std::string& each : sleec_files(folder)) {
         auto loaded = std::make_unique<LoadedRules>();
-        loaded->diagnostics.within(&options_.run->budget());
+        loaded->diagnostics.set_budget(&options_.run->budget());
         load_rules(std::filesystem::path(each).lexically_normal().string(), *loaded);
         files.push_back(std::move(loaded));
     }
@@ -90,7 +91,7 @@ RuleClaims::Found RuleClaims::find(const ir::Property& property) {
     std::vector<Found> found;
     std::vector<std::string> names;
     std::string wrong;
-    const auto& files = files_beside(property.file);
+    const auto& files = rule_files_for(property.file);
     for (const auto& file : files) {
         if (!file->rules && wrong.empty()) wrong = first_error(*file);
         for (std::size_t i = 0; file->rules && i < file->rules->rules.size(); ++i) {
@@ -101,16 +102,16 @@ RuleClaims::Found RuleClaims::find(const ir::Property& property) {
     if (found.size() == 1) return found.front();
     if (found.size() > 1)
         throw sleec::NotDecided(fmt::format("`{}` is in several files: {} and {}", property.rule,
-                                            diagnostics::shown(found[0].file->path),
-                                            diagnostics::shown(found[1].file->path)));
+                                            diagnostics::escape_for_display(found[0].file->path),
+                                            diagnostics::escape_for_display(found[1].file->path)));
     if (files.empty()) throw sleec::NotDecided("no file of rules (.sleec) lies beside the assertions");
-    const std::string meant = diagnostics::nearest(property.rule, names);
+    const std::string meant = diagnostics::nearest_spelling(property.rule, names);
     throw sleec::NotDecided(fmt::format("no rule is called `{}`{}{}", property.rule,
                                         meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant),
                                         wrong.empty() ? "" : fmt::format("; a file of rules is wrong: {}", wrong)));
 }
 
-const csp_emit::ComponentProcesses* RuleClaims::component(const ir::Property& property) const {
+const csp_emit::ComponentProcesses* RuleClaims::find_component(const ir::Property& property) const {
     const std::string& path = property.subject.path;
     for (const csp_emit::ComponentProcesses& each : emission_.components)
         if (each.path == path || each.path == property.subject.package + "::" + path) return &each;
@@ -125,14 +126,14 @@ TimeStops RuleClaims::time_stops(const csp_emit::ComponentProcesses& component, 
     return stops;
 }
 
-void RuleClaims::decide(const ir::Property& property, const Options& options, AssertionReport& report) {
+void RuleClaims::decide_property(const ir::Property& property, const Options& options, AssertionReport& report) {
     report.answer = Answer::error;
     try {
         const Found found = find(property);
-        const csp_emit::ComponentProcesses* const asked = component(property);
+        const csp_emit::ComponentProcesses* const asked = find_component(property);
         if (asked == nullptr) throw sleec::NotDecided(property.subject.path + " was not emitted");
         JudgedRule judged = ModelRules({*found.file->rules, found.file->sources}, project_, emission_, *asked, options)
-                                .judge(found.rule);
+                                .judge_rule(found.rule);
         report.statistics.states = judged.verdict.states;
         report.searched = true;
         report.reason = judged.verdict.reason;

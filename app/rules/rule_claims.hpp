@@ -39,16 +39,16 @@ public:
 
     /// Answers a property of the kind `conforms`. It is an error if the rule does not fit the component, or if no file
     /// or several files contain it.
-    void decide(const ir::Property& property, const Options& options, AssertionReport& report);
+    void decide_property(const ir::Property& property, const Options& options, AssertionReport& report);
 
 private:
     struct Found {
         const LoadedRules* file = nullptr;
         std::size_t rule = 0;
     };
-    const std::vector<std::unique_ptr<LoadedRules>>& files_beside(const std::string& assertions);
+    const std::vector<std::unique_ptr<LoadedRules>>& rule_files_for(const std::string& assertions);
     Found find(const ir::Property& property);
-    const csp_emit::ComponentProcesses* component(const ir::Property& property) const;
+    const csp_emit::ComponentProcesses* find_component(const ir::Property& property) const;
     TimeStops time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file,
                          const Options& options);
 

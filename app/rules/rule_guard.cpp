@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/command/run.hpp"
-#include "cpp_emit/files/trace_names.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "cpp_emit/files/trace_names.hpp"
 
 namespace robochart::app {
 namespace {
@@ -59,19 +59,19 @@ public:
         all_.robots_ += robots_.size();
         const std::lock_guard lock(all_.mutex_);
         for (const Robot& robot : robots_)
-            for (const std::size_t rule : robot.run.open()) ++all_.open_[rule];
+            for (const std::size_t rule : robot.run.open_triggers()) ++all_.open_[rule];
     }
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-               rc_drive_result result) override {
-        if (other_ != nullptr) other_->cycle(robot, step, inputs, outputs, result);
+    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) override {
+        if (other_ != nullptr) other_->observe_cycle(robot, step, inputs, outputs, result);
         while (robots_.size() <= robot)
             robots_.push_back({RuleRun({all_.rules_, all_.loaded_->sources}, sleec::WithoutLimit::eventually)});
         if (robots_[robot].given_up) return;
         try {
-            follow(robots_[robot].run, inputs, outputs);
+            follow_cycle(robots_[robot].run, inputs, outputs);
         } catch (const sleec::NotDecided& error) {
             robots_[robot].given_up = true;
             const std::lock_guard lock(all_.mutex_);
@@ -79,13 +79,13 @@ public:
         }
     }
 
-    [[nodiscard]] const simulation::Objection* objection() const override {
+    [[nodiscard]] const simulation::Objection* current_objection() const override {
         return objection_.cause.empty() ? nullptr : &objection_;
     }
 
-    [[nodiscard]] bool decided() const override {
-        return std::ranges::none_of(robots_,
-                                    [](const Robot& each) { return each.given_up || !each.run.open().empty(); });
+    [[nodiscard]] bool is_conclusive() const override {
+        return std::ranges::none_of(
+            robots_, [](const Robot& each) { return each.given_up || !each.run.open_triggers().empty(); });
     }
 
 private:
@@ -95,28 +95,28 @@ private:
     };
 
     /// Follows one cycle.
-    void follow(RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
+    void follow_cycle(RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
         const auto& emission = all_.emission_;
         for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
-            if (inputs[i].present != 0) take(run, all_.inputs_[i], emission.inputs[i], inputs[i].value);
+            if (inputs[i].present != 0) take_port(run, all_.inputs_[i], emission.inputs[i], inputs[i].value);
         for (std::uint32_t a = 0; a < outputs.count; ++a) {
             const rc_action& action = outputs.action[a];
-            take(run, all_.outputs_[action.output], emission.outputs[action.output], action.argument[0]);
+            take_port(run, all_.outputs_[action.output], emission.outputs[action.output], action.argument[0]);
         }
-        for (std::uint32_t t = 0; t < all_.units_ && !run.broken(); ++t) run.second();
-        if (run.broken()) object(run);
+        for (std::uint32_t t = 0; t < all_.units_ && !run.is_broken(); ++t) run.end_second();
+        if (run.is_broken()) set_objection(run);
     }
 
-    void take(RuleRun& run, const Linked& linked, const cpp_emit::Port& port, rc_value value) const {
+    void take_port(RuleRun& run, const Linked& linked, const cpp_emit::Port& port, rc_value value) const {
         for (const std::size_t measure : linked.measures)
             run.read(measure,
                      port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, value) : std::nullopt);
-        for (const std::size_t event : linked.events) run.happen(event);
+        for (const std::size_t event : linked.events) run.add_event(event);
     }
 
-    void object(const RuleRun& run) {
-        objection_.cause = fmt::format("{}", fmt::join(run.text(), "; "));
-        objection_.place = all_.loaded_->sources.place(run.place());
+    void set_objection(const RuleRun& run) {
+        objection_.cause = fmt::format("{}", fmt::join(run.violation_text(), "; "));
+        objection_.place = all_.loaded_->sources.path_and_line(run.violation_place());
     }
 
     RuleGuard& all_;
@@ -131,18 +131,18 @@ RuleGuard::RuleGuard(std::unique_ptr<LoadedRules> loaded, const cpp_emit::DriveE
       units_(units),
       rules_(*loaded_->rules),
       has_(rules_.file->events.size(), false) {
-    inputs_ = link(emission.inputs);
-    outputs_ = link(emission.outputs);
+    inputs_ = link_ports(emission.inputs);
+    outputs_ = link_ports(emission.outputs);
     leave_out();
 }
 
-std::vector<RuleGuard::Linked> RuleGuard::link(const std::vector<cpp_emit::Port>& ports) {
+std::vector<RuleGuard::Linked> RuleGuard::link_ports(const std::vector<cpp_emit::Port>& ports) {
     const RuleWords words(*loaded_->rules);
     std::vector<std::string> exported;
     for (const cpp_emit::Port& port : ports) exported.push_back(port.exported);
     std::vector<Linked> result;
     for (const std::string& name : cpp_emit::trace_names(exported)) {
-        result.push_back({words.events(name), words.measures(name)});
+        result.push_back({words.events_of_word(name), words.measures_of_word(name)});
         for (const std::size_t event : result.back().events) has_[event] = true;
     }
     return result;
@@ -157,20 +157,20 @@ void RuleGuard::leave_out() {
         const auto missing = std::ranges::find_if(events, [&](std::size_t each) { return !has_[each]; });
         if (missing == events.end()) return false;
         left_out_.push_back(fmt::format("{}: the controller has no event and no operation '{}'",
-                                        rule.written->name.text, rules_.event(*missing)));
+                                        rule.written->name.text, rules_.event_name(*missing)));
         return true;
     });
 }
 
-simulation::Guard::Maker RuleGuard::beside(Maker other) {
+simulation::Guard::Maker RuleGuard::make_observer(Maker other) {
     return [this, other = std::move(other)](std::uint32_t trial) {
         return std::make_unique<Watch>(*this, other ? other(trial) : nullptr);
     };
 }
 
-std::string RuleGuard::note() const {
+std::string RuleGuard::summary_lines() const {
     std::string text = fmt::format("  rules of {}: {} followed; robots watched: {}; a time unit is a second\n",
-                                   diagnostics::shown(loaded_->path), followed(), robots_.load());
+                                   diagnostics::escape_for_display(loaded_->path), followed_count(), robots_.load());
     for (const std::string& each : left_out_) text += fmt::format("  not followed: {}\n", each);
     if (!given_up_.empty()) text += fmt::format("  robots were not followed to the end: {}\n", given_up_);
     for (const auto& [rule, robots] : open_)
@@ -183,8 +183,8 @@ std::string RuleGuard::note() const {
 std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_emit::DriveEmission& emission,
                                            std::uint32_t units, const Options& options, std::string& error) {
     auto loaded = std::make_unique<LoadedRules>();
-    loaded->diagnostics.within(&options.run->budget());
-    for (const std::string& code : options.allowed) loaded->diagnostics.allow(code);
+    loaded->diagnostics.set_budget(&options.run->budget());
+    for (const std::string& code : options.allowed) loaded->diagnostics.allow_code(code);
     load_rules(file, *loaded);
     show_rule_findings(*loaded, options);
     if (!loaded->rules) {
@@ -192,7 +192,7 @@ std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_em
         return nullptr;
     }
     auto guard = std::make_unique<RuleGuard>(std::move(loaded), emission, units);
-    if (guard->followed() > 0) return guard;
+    if (guard->followed_count() > 0) return guard;
     error = "the controller has the events of none of its rules";
     return nullptr;
 }

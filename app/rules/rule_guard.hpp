@@ -22,10 +22,10 @@ public:
     /// `units`: time units of the model in one cycle.
     RuleGuard(std::unique_ptr<LoadedRules> loaded, const cpp_emit::DriveEmission& emission, std::uint32_t units);
 
-    [[nodiscard]] Maker beside(Maker other) override;
-    [[nodiscard]] std::string note() const override;
+    [[nodiscard]] Maker make_observer(Maker other) override;
+    [[nodiscard]] std::string summary_lines() const override;
     /// The number of monitored rules, that is, rules whose events the controller has.
-    [[nodiscard]] std::size_t followed() const { return rules_.rules.size(); }
+    [[nodiscard]] std::size_t followed_count() const { return rules_.rules.size(); }
 
 private:
     class Watch;
@@ -33,7 +33,7 @@ private:
     struct Linked {
         std::vector<std::size_t> events, measures;
     };
-    [[nodiscard]] std::vector<Linked> link(const std::vector<cpp_emit::Port>& ports);
+    [[nodiscard]] std::vector<Linked> link_ports(const std::vector<cpp_emit::Port>& ports);
     void leave_out();
 
     std::unique_ptr<LoadedRules> loaded_;

@@ -21,20 +21,20 @@ std::vector<std::size_t> all_of(const std::multimap<std::string, std::size_t>& n
 }  // namespace
 
 RuleWords::RuleWords(const sleec::CheckedRules& rules) : rules_(rules) {
-    for (std::size_t i = 0; i < rules.file->events.size(); ++i) events_.emplace(model_name(rules.event(i)), i);
+    for (std::size_t i = 0; i < rules.file->events.size(); ++i) events_.emplace(model_name(rules.event_name(i)), i);
     for (std::size_t i = 0; i < rules.file->measures.size(); ++i)
         measures_.emplace(model_name(rules.measure(i).name.text), i);
 }
 
-std::vector<std::size_t> RuleWords::events(std::string_view word) const {
+std::vector<std::size_t> RuleWords::events_of_word(std::string_view word) const {
     return all_of(events_, word);
 }
 
-std::vector<std::size_t> RuleWords::measures(std::string_view word) const {
+std::vector<std::size_t> RuleWords::measures_of_word(std::string_view word) const {
     return all_of(measures_, word);
 }
 
-std::optional<std::int64_t> RuleWords::value(std::size_t measure, std::string_view word) const {
+std::optional<std::int64_t> RuleWords::value_in(std::size_t measure, std::string_view word) const {
     const std::size_t mark = word.find_first_of("?!");
     const std::string_view text = mark == std::string_view::npos ? std::string_view() : word.substr(mark + 1);
     const sleec::Measure& of = rules_.measure(measure);
@@ -70,27 +70,27 @@ void RuleRun::read(std::size_t measure, std::optional<std::int64_t> value) {
     read_[measure] = true;
 }
 
-void RuleRun::happen(std::size_t event, std::uint64_t line) {
+void RuleRun::add_event(std::size_t event, std::uint64_t line) {
     instant_.push_back({event, line});
 }
 
-void RuleRun::second(std::uint64_t line) {
+void RuleRun::end_second(std::uint64_t line) {
     end_instant();
-    monitor_.second();
-    note(line);
+    monitor_.end_second();
+    note_violations(line);
 }
 
-void RuleRun::forget() {
+void RuleRun::drop_obligations() {
     instant_.clear();
-    monitor_.forget();
+    monitor_.drop_obligations();
     readings_.assign(readings_.size(), std::nullopt);
     read_.assign(read_.size(), false);
 }
 
 void RuleRun::end_instant() {
     for (const Happened& each : instant_) {
-        monitor_.event(each.event, readings_);
-        note(each.line);
+        monitor_.observe_event(each.event, readings_);
+        note_violations(each.line);
     }
     instant_.clear();
     readings_.assign(readings_.size(), std::nullopt);
@@ -98,15 +98,16 @@ void RuleRun::end_instant() {
 }
 
 /// Only the first violation is recorded.
-void RuleRun::note(std::uint64_t line) {
-    for (const sleec::Violation& each : monitor_.take()) {
-        if (broken()) return;
+void RuleRun::note_violations(std::uint64_t line) {
+    for (const sleec::Violation& each : monitor_.take_violations()) {
+        if (is_broken()) return;
         line_ = line;
         place_ = of_.rules.rules[each.rule].written->span;
         for (const sleec::Demand& demand : each.obligation.any)
             text_.push_back(sleec::side_text({each.rule, each.began, each.values, demand}, of_.rules, of_.sources));
-        text_.push_back(each.event ? fmt::format("{} comes at second {}", of_.rules.event(*each.event), each.second)
-                                   : fmt::format("second {} ends without it", each.second));
+        text_.push_back(each.event
+                            ? fmt::format("{} comes at second {}", of_.rules.event_name(*each.event), each.second)
+                            : fmt::format("second {} ends without it", each.second));
     }
 }
 

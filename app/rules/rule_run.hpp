@@ -20,11 +20,11 @@ public:
     explicit RuleWords(const sleec::CheckedRules& rules);
 
     /// The events that belong to the word, by its name before `?` or `!`.
-    [[nodiscard]] std::vector<std::size_t> events(std::string_view word) const;
-    [[nodiscard]] std::vector<std::size_t> measures(std::string_view word) const;
+    [[nodiscard]] std::vector<std::size_t> events_of_word(std::string_view word) const;
+    [[nodiscard]] std::vector<std::size_t> measures_of_word(std::string_view word) const;
     /// The value in the word. No value if the rules cannot express it: a fraction, or a literal that they do not
     /// declare.
-    [[nodiscard]] std::optional<std::int64_t> value(std::size_t measure, std::string_view word) const;
+    [[nodiscard]] std::optional<std::int64_t> value_in(std::size_t measure, std::string_view word) const;
 
 private:
     using Names = std::multimap<std::string, std::size_t>;
@@ -43,22 +43,22 @@ public:
     /// A reading at this instant; without a value, one that the rules cannot express.
     void read(std::size_t measure, std::optional<std::int64_t> value);
     /// An event at this instant; `line` is its line in a log.
-    void happen(std::size_t event, std::uint64_t line = 0);
+    void add_event(std::size_t event, std::uint64_t line = 0);
     /// The end of a second.
-    void second(std::uint64_t line = 0);
+    void end_second(std::uint64_t line = 0);
     /// Drops all open obligations.
-    void forget();
+    void drop_obligations();
     /// The end of the run, possibly in the middle of an instant.
     void end() { end_instant(); }
 
-    [[nodiscard]] bool broken() const { return !text_.empty(); }
+    [[nodiscard]] bool is_broken() const { return !text_.empty(); }
     /// The first violation: its line, and its description, with one line per duty, then the event that broke them.
-    [[nodiscard]] std::uint64_t line() const { return line_; }
-    [[nodiscard]] const std::vector<std::string>& text() const { return text_; }
-    [[nodiscard]] diagnostics::Span place() const { return place_; }
+    [[nodiscard]] std::uint64_t violation_line() const { return line_; }
+    [[nodiscard]] const std::vector<std::string>& violation_text() const { return text_; }
+    [[nodiscard]] diagnostics::Span violation_place() const { return place_; }
     /// Rules with a trigger that was not followed because a measure had not been read.
-    [[nodiscard]] const std::vector<std::size_t>& open() const { return monitor_.open_triggers(); }
-    [[nodiscard]] std::int64_t seconds() const { return monitor_.now(); }
+    [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return monitor_.open_triggers(); }
+    [[nodiscard]] std::int64_t elapsed_seconds() const { return monitor_.current_second(); }
 
 private:
     struct Happened {
@@ -66,7 +66,7 @@ private:
         std::uint64_t line;
     };
     void end_instant();
-    void note(std::uint64_t line);
+    void note_violations(std::uint64_t line);
 
     RulesOf of_;
     sleec::RuleMonitor monitor_;

@@ -16,9 +16,9 @@
 #include <tuple>
 #include <vector>
 
-#include "conformance/traces/trace_text.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "conformance/traces/trace_text.hpp"
 
 namespace robochart::app {
 namespace {
@@ -48,7 +48,7 @@ struct Cycle {
 
 std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& stepped) {
     std::vector<Cycle> cycles(1);
-    for (const runs::Taken& each : stepper.way()) {
+    for (const runs::Taken& each : stepper.steps_taken()) {
         if (each.offer.hidden) continue;
         const LogRole role = log_role(each.offer.happening.event);
         Cycle& cycle = cycles.back();
@@ -103,7 +103,7 @@ constexpr std::size_t most_in_one = 100;
 std::string process_text(const runs::Stepper& stepper, const std::string& name) {
     std::string text = fmt::format("\t{} =", name);
     std::size_t events = 0;
-    for (const runs::Taken& each : stepper.way()) {
+    for (const runs::Taken& each : stepper.steps_taken()) {
         if (each.offer.hidden) continue;
         if (each.offer.happening.event.kind == Kind::terminate) return text + " SKIP\n";
         text += fmt::format(" {} ->\n\t ", each.offer.name);
@@ -162,14 +162,14 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
 }
 
 /// Takes the steps of one cycle; returns false if the model has no such steps.
-bool follow(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
-    std::vector<Node> nodes{{stepper.here(), wanted.inputs, 0, 0, 0, 0}};
+bool follow_cycle(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
+    std::vector<Node> nodes{{stepper.current_term(), wanted.inputs, 0, 0, 0, 0}};
     using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
     std::set<Key> seen;
     const auto take_way_to = [&](std::size_t at) {
         std::vector<std::size_t> offers;
         for (; at != 0; at = nodes[at].parent) offers.push_back(nodes[at].offer);
-        for (auto each = offers.rbegin(); each != offers.rend(); ++each) stepper.take(*each);
+        for (auto each = offers.rbegin(); each != offers.rend(); ++each) stepper.take_offer(*each);
     };
     for (std::size_t at = 0; at < nodes.size() && at < most_searched; ++at) {
         run.budget().poll();
@@ -207,8 +207,8 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     std::vector<conformance::TraceToken> tokens;
     bool run = false, first = true;
     try {
-        while (reader.next()) {
-            conformance::split_line(reader.text(), tokens);
+        while (reader.read_line()) {
+            conformance::split_line(reader.line_text(), tokens);
             if (tokens.empty()) continue;
             if (first && tokens.front().text != "robochart-trace")
                 throw Unsayable{fmt::format("{}: is no log: it does not begin with `robochart-trace 1`", path)};
@@ -220,13 +220,13 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
                 continue;
             }
             if (!run) {
-                (void)conformance::read_header_line(tokens, header, reader.number());
+                (void)conformance::read_header_line(tokens, header, reader.line_number());
                 continue;
             }
             for (const conformance::TraceToken& token : tokens) {
                 const std::string word(token.text);
                 Wanted& cycle = cycles.back();
-                if (cycle.line == 0) cycle.line = reader.number();
+                if (cycle.line == 0) cycle.line = reader.line_number();
                 if (word == "tock") {
                     if (++cycle.tocks == header.cycle) cycles.emplace_back();
                 } else if (word == "terminate") {
@@ -239,14 +239,14 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
             }
         }
     } catch (const conformance::TraceFault&) {
-        throw Unsayable{fmt::format("{}:{}: is no line of a log", path, reader.number())};
+        throw Unsayable{fmt::format("{}:{}: is no line of a log", path, reader.line_number())};
     }
     if (!header.component.empty() && header.component != stepped.name)
         throw Unsayable{fmt::format("{}: is a log of {}", path, header.component)};
     for (const std::string& each : header.constants)
         if (!stepped.any_constants && !has_constant(stepped, each))
             throw Unsayable{fmt::format("{}: is a log of the model with {} (--const {})", path,
-                                        diagnostics::shown(each), diagnostics::shown(each))};
+                                        diagnostics::escape_for_display(each), diagnostics::escape_for_display(each))};
     return cycles;
 }
 
@@ -333,7 +333,7 @@ Followed follow_log(runs::Stepper& stepper, const Stepped& stepped, const std::s
         const std::vector<Wanted> cycles = read_log(path, stepped);
         stepper.back_to(0);
         for (std::size_t i = 0; i < cycles.size(); ++i)
-            if (!follow(stepper, cycles[i], stepped, run))
+            if (!follow_cycle(stepper, cycles[i], stepped, run))
                 return {fmt::format("{}:{}: cycle {} cannot be followed from here", path, cycles[i].line, i + 1)};
         return {};
     } catch (const Unsayable& what) {

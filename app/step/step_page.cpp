@@ -35,14 +35,14 @@ std::string place_text(const std::optional<runs::Place>& place) {
 /// The texts of the data without duplicates. The first is empty.
 class Strings {
 public:
-    Strings() { (void)number(""); }
+    Strings() { (void)number_of(""); }
 
-    std::size_t number(const std::string& text) {
-        const auto [found, added] = numbers_.try_emplace(diagnostics::shown(text), list_.size());
+    std::size_t number_of(const std::string& text) {
+        const auto [found, added] = numbers_.try_emplace(diagnostics::escape_for_display(text), list_.size());
         if (added) list_.push_back(found->first);
         return found->second;
     }
-    [[nodiscard]] const Json& list() const { return list_; }
+    [[nodiscard]] const Json& string_list() const { return list_; }
 
 private:
     Json list_ = Json::array();
@@ -78,44 +78,44 @@ public:
         Json json{{"timed", stepped_.time == csp_emit::Time::timed},
                   {"log", stepped_.project == nullptr ? Json(nullptr) : Json(log_head(stepped_))},
                   {"limit", space_.limit},
-                  {"instances", listed(instances_, [&](const Instance& each) { return text(each.component); })},
-                  {"machines", listed(space_.machines, [&](const auto& each) { return machine(each); })},
-                  {"labels", listed(space_.labels, [&](const auto& each) { return label(each); })},
-                  {"absences", listed(space_.absences, [&](const auto& each) { return absence(each); })},
-                  {"parts", listed(space_.parts, [&](const auto& each) { return part(each); })},
-                  {"states", listed(space_.states, [&](const auto& each) { return state(each); })},
+                  {"instances", listed(instances_, [&](const Instance& each) { return text_number(each.component); })},
+                  {"machines", listed(space_.machines, [&](const auto& each) { return machine_json(each); })},
+                  {"labels", listed(space_.labels, [&](const auto& each) { return label_json(each); })},
+                  {"absences", listed(space_.absences, [&](const auto& each) { return absence_json(each); })},
+                  {"parts", listed(space_.parts, [&](const auto& each) { return part_json(each); })},
+                  {"states", listed(space_.states, [&](const auto& each) { return state_json(each); })},
                   {"structures", listed(space_.states, [&](const auto& each) {
                        return each.structure ? Json(*each.structure) : Json(-1);
                    })}};
-        json["texts"] = strings_.list();
+        json["texts"] = strings_.string_list();
         return json;
     }
 
 private:
-    std::size_t text(const std::string& text) { return strings_.number(text); }
-    [[nodiscard]] std::size_t instance(const std::string& component) const {
+    std::size_t text_number(const std::string& text) { return strings_.number_of(text); }
+    [[nodiscard]] std::size_t instance_number(const std::string& component) const {
         const auto found =
             std::ranges::find_if(instances_, [&](const Instance& each) { return each.component == component; });
         return static_cast<std::size_t>(found - instances_.begin());
     }
 
     /// [instance, text, place, [active elements], [name, value or -1, ...]]
-    Json machine(const runs::Machine& machine) {
+    Json machine_json(const runs::Machine& machine) {
         Json active = Json::array();
         for (const std::string& each : machine.active)
-            if (const std::string id = diagrams_.named(each); !id.empty()) active.push_back(text(id));
+            if (const std::string id = diagrams_.id_of_name(each); !id.empty()) active.push_back(text_number(id));
         Json values = Json::array();
         for (const runs::Variable& each : machine.variables) {
             if (each.kind == runs::VariableKind::constant) continue;
-            values.push_back(text(each.name));
-            values.push_back(each.value ? Json(text(*each.value)) : Json(-1));
+            values.push_back(text_number(each.name));
+            values.push_back(each.value ? Json(text_number(*each.value)) : Json(-1));
         }
-        return Json::array({instance(machine.component), text(machine.text), text(place_text(machine.place)),
-                            std::move(active), std::move(values)});
+        return Json::array({instance_number(machine.component), text_number(machine.text),
+                            text_number(place_text(machine.place)), std::move(active), std::move(values)});
     }
 
     /// [text, place, hidden, role in a log, word in a log or -1, [instance, element, ...]]
-    Json label(const Exploration::Label& label) {
+    Json label_json(const Exploration::Label& label) {
         const runs::Event& event = label.happening.event;
         Json fired = Json::array();
         add_fired(event, fired);
@@ -123,41 +123,41 @@ private:
         const LogRole role = stepped_.project == nullptr ? LogRole::none : log_role(event);
         const auto word = role == LogRole::input || role == LogRole::output ? log_word(event, label.name, stepped_)
                                                                             : std::optional<std::string>();
-        return Json::array({text(runs::text(event, label.happening.with)), text(place_text(event.place)),
-                            label.hidden ? 1 : 0, static_cast<int>(role), word ? Json(text(*word)) : Json(-1),
-                            std::move(fired)});
+        return Json::array({text_number(runs::text_of(event, label.happening.with)),
+                            text_number(place_text(event.place)), label.hidden ? 1 : 0, static_cast<int>(role),
+                            word ? Json(text_number(*word)) : Json(-1), std::move(fired)});
     }
     void add_fired(const runs::Event& event, Json& fired) {
-        const std::string id = diagrams_.of(event);
-        const std::size_t where = instance(event.component);
+        const std::string id = diagrams_.id_of_event(event);
+        const std::size_t where = instance_number(event.component);
         if (id.empty() || where == instances_.size()) return;
         fired.push_back(where);
-        fired.push_back(text(id));
+        fired.push_back(text_number(id));
     }
 
     /// [component, text, reason, place]
-    Json absence(const runs::Absence& absence) {
-        return Json::array(
-            {text(absence.component), text(absence.text), text(absence.reason), text(place_text(absence.place))});
+    Json absence_json(const runs::Absence& absence) {
+        return Json::array({text_number(absence.component), text_number(absence.text), text_number(absence.reason),
+                            text_number(place_text(absence.place))});
     }
 
     /// [text, offers or 0, part, ...]
-    Json part(const Exploration::Part& part) {
-        Json json = Json::array({text(part.text), text(part.offers)});
+    Json part_json(const Exploration::Part& part) {
+        Json json = Json::array({text_number(part.text), text_number(part.offers)});
         for (const std::size_t each : part.parts) json.push_back(each);
         return json;
     }
 
     /// [[machines], [label, target or -1, ...], [absences], process, error]
-    Json state(const Exploration::State& state) {
+    Json state_json(const Exploration::State& state) {
         Json offers = Json::array();
         for (const Exploration::Transition& each : state.offers) {
             offers.push_back(each.label);
             offers.push_back(each.target ? Json(*each.target) : Json(-1));
         }
         Json json = Json::array({state.machines, std::move(offers), state.absences});
-        if (!state.process.empty() || !state.error.empty()) json.push_back(text(state.process));
-        if (!state.error.empty()) json.push_back(text(state.error));
+        if (!state.process.empty() || !state.error.empty()) json.push_back(text_number(state.process));
+        if (!state.error.empty()) json.push_back(text_number(state.error));
         return json;
     }
 
@@ -176,7 +176,7 @@ public:
     std::string write(const std::string& figures) const {
         const bool timed = stepped_.time == csp_emit::Time::timed;
         const bool component = stepped_.project != nullptr;
-        return diagnostics::filled(
+        return diagnostics::fill_template(
             page_part("explorer.html"),
             {{"NAME", xml_text(stepped_.name)},
              {"OF", fmt::format("{}{}", xml_text(stepped_.model),
@@ -188,33 +188,33 @@ public:
              {"BUTTONS", std::string(timed ? "<button type=\"button\" id=\"tock\">one time unit</button>\n" : "") +
                              (timed && component ? "<button type=\"button\" id=\"log\">copy as log</button>" : "")},
              {"LAYOUT", figures.empty() ? "stepper plain" : "stepper"},
-             {"OFFERS", offers()},
-             {"ENDS", ends()},
-             {"ABSENCES", absences()},
+             {"OFFERS", offers_html()},
+             {"ENDS", end_text()},
+             {"ABSENCES", absences_html()},
              {"MACHINES-TITLE", component ? "Machines" : "Process"},
-             {"MACHINES", machines()},
+             {"MACHINES", machines_html()},
              {"TREE-OPEN", component ? "" : " open"},
-             {"TREE", first_.structure ? tree(*first_.structure) : ""},
+             {"TREE", first_.structure ? tree_html(*first_.structure) : ""},
              {"FIGURES", figures.empty() ? "" : fmt::format("<div class=\"drawn\">\n{}</div>", figures)},
              {"KEYS", timed ? "<kbd>t</kbd> one time unit; " : ""}});
     }
 
 private:
-    [[nodiscard]] std::string offers() const {
+    [[nodiscard]] std::string offers_html() const {
         std::string text;
         for (const Exploration::Transition& each : first_.offers) {
             const Exploration::Label& label = space_.labels[each.label];
             text += fmt::format("<li>{}{} <small>{}</small></li>\n", label.hidden ? "(hidden) " : "",
-                                xml_text(runs::text(label.happening.event, label.happening.with)),
+                                xml_text(runs::text_of(label.happening.event, label.happening.with)),
                                 xml_text(place_text(label.happening.event.place)));
         }
         return text;
     }
-    [[nodiscard]] std::string ends() const {
+    [[nodiscard]] std::string end_text() const {
         if (space_.states.empty()) return "No state is embedded.";
         return first_.error.empty() ? "" : "What can happen cannot be evaluated: " + xml_text(first_.error);
     }
-    [[nodiscard]] std::string absences() const {
+    [[nodiscard]] std::string absences_html() const {
         std::string text;
         for (const std::size_t each : first_.absences) {
             const runs::Absence& absence = space_.absences[each];
@@ -223,22 +223,22 @@ private:
         }
         return text.empty() ? "<li>nothing</li>\n" : text;
     }
-    [[nodiscard]] std::string machines() const {
+    [[nodiscard]] std::string machines_html() const {
         std::string text;
         for (const std::size_t each : first_.machines)
             text += fmt::format("<li>{}: {}</li>\n", xml_text(space_.machines[each].component),
-                                xml_text(runs::text(space_.machines[each])));
+                                xml_text(runs::text_of(space_.machines[each])));
         if (!first_.process.empty()) text += fmt::format("<li>{}</li>\n", xml_text(first_.process));
         return text;
     }
 
-    [[nodiscard]] std::string tree(std::size_t number) const {
+    [[nodiscard]] std::string tree_html(std::size_t number) const {
         const Exploration::Part& part = space_.parts[number];
         std::string text = fmt::format("<li>{}", xml_text(part.text));
         if (!part.offers.empty()) text += fmt::format(" <small>{}</small>", xml_text(part.offers));
         if (!part.parts.empty()) {
             text += "\n<ul>\n";
-            for (const std::size_t each : part.parts) text += tree(each);
+            for (const std::size_t each : part.parts) text += tree_html(each);
             text += "</ul>";
         }
         return text + "</li>\n";
@@ -249,7 +249,7 @@ private:
     const Exploration::State first_ = space_.states.empty() ? Exploration::State() : space_.states.front();
 };
 
-std::string figure(std::size_t machine, const std::string& caption, const std::string& drawn) {
+std::string figure_html(std::size_t machine, const std::string& caption, const std::string& drawn) {
     return fmt::format(
         "<figure data-machine=\"{}\" tabindex=\"0\" aria-label=\"diagram of {}\"><figcaption>{}</figcaption>\n"
         "{}</figure>\n",
@@ -262,14 +262,14 @@ std::string figures_of(const Exploration& space, const std::vector<Instance>& in
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const std::string& component = instances[i].component;
         const std::string prefix = fmt::format("m{}-", i);
-        if (const std::string drawn = diagrams.drawn(instances[i].machine, prefix); !drawn.empty())
-            text += figure(i, component, drawn);
+        if (const std::string drawn = diagrams.draw_diagram(instances[i].machine, prefix); !drawn.empty())
+            text += figure_html(i, component, drawn);
         std::set<std::string> active;
         for (const runs::Machine& each : space.machines)
             if (each.component == component)
-                for (const std::string& state : each.active) active.insert(diagrams.named(state));
-        for (const auto& [name, drawn] : diagrams.operations(active, prefix))
-            text += figure(i, fmt::format("{}: operation {}", component, name), drawn);
+                for (const std::string& state : each.active) active.insert(diagrams.id_of_name(state));
+        for (const auto& [name, drawn] : diagrams.draw_operations(active, prefix))
+            text += figure_html(i, fmt::format("{}: operation {}", component, name), drawn);
     }
     return text;
 }

@@ -26,7 +26,7 @@ public:
     explicit Replays(const Options& options) : options_(options) {}
 
     /// The first run of the log, as far as the component can follow it.
-    runs::Run of(const ComparedLog& log) {
+    runs::Run run_of_log(const ComparedLog& log) {
         runs::Stepper& stepper = stepper_of(log);
         // The constants need no check, because the log was compared with this model.
         const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed, true};
@@ -60,7 +60,7 @@ std::string reason_of(const conformance::RunReport& wrong) {
 AssertionReport report_of(const ComparedLog& log) {
     AssertionReport one;
     one.title =
-        fmt::format("the runs of {} ({}) are runs of {}", log.path, counted(log.counts.runs, "run"), log.component);
+        fmt::format("the runs of {} ({}) are runs of {}", log.path, count_text(log.counts.runs, "run"), log.component);
     one.answer = log.counts.rejected > 0       ? Answer::fails
                  : log.counts.inconclusive > 0 ? Answer::inconclusive
                                                : Answer::holds;
@@ -79,12 +79,12 @@ std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<P
     report.limit = limit;
     report.model = options.inputs.empty() ? "" : options.inputs.front();
     report.summary = fmt::format("{} compared with the model; the first run of each is stepped through",
-                                 counted(logs.size(), "log"));
+                                 count_text(logs.size(), "log"));
     if (logs.size() > most_replayed) report.notes.push_back(fmt::format("of the first {} logs", most_replayed));
     Replays replays(options);
     for (std::size_t i = 0; i < logs.size(); ++i) {
         report.assertions.push_back(report_of(logs[i]));
-        if (i < most_replayed && limit.empty()) report.assertions.back().run = replays.of(logs[i]);
+        if (i < most_replayed && limit.empty()) report.assertions.back().run = replays.run_of_log(logs[i]);
     }
     if (limit.empty()) return render_html(report, parts, options.run->budget());
     return last_page(parts, true, [&](const std::vector<Part>& drawn, diagnostics::Budget& budget) {

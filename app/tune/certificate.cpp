@@ -100,16 +100,20 @@ public:
         return *found;
     }
 
-    std::string text(const char* name) { return checked(name, (*this)[name].is_string(), "text").get<std::string>(); }
-    std::uint64_t whole(const char* name) {
-        return checked(name, (*this)[name].is_number_unsigned(), "whole number").get<std::uint64_t>();
+    std::string read_text(const char* name) {
+        return check_field(name, (*this)[name].is_string(), "text").get<std::string>();
     }
-    double number(const char* name) { return checked(name, (*this)[name].is_number(), "number").get<double>(); }
+    std::uint64_t read_whole(const char* name) {
+        return check_field(name, (*this)[name].is_number_unsigned(), "whole number").get<std::uint64_t>();
+    }
+    double read_number(const char* name) {
+        return check_field(name, (*this)[name].is_number(), "number").get<double>();
+    }
 
     /// Applies `read` to each value of a list.
     template <typename Read>
-    auto list(const char* name, Read read) {
-        const Json& values = checked(name, (*this)[name].is_array(), "list");
+    auto read_list(const char* name, Read read) {
+        const Json& values = check_field(name, (*this)[name].is_array(), "list");
         std::vector<decltype(read(values))> result;
         for (const Json& each : values) result.push_back(read(each));
         return result;
@@ -121,7 +125,7 @@ public:
     }
 
 private:
-    const Json& checked(const char* name, bool good, const char* kind) {
+    const Json& check_field(const char* name, bool good, const char* kind) {
         if (!good) throw Malformed(fmt::format("{} of {} is no {}", name, where_, kind));
         return (*this)[name];
     }
@@ -132,18 +136,18 @@ private:
 };
 
 Pairs read_pairs(Fields& from, const char* name, const char* first, const char* second) {
-    return from.list(name, [&](const Json& value) {
+    return from.read_list(name, [&](const Json& value) {
         Fields fields(value, name);
-        std::pair<std::string, std::string> result{fields.text(first), fields.text(second)};
+        std::pair<std::string, std::string> result{fields.read_text(first), fields.read_text(second)};
         fields.end();
         return result;
     });
 }
 
 std::vector<DecidedItem> read_items(Fields& from, const char* name) {
-    return from.list(name, [&](const Json& value) {
+    return from.read_list(name, [&](const Json& value) {
         Fields fields(value, name);
-        DecidedItem result{fields.text("subject"), fields.text("answer")};
+        DecidedItem result{fields.read_text("subject"), fields.read_text("answer")};
         fields.end();
         return result;
     });
@@ -151,8 +155,8 @@ std::vector<DecidedItem> read_items(Fields& from, const char* name) {
 
 DecidedClaim read_claim(const Json& value) {
     Fields fields(value, "claims");
-    DecidedClaim result{fields.text("claim"),      fields.text("answer"), fields.whole("trials"),
-                        fields.whole("successes"), fields.number("low"),  fields.number("high")};
+    DecidedClaim result{fields.read_text("claim"),      fields.read_text("answer"), fields.read_whole("trials"),
+                        fields.read_whole("successes"), fields.read_number("low"),  fields.read_number("high")};
     fields.end();
     return result;
 }
@@ -161,38 +165,38 @@ SearchRecord read_search(const Json& value) {
     Fields fields(value, "search");
     SearchRecord result;
     result.parameters = read_pairs(fields, "parameters", "name", "values");
-    result.budget = fields.whole("budget");
-    result.seed = fields.whole("seed");
-    result.test = fields.text("test");
-    result.trials = fields.whole("trials");
-    result.candidates = fields.whole("candidates");
-    result.first_seed = fields.whole("firstSeed");
-    result.seeds = fields.whole("seeds");
-    result.cost = fields.number("cost");
+    result.budget = fields.read_whole("budget");
+    result.seed = fields.read_whole("seed");
+    result.test = fields.read_text("test");
+    result.trials = fields.read_whole("trials");
+    result.candidates = fields.read_whole("candidates");
+    result.first_seed = fields.read_whole("firstSeed");
+    result.seeds = fields.read_whole("seeds");
+    result.cost = fields.read_number("cost");
     fields.end();
     return result;
 }
 
 Certificate read_fields(const Json& json) {
     Fields fields(json, "the certificate");
-    if (fields.text("schema") != schema) throw Malformed(fmt::format("its schema is not {}", schema));
+    if (fields.read_text("schema") != schema) throw Malformed(fmt::format("its schema is not {}", schema));
     Certificate result;
-    result.program = fields.text("program");
-    result.build = fields.text("build");
-    result.evidence.scenario = fields.text("scenario");
-    result.evidence.scenario_digest = fields.text("scenarioDigest");
+    result.program = fields.read_text("program");
+    result.build = fields.read_text("build");
+    result.evidence.scenario = fields.read_text("scenario");
+    result.evidence.scenario_digest = fields.read_text("scenarioDigest");
     result.evidence.model = read_pairs(fields, "model", "file", "digest");
     result.constants = read_pairs(fields, "constants", "name", "value");
-    result.ranges = fields.list("ranges", [](const Json& value) {
+    result.ranges = fields.read_list("ranges", [](const Json& value) {
         if (!value.is_string()) throw Malformed("a range is no text");
         return value.get<std::string>();
     });
     result.search = read_search(fields["search"]);
     result.evidence.assertions = read_items(fields, "assertions");
     result.evidence.conformance = read_items(fields, "conformance");
-    result.evidence.seed = fields.whole("seed");
-    result.evidence.claims = fields.list("claims", read_claim);
-    const std::string digest = fields.text("digest");
+    result.evidence.seed = fields.read_whole("seed");
+    result.evidence.claims = fields.read_list("claims", read_claim);
+    const std::string digest = fields.read_text("digest");
     fields.end();
     if (digest != content_digest(diagnostics::json_text(certificate_json(result))))
         throw Malformed("its digest is not that of its contents: it was changed");
@@ -258,7 +262,8 @@ std::optional<Certificate> read_certificate(std::string_view text, std::string& 
         return std::nullopt;
     }
     if (!twice.empty()) {
-        error = fmt::format("it has the key `{}` twice", diagnostics::shown(diagnostics::ForeignText(twice)));
+        error =
+            fmt::format("it has the key `{}` twice", diagnostics::escape_for_display(diagnostics::ForeignText(twice)));
         return std::nullopt;
     }
     try {
@@ -269,7 +274,7 @@ std::optional<Certificate> read_certificate(std::string_view text, std::string& 
     }
 }
 
-std::vector<std::string> differences(const Evidence& certified, const Evidence& found) {
+std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found) {
     std::vector<std::string> lines;
     if (certified.scenario != found.scenario)
         lines.push_back(fmt::format("scenario: {}, certified: {}", found.scenario, certified.scenario));

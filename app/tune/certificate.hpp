@@ -81,6 +81,6 @@ struct Certificate {
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 
 /// The differences, one line each: files, verdicts, claims. Empty if both are equal.
-[[nodiscard]] std::vector<std::string> differences(const Evidence& certified, const Evidence& found);
+[[nodiscard]] std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found);
 
 }  // namespace robochart::app

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "checker/cspm/syntax/reader.hpp"
+#include "counterexample/values.hpp"
 #include "csp_emit/emit.hpp"
 #include "csp_emit/expressions/expressions.hpp"
-#include "counterexample/values.hpp"
 #include "semantics/ir/own_constants.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -30,14 +30,14 @@ public:
                 decl->patterns.front().front()->kind == cspm::PatternKind::name) {
                 const std::string& name = decl->patterns.front().front()->text;
                 values_.emplace(name, decl->body);
-                if (decl->span.known()) written_.insert(name);
+                if (decl->span.is_known()) written_.insert(name);
             }
             if (decl->kind == cspm::DeclKind::function) functions_[decl->names.front()] += cspm::print(*decl) + "\n";
         }
     }
 
     /// The value of a constant; if it is defined as another constant, the value of that one. "": not defined.
-    [[nodiscard]] std::string value(std::string name) const {
+    [[nodiscard]] std::string constant_value(std::string name) const {
         std::set<std::string> followed;
         for (auto at = values_.find(name); at != values_.end(); at = values_.find(name)) {
             const bool again = !followed.insert(name).second;
@@ -49,7 +49,7 @@ public:
     }
     /// True if the user wrote it; generated definitions have no place.
     [[nodiscard]] bool is_written(const std::string& name) const { return written_.contains(name); }
-    [[nodiscard]] std::string function(const std::string& name) const {
+    [[nodiscard]] std::string function_value(const std::string& name) const {
         const auto at = functions_.find(name);
         return at == functions_.end() ? "" : at->second;
     }
@@ -75,7 +75,7 @@ std::vector<std::string> constants_unlike(const Project& project, const Definiti
         const auto machines = own.find(constant.name);
         const bool of_machine = machines != own.end() && there.is_written(machines->second);
         const std::string& deciding = of_machine ? machines->second : constant.name;
-        const std::string ours = here.value(constant.name), theirs = there.value(deciding);
+        const std::string ours = here.constant_value(constant.name), theirs = there.constant_value(deciding);
         const bool same = ours == theirs || ours.empty() || theirs.empty();
         std::string both = same ? "" : fmt::format("{} (there {})", shown(ours), shown(theirs));
         of_name[last(constant.path)].insert(both);
@@ -105,7 +105,7 @@ std::string values_unlike_blocks(const Project& project, const cspm::Script& wit
     std::vector<std::string> unlike = constants_unlike(project, here, there);
     for (const ir::Function& function : project.system.functions) {
         const std::string name = csp_emit::function_name(function);
-        const std::string ours = here.function(name), theirs = there.function(name);
+        const std::string ours = here.function_value(name), theirs = there.function_value(name);
         if (!ours.empty() && !theirs.empty() && ours != theirs) unlike.push_back(fmt::format("{}(...)", function.name));
     }
     return fmt::format("{}", fmt::join(unlike, ", "));

@@ -33,22 +33,22 @@ public:
             if (given)
                 project_.diagnostics.report(rules::bad_option, {},
                                             {fmt::format("{} takes a scenario without a chain", option)});
-        if (!project_.diagnostics.ok()) return refused();
+        if (!project_.diagnostics.ok()) return show_refusal();
         controller_ = build_controller(simulation_, options_);
-        if (controller_ == nullptr || !project_.diagnostics.ok()) return refused();
+        if (controller_ == nullptr || !project_.diagnostics.ok()) return show_refusal();
         scenario_ = simulation_.scenario;
-        if (!find_states()) return refused();
-        const auto asked = simulation::chain_asked(scenario_, *states_, project_.diagnostics);
-        if (!project_.diagnostics.ok()) return refused();
+        if (!find_states()) return show_refusal();
+        const auto asked = simulation::find_chain_questions(scenario_, *states_, project_.diagnostics);
+        if (!project_.diagnostics.ok()) return show_refusal();
         result_.questions = asked.size();
         run_trials();
         if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::failed;  // trials stopped
-        if (!result_.interrupted && !answer(asked)) return show_diagnostics(project_, options_), Exit::failed;
-        return report();
+        if (!result_.interrupted && !answer_questions(asked)) return show_diagnostics(project_, options_), Exit::failed;
+        return write_report();
     }
 
 private:
-    Exit refused() const { return show_diagnostics(project_, options_), refusal(project_); }
+    Exit show_refusal() const { return show_diagnostics(project_, options_), refusal_code(project_); }
 
     bool find_states() {
         try {
@@ -59,7 +59,7 @@ private:
                 {fmt::format("a chain has at most {} states: {}", simulation::ChainStates::most_states, many.what())});
             return false;
         }
-        permitted_ = states_->permitted(&options_.run->budget());
+        permitted_ = states_->permitted_transitions(&options_.run->budget());
         for (std::size_t from = 1; from < permitted_.size(); ++from)
             for (std::size_t to = 1; to < permitted_.size(); ++to) {
                 ++result_.transitions;
@@ -111,14 +111,14 @@ private:
         constexpr std::uint64_t most_states = 1'000'000;
         diagnostics::Budget& budget = options_.run->budget();
         const diagnostics::Budget::Phase phase(budget, "finding what robots may do between two states of the chain");
-        const std::uint64_t units = scenario_.steps_apart() * scenario_.units_per_step;
+        const std::uint64_t units = scenario_.steps_between_samples() * scenario_.units_per_step;
         const ir::ComponentRef component = code_components(project_.system, scenario_.component.text).front();
         probability::check_finite(project_.system, component);
         const auto process =
             probability::explore_process(project_.system, component, project_.instantiation, {}, project_.sources,
                                          {std::min(options_.max_states, most_states), most_states, &budget});
         const probability::Following found =
-            probability::following(*process, project_.system, component, states, units, [&] { budget.poll(); });
+            probability::find_following(*process, project_.system, component, states, units, [&] { budget.poll(); });
         result_.proof = fmt::format("what {} time units of {} admit, by {} states of its semantics", units,
                                     scenario_.component.text, process->exploration->size());
         return {found.classes, found.first, found.after};
@@ -138,14 +138,14 @@ private:
         wanted.interrupted = when_a_limit_is_reached(options_);
         wanted.progress = progress_reports(options_, scenario_.name.text);
         simulation::RunResult found =
-            simulation::run(plan, drives_of(simulation_, *controller_), wanted, project_.diagnostics);
+            simulation::run_trials(plan, drives_of(simulation_, *controller_), wanted, project_.diagnostics);
         result_.cpu_seconds = found.cpu_seconds;
         result_.interrupted = found.interrupted;
         trials_ = std::move(found.trials);
     }
 
     /// Returns false if trials took transitions that the proof excludes.
-    bool answer(const std::vector<simulation::ChainAsked>& asked) {
+    bool answer_questions(const std::vector<simulation::ChainAsked>& asked) {
         std::vector<simulation::Excluded> excluded;
         const auto sequences = simulation::sequences_of(scenario_, *states_, permitted_, trials_, excluded);
         if (!excluded.empty()) {
@@ -174,7 +174,7 @@ private:
         return true;
     }
 
-    Exit report() {
+    Exit write_report() {
         std::vector<std::string> files;
         if (options_.pictures && counts_ && !result_.answers.empty()) {
             const double error = (1 - result_.answers.front().asked.confidence) / 2;
@@ -185,8 +185,10 @@ private:
         }
         options_.run->finish();
         if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::bad_input;
-        const Exit exit = result_.fails() ? Exit::failed : result_.complete() ? Exit::success : Exit::inconclusive;
-        app::answer(options_, [&](Format) {
+        const Exit exit = result_.has_failed()    ? Exit::failed
+                          : result_.is_complete() ? Exit::success
+                                                  : Exit::inconclusive;
+        app::output_document(options_, [&](Format) {
             return simulation::chain_json(scenario_, *states_, result_, files, static_cast<int>(exit));
         });
         if (options_.format == Format::json) return exit;
@@ -209,10 +211,10 @@ private:
                   simulation::answers_text(result_));
             print("in this world\n{}\n", simulation::world_text(scenario_));
             if (!files.empty()) print("files\n");
-            for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
+            for (const std::string& file : files) print("  {}\n", diagnostics::escape_for_display(file));
             if (!files.empty()) print("\n");
         }
-        if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached());
+        if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached_limit());
         print("{}\n", simulation::chain_summary(result_));
     }
 

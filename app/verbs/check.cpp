@@ -2,6 +2,7 @@
 // The verb `check`: decides assertions.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include <chrono>
 #include <map>
@@ -22,14 +23,14 @@
 #include "app/report/taken_guards.hpp"
 #include "app/rules/rule_claims.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/refine/verdict/recurrence.hpp"
-#include "base/diagnostics/escape.hpp"
-#include "frontend/syntax/print.hpp"
-#include "frontend/syntax/syntax_rules.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/exercised.hpp"
 #include "counterexample/interpreter.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
 
 namespace robochart::app {
 namespace {
@@ -45,7 +46,7 @@ struct Context {
 };
 
 /// The data for reading counterexamples and steps.
-runs::Context reading(const Context& context) {
+runs::Context reading_context(const Context& context) {
     return {context.emission.provenance, context.project.system, context.project.instantiation, context.project.sources,
             context.session};
 }
@@ -61,8 +62,8 @@ void add(refine::Statistics& sum, const refine::Statistics& one) {
     sum.distinguished = std::max(sum.distinguished, one.distinguished);
 }
 
-void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,
-          AssertionReport& report) {
+void add_verdict(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,
+                 AssertionReport& report) {
     add(report.statistics, verdict.statistics);
     report.searched = report.searched || !verdict.known;
     if (verdict.outcome == refine::Outcome::inconclusive) {
@@ -71,7 +72,7 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     } else if (verdict.outcome == refine::Outcome::fails) {
         report.answer = Answer::fails;
         if (!verdict.counterexample) return;
-        report.run = runs::interpret(reading(context), obligation, *verdict.counterexample);
+        report.run = runs::interpret_counterexample(reading_context(context), obligation, *verdict.counterexample);
         if (!verdict.counterexample->shortest) report.reason = not_shortest;
     }
 }
@@ -87,13 +88,14 @@ Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, c
         context.guards.add_of_assertion(assertion, holds, basis);
     else if (report.run && !holds)
         context.guards.add_of_run(*report.run, basis);
-    else if (context.guards.any())
-        context.guards.add_of_run(runs::interpret(reading(context), obligation, *verdict.counterexample), basis);
+    else if (context.guards.has_guards())
+        context.guards.add_of_run(
+            runs::interpret_counterexample(reading_context(context), obligation, *verdict.counterexample), basis);
     return basis;
 }
 
 /// The evaluation error with its place and its element of the model.
-std::string said(const Project& project, const cspm::EvaluationError& error) {
+std::string failure_text(const Project& project, const cspm::EvaluationError& error) {
     return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
 
@@ -102,12 +104,13 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
                 AssertionReport& report) {
     report.answer = Answer::holds;
     try {
-        const auto verdict = context.session.check(assertion, limits(context.options, obligation.title)).verdict;
-        take(context, obligation, verdict, report);
+        const auto verdict =
+            context.session.check(assertion, limits_of_check(context.options, obligation.title)).verdict;
+        add_verdict(context, obligation, verdict, report);
         report.basis = basis_of(context, obligation, assertion, verdict, report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
-        report.reason = said(context.project, error);
+        report.reason = failure_text(context.project, error);
     } catch (const std::bad_alloc&) {
         report.answer = Answer::inconclusive;
         report.reason = "out of memory";
@@ -127,7 +130,7 @@ constexpr std::uint64_t most_states_for_firing = 20'000;
 using Transitions = std::vector<csp_emit::TransitionInside>;
 
 /// The transitions that are not among the elements.
-Transitions missing(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
+Transitions missing_transitions(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
     Transitions result;
     for (const csp_emit::TransitionInside& each : question.transitions)
         if (!elements.contains(runs::element_in(each.component, each.origin.element))) result.push_back(each);
@@ -135,15 +138,15 @@ Transitions missing(const csp_emit::FiringQuestion& question, const std::set<std
 }
 
 /// "t1: S1 -> S2 (model.rct:12), ..."
-std::string listed(const Project& project, const Transitions& transitions) {
+std::string transition_list(const Project& project, const Transitions& transitions) {
     std::vector<std::string> texts;
     for (const csp_emit::TransitionInside& each : transitions)
-        texts.push_back(fmt::format("{} ({})", each.text, project.sources.place(each.origin.span)));
+        texts.push_back(fmt::format("{} ({})", each.text, project.sources.path_and_line(each.origin.span)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 /// The transitions that fire in no instance of their machine.
-std::vector<std::string> unexercised(const csp_emit::FiringQuestion& question, const Transitions& never) {
+std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion& question, const Transitions& never) {
     std::map<std::string, std::size_t> instances;
     for (const csp_emit::TransitionInside& each : question.transitions) ++instances[each.origin.element];
     for (const csp_emit::TransitionInside& each : never) --instances[each.origin.element];
@@ -157,18 +160,18 @@ std::vector<std::string> unexercised(const csp_emit::FiringQuestion& question, c
 /// the others may still never fire.
 void answer_firing(const Project& project, const csp_emit::FiringQuestion& question, const runs::Exercised& found,
                    AssertionReport& report) {
-    const Transitions never = missing(question, found.possible);
-    const Transitions open = missing(question, found.certain);
+    const Transitions never = missing_transitions(question, found.possible);
+    const Transitions open = missing_transitions(question, found.certain);
     report.answer = Answer::inconclusive;
     if (!never.empty() && found.all) {
         report.answer = Answer::fails;
-        report.reason = "never taken: " + listed(project, never);
-        report.core->unexercised = unexercised(question, never);
+        report.reason = "never taken: " + transition_list(project, never);
+        report.core->unexercised = unexercised_transitions(question, never);
     } else if (!never.empty()) {
-        report.reason =
-            fmt::format("{} has not been taken in the first {} states", listed(project, {never.front()}), found.states);
+        report.reason = fmt::format("{} has not been taken in the first {} states",
+                                    transition_list(project, {never.front()}), found.states);
     } else if (!open.empty()) {
-        report.reason = "the steps do not tell which of these are taken: " + listed(project, open);
+        report.reason = "the steps do not tell which of these are taken: " + transition_list(project, open);
     } else {
         report.answer = Answer::holds;
     }
@@ -176,17 +179,17 @@ void answer_firing(const Project& project, const csp_emit::FiringQuestion& quest
 
 /// Decides which transitions fire, by exploring all states.
 void decide_firing(const Context& context, const csp_emit::FiringQuestion& question, AssertionReport& report) {
-    const runs::Context read_with = reading(context);
+    const runs::Context read_with = reading_context(context);
     runs::StepReader reader(read_with);
     try {
-        const auto found = runs::exercised(reader, context.session.process(question.process), most_states_for_firing,
-                                           [&] { poll_turn(context.options); });
+        const auto found = runs::find_exercised(reader, context.session.process(question.process),
+                                                most_states_for_firing, [&] { poll_turn(context.options); });
         report.statistics.states = found.states;
         report.searched = true;
         answer_firing(context.project, question, found, report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
-        report.reason = said(context.project, error);
+        report.reason = failure_text(context.project, error);
     }
 }
 
@@ -197,12 +200,12 @@ const char* const fair_draws =
 
 /// Decides whether something can always happen again, by a backward search through all states.
 void decide_recurrence(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
-    const refine::Limits bounds = limits(context.options, obligation.title);
+    const refine::Limits bounds = limits_of_check(context.options, obligation.title);
     report.answer = Answer::holds;
     try {
         const process::EventSet goal = context.session.events(obligation.recurrence->goal);
         const auto system = context.session.system(obligation.recurrence->process, bounds);
-        take(context, obligation, refine::recurrent(*system, goal, bounds), report);
+        add_verdict(context, obligation, refine::recurrent(*system, goal, bounds), report);
         const bool claimed = obligation.kind != ir::PropertyKind::deadlock_free;
         if (report.answer == Answer::holds && claimed) report.reason = fair_draws;
     } catch (const process::Interrupted& limit) {
@@ -210,13 +213,13 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
         report.reason = limit.what();
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
-        report.reason = said(context.project, error);
+        report.reason = failure_text(context.project, error);
     }
 }
 
 /// If all assertions must hold, the first that fails ends the check. If one suffices, the first that holds decides, and
 /// the claim fails only if all of them fail. If none holds and one of them is unknown, the claim is inconclusive.
-void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+void decide_claim(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     std::optional<std::string> unknown;  // why the first inconclusive one is inconclusive
     Basis before;                        // basis of assertions that do not decide the claim alone
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
@@ -244,9 +247,9 @@ class Premises {
 public:
     /// A claim that holds becomes inconclusive if its premise does not hold, and the run that refutes the premise is
     /// shown.
-    void apply(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    void apply_premise(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
         if (obligation.premise == nullptr || report.answer != Answer::holds) return;
-        const AssertionReport premise = answer(context, obligation);
+        const AssertionReport premise = answer_premise(context, obligation);
         if (premise.answer == Answer::holds) return;
         const csp_emit::Premise& asked = *obligation.premise;
         report.answer = premise.answer == Answer::error ? Answer::error : Answer::inconclusive;
@@ -257,7 +260,7 @@ public:
     }
 
 private:
-    AssertionReport answer(const Context& context, const csp_emit::Obligation& claim) {
+    AssertionReport answer_premise(const Context& context, const csp_emit::Obligation& claim) {
         for (const auto& [premise, report] : decided_)
             if (premise == claim.premise) return report;
         AssertionReport report = decide_premise(context, claim);
@@ -274,7 +277,7 @@ private:
         asked.assertions = claim.premise->assertions;
         AssertionReport report;
         report.answer = Answer::holds;
-        decide(context, asked, report);
+        decide_claim(context, asked, report);
         if (report.answer != Answer::holds) return report;
         asked.kind = ir::PropertyKind::refines;
         asked.recurrence = claim.premise->recurrence;
@@ -285,12 +288,12 @@ private:
     std::vector<std::pair<std::shared_ptr<const csp_emit::Premise>, AssertionReport>> decided_;
 };
 
-bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
-    if (!obligation.name.empty()) return asked_for(context.options, obligation.name);
+bool is_wanted(const Context& context, const csp_emit::Obligation& obligation) {
+    if (!obligation.name.empty()) return is_claim_selected(context.options, obligation.name);
     const bool core = obligation.property == ir::no_id;
     const bool asked = context.options.core && !obligation.component.empty();
     return core ? context.options.claims.empty() || asked
-                : asked_for(context.options, context.project.system.properties[obligation.property].name);
+                : is_claim_selected(context.options, context.project.system.properties[obligation.property].name);
 }
 
 /// The transitions or states of which the obligation finds out whether runs exercise them.
@@ -305,7 +308,7 @@ std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
 }
 
 /// The declaration of the component of a core property: "state machine P::S".
-diagnostics::Span declaration(const ir::System& system, const std::string& component) {
+diagnostics::Span declaration_span(const ir::System& system, const std::string& component) {
     const std::string name = component.substr(component.rfind(' ') + 1);
     const auto is_it = [&](const std::string& package, const std::string& path) {
         return name == (package.empty() ? path : package + "::" + path);
@@ -320,10 +323,10 @@ diagnostics::Span declaration(const ir::System& system, const std::string& compo
 }
 
 /// Lists all claims as undecided in the report, before any is decided.
-void announce(const Context& context, Report& report) {
-    const auto edit = context.options.run->edit();
+void announce_claims(const Context& context, Report& report) {
+    const auto edit = context.options.run->lock_for_edit();
     for (const csp_emit::Obligation& obligation : context.emission.obligations) {
-        if (!wanted(context, obligation)) continue;
+        if (!is_wanted(context, obligation)) continue;
         AssertionReport one;
         one.title = context.project.label + obligation.title;
         if (obligation.property != ir::no_id)
@@ -332,9 +335,9 @@ void announce(const Context& context, Report& report) {
             one.core = CoreReport{context.project.label + obligation.component, obligation.property_text,
                                   obligation.information, elements_of(obligation)};
         }
-        if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
+        if (obligation.origin.span.is_known()) set_place(context.project, obligation.origin.span, one);
         if (one.core && !one.region)
-            one.region = region_of(context.project, declaration(context.project.system, obligation.component));
+            one.region = region_of(context.project, declaration_span(context.project.system, obligation.component));
         const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
         const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
@@ -344,18 +347,18 @@ void announce(const Context& context, Report& report) {
 }
 
 /// If a script uses an undefined name, the input is wrong; this is reported once for all claims of the script.
-std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time,
-                                    const Options& options, Report& report) {
+std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_emit::Emission& emission, Time time,
+                                             const Options& options, Report& report) {
     try {
         auto session = std::make_unique<cspm::Session>(emission.script, &options.run->budget());
-        if (diagnostics::Cache* const cache = options.run->cache()) session->remember(*cache);
+        if (diagnostics::Cache* const cache = options.run->cache()) session->set_cache(*cache);
         return session;
     } catch (const cspm::EvaluationError& error) {
         AssertionReport one;
         one.title = fmt::format("{}the {} script", project.label, time == Time::timed ? "timed" : "untimed");
         one.answer = Answer::error;
-        one.reason = said(project, error);
-        const auto edit = options.run->edit();
+        one.reason = failure_text(project, error);
+        const auto edit = options.run->lock_for_edit();
         report.assertions.push_back(std::move(one));
         return nullptr;
     }
@@ -365,8 +368,8 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
 void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
                 AssertionReport& report) {
     const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
-    if (!answered || (bounds.met().empty() && report.searched)) return;
-    for (Ground& ground : reached.of(claim, bounds.met())) add(report.basis, std::move(ground));
+    if (!answered || (bounds.met_bounds().empty() && report.searched)) return;
+    for (Ground& ground : reached.basis_of_claim(claim, bounds.met_bounds())) add(report.basis, std::move(ground));
 }
 
 /// Adds these bounds to those of other claims and of the other semantics.
@@ -401,7 +404,7 @@ public:
         if (!project.diagnostics.ok() || (emission_.obligations.empty() && !options.sizes)) return;
         if (!open_session()) return;
         first_ = report.assertions.size();
-        announce({project, options, emission_, *session_, guards_}, report);
+        announce_claims({project, options, emission_, *session_, guards_}, report);
         announced_.assign(report.assertions.begin() + static_cast<std::ptrdiff_t>(first_), report.assertions.end());
     }
 
@@ -410,7 +413,7 @@ public:
         const Context context{project_, options_, emission_, *session_, guards_};
         std::size_t number = 0;
         for (const csp_emit::Obligation& obligation : emission_.obligations)
-            if (wanted(context, obligation))
+            if (is_wanted(context, obligation))
                 claims.push_back({obligation.title, [this, &obligation, at = number++](const Options& turn) {
                                       return decide_in(turn, obligation, at);
                                   }});
@@ -423,23 +426,23 @@ public:
         session_.reset();
     }
 
-    void measure() {
+    void measure_if_asked() {
         if (options_.sizes && given_back_ && !session_) (void)open_session();
         if (session_ && options_.sizes) measure_sizes(project_, *session_, emission_, time_, options_, report_);
     }
 
 private:
     bool open_session() {
-        session_ = open(project_, emission_, time_, options_, report_);
+        session_ = start_session(project_, emission_, time_, options_, report_);
         if (!session_) return false;
-        session_->observe(watch_.observer());
+        session_->set_observer(watch_.observer());
         second_look_.emplace(project_, emission_, *session_, options_);
         return true;
     }
 
     bool decide_in(const Options& given, const csp_emit::Obligation& obligation, std::size_t at) {
         Options turn = given;
-        turn.on_progress = [&](const refine::Progress& progress) { note(progress, at); };
+        turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, at); };
         AssertionReport one = announced_[at];
         try {
             if (!session_ && !open_session()) return true;  // said in the report
@@ -451,7 +454,7 @@ private:
         }
         const bool decided = one.answer != Answer::inconclusive;
         if (!decided) one.reason = ended_turn(one.reason, turn);
-        const auto edit = options_.run->edit();
+        const auto edit = options_.run->lock_for_edit();
         add_bounds(one.basis, time_, report_.bounds);
         report_.assertions[first_ + at] = std::move(one);
         return decided;
@@ -463,24 +466,24 @@ private:
             decide_firing(context, *obligation.firing, one);
         } else if (obligation.kind == ir::PropertyKind::conforms) {
             one.reason.clear();
-            rules_.decide(project_.system.properties[obligation.property], context.options, one);
+            rules_.decide_property(project_.system.properties[obligation.property], context.options, one);
         } else if (!obligation.assertions.empty()) {
             one.reason.clear();
-            decide(context, obligation, one);
+            decide_claim(context, obligation, one);
             if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
         }
         if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
             one.reason.clear();
             decide_recurrence(context, obligation, one);
         }
-        premises_.apply(context, obligation, one);
+        premises_.apply_premise(context, obligation, one);
         second_look_->add_to(obligation, one);
         add_bounds(reached_, watch_, obligation, one);
     }
 
     /// Stores the current knowledge about a claim, in case the run ends now.
-    void note(const refine::Progress& progress, std::size_t at) {
-        const auto edit = options_.run->edit();
+    void note_progress(const refine::Progress& progress, std::size_t at) {
+        const auto edit = options_.run->lock_for_edit();
         AssertionReport& known = report_.assertions[first_ + at];
         if (progress.phase != refine::Progress::Phase::searching || progress.states < known.statistics.states) return;
         known.searched = true;
@@ -510,13 +513,13 @@ private:
 /// Lists the claims for other tools; none of them counts as a success.
 void report_unchecked(const Project& project, const Options& options, Report& report) {
     const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& why) {
-        if (!asked_for(options, name)) return;
+        if (!is_claim_selected(options, name)) return;
         AssertionReport one;
         one.title = project.label + name;
         set_place(project, span, one);
         one.answer = Answer::unchecked;
-        one.reason = fmt::format("{}: not checked: {}", diagnostics::shown(one.place), why);
-        const auto edit = options.run->edit();
+        one.reason = fmt::format("{}: not checked: {}", diagnostics::escape_for_display(one.place), why);
+        const auto edit = options.run->lock_for_edit();
         report.assertions.push_back(std::move(one));
     };
     for (const auto& file : project.model->files) {
@@ -528,12 +531,12 @@ void report_unchecked(const Project& project, const Options& options, Report& re
 }  // namespace
 
 void set_place(const Project& project, diagnostics::Span span, AssertionReport& report) {
-    report.place = project.sources.place(span);
+    report.place = project.sources.path_and_line(span);
     report.region = region_of(project, span);
 }
 
 std::optional<runs::Place> region_of(const Project& project, diagnostics::Span span) {
-    if (!span.known()) return std::nullopt;
+    if (!span.is_known()) return std::nullopt;
     const diagnostics::Position begin = project.sources.position(span.source, span.begin);
     const diagnostics::Position end = project.sources.position(span.source, span.end);
     return runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
@@ -559,7 +562,7 @@ void check_assertions(Project& project, const Options& options, Report& report) 
         for (const auto& time : times) time->give_back();
         if (probabilities) probabilities->give_back();
     });
-    for (const auto& time : times) time->measure();
+    for (const auto& time : times) time->measure_if_asked();
 }
 
 }  // namespace robochart::app

@@ -33,7 +33,7 @@ std::vector<Claim> claims_of(const Project& project, const Options& options) {
     std::vector<Claim> result;
     for (const auto& file : project.model->files)
         for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
-            if (asked_for(options, each.name)) result.push_back({file.get(), &each});
+            if (is_claim_selected(options, each.name)) result.push_back({file.get(), &each});
     return result;
 }
 
@@ -83,8 +83,8 @@ probability::Scheduler scheduler_of(const Options& options) {
 
 /// True if an assertion is decided on RoboTool's Markov chain. Random paths always use this chain, because paths of a
 /// decision process depend on the scheduler.
-bool robotools(const Options& options, const frontend::ProbabilisticAssertion& assertion) {
-    return options.encoding == "robotool" || probability::simulated(assertion);
+bool uses_robotool(const Options& options, const frontend::ProbabilisticAssertion& assertion) {
+    return options.encoding == "robotool" || probability::is_simulated(assertion);
 }
 
 class Decider {
@@ -96,9 +96,10 @@ public:
     void operator()(const Claim& claim, const Options& turn, AssertionReport& report) {
         turn_ends_ = turn.turn_ends;
         try {
-            const probability::Question question = this->question(claim);
+            const probability::Question question = this->make_question(claim);
             report.reason.clear();
-            probability::decide(*encoding_, question, how(), budget_, [&](Row row) { take(std::move(row), report); });
+            probability::decide_question(*encoding_, question, deciding_options(), budget_,
+                                         [&](Row row) { add_row(std::move(row), report); });
         } catch (const diagnostics::LimitReached& limit) {
             encoding_.reset();  // it may be incomplete
             if (run_is_over(options_.run->budget())) throw;
@@ -106,7 +107,8 @@ public:
             report.reason = is_over() ? "the time limit was reached" : limit.what();
         } catch (const NotExpressed& why) {
             report.answer = Answer::unchecked;
-            report.reason = fmt::format("{}: not checked: {}", diagnostics::shown(report.place), why.what());
+            report.reason =
+                fmt::format("{}: not checked: {}", diagnostics::escape_for_display(report.place), why.what());
         } catch (const probability::Wrong& wrong) {
             report.answer = Answer::error;
             report.reason = wrong.what();
@@ -120,34 +122,35 @@ private:
     /// The encoding keeps the budget during the turns of several claims.
     diagnostics::Limits limits_of_turn() {
         diagnostics::Limits limits = options_.run->budget().limits();
-        limits.interrupted = [this] { return options_.run->budget().interrupted() || is_over(); };
+        limits.interrupted = [this] { return options_.run->budget().is_interrupted() || is_over(); };
         return limits;
     }
     [[nodiscard]] bool is_over() const { return turn_ends_ && std::chrono::steady_clock::now() >= *turn_ends_; }
 
-    probability::Question question(const Claim& claim) {
+    probability::Question make_question(const Claim& claim) {
         const ir::ComponentRef subject =
-            subject_of(project_, probability::subjects(all_, *claim.file, *claim.assertion));
-        const auto functions = probability::functions(all_, *claim.file, *claim.assertion);
+            subject_of(project_, probability::subjects_of(all_, *claim.file, *claim.assertion));
+        const auto functions = probability::functions_of(all_, *claim.file, *claim.assertion);
         // Functions become part of RoboTool's model. If the assertion has none, the model is reused for the next
         // property.
-        const bool chain = robotools(options_, *claim.assertion);
-        const bool same = encoding_ && chain == chain_ && ir::qualified(subject) == ir::qualified(subject_);
+        const bool chain = uses_robotool(options_, *claim.assertion);
+        const bool same = encoding_ && chain == chain_ && ir::qualified_name(subject) == ir::qualified_name(subject_);
         if (!same || (chain && (!functions.empty() || with_functions_))) {
             encoding_.reset();
             subject_ = subject;
-            encoding_ = chain ? robotool(functions) : process();
+            encoding_ = chain ? make_robotool_encoding(functions) : make_process_encoding();
             chain_ = chain;
             with_functions_ = !functions.empty();
         }
-        return probability::translate(all_, *claim.file, *claim.assertion, encoding_->elements());
+        return probability::translate_assertion(all_, *claim.file, *claim.assertion, encoding_->elements());
     }
 
-    [[nodiscard]] probability::Deciding how() const {
+    [[nodiscard]] probability::Deciding deciding_options() const {
         return {options_.epsilon, options_.exact, options_.seed.value_or(0), options_.threads};
     }
 
-    std::unique_ptr<probability::Encoding> robotool(const std::map<std::string, probability::Function>& functions) {
+    std::unique_ptr<probability::Encoding> make_robotool_encoding(
+        const std::map<std::string, probability::Function>& functions) {
         if (subject_.kind != ir::ComponentKind::module)
             throw NotExpressed(fmt::format("RoboTool's encoding is one of modules, and `{}` is none", subject_.path));
         probability::RoboToolOptions wanted;
@@ -162,7 +165,7 @@ private:
             project_.system, project_.system.modules[subject_.definition], wanted, functions);
     }
 
-    std::unique_ptr<probability::Encoding> process() {
+    std::unique_ptr<probability::Encoding> make_process_encoding() {
         probability::ProcessOptions wanted;
         wanted.scheduler = scheduler_of(options_);
         wanted.instantiation = project_.asked;
@@ -172,7 +175,7 @@ private:
         return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, wanted);
     }
 
-    static void take(Row row, AssertionReport& report) {
+    static void add_row(Row row, AssertionReport& report) {
         ProbabilityReport& found = *report.probability;
         report.searched = true;
         report.statistics.states = std::max(report.statistics.states, row.states);
@@ -204,7 +207,7 @@ struct ProbabilityClaims::Impl {
         decide(claims[number], turn, one);
         const bool decided = one.answer != Answer::inconclusive;
         if (!decided) one.reason = ended_turn(one.reason, turn);
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         report.assertions[first + number] = std::move(one);
         return decided;
     }
@@ -224,14 +227,14 @@ ProbabilityClaims::ProbabilityClaims(Project& project, const Options& options, R
     if (options.encoding == "robotool" && scheduler != "any")
         throw UsageError("--scheduler does not apply to RoboTool's encoding, which has no choices");
     impl_->first = report.assertions.size();
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     for (const Claim& claim : claims) {
         AssertionReport one;
         one.title = fmt::format("{}{} {}", project.label, claim.assertion->name,
-                                diagnostics::shown(frontend::claim(*claim.assertion)));
+                                diagnostics::escape_for_display(frontend::claim_text(*claim.assertion)));
         set_place(project, claim.assertion->span, one);
         one.reason = undecided_at_limit;
-        const bool chain = robotools(options, *claim.assertion);
+        const bool chain = uses_robotool(options, *claim.assertion);
         one.probability = ProbabilityReport{chain ? "robotool" : "csp", chain ? "" : scheduler, {}};
         impl_->announced.push_back(one);
         report.assertions.push_back(std::move(one));

@@ -20,14 +20,14 @@
 #include "app/command/script.hpp"
 #include "app/report/script_report.hpp"
 #include "app/verbs/verbs.hpp"
-#include "checker/cspm/session.hpp"
-#include "checker/cspm/syntax/reader.hpp"
-#include "checker/cspm/syntax/rules.hpp"
-#include "checker/cspm/types/type_check.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
 #include "base/diagnostics/render.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+#include "checker/cspm/types/type_check.hpp"
 
 namespace robochart::app {
 namespace {
@@ -38,14 +38,14 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
     if (!limit.empty()) json["limit"] = limit;
     diagnostics::Json& names = json["names"] = diagnostics::Json::array();
     for (const cspm::NamedType& each : loaded.types)
-        names.push_back({{"name", each.name}, {"type", each.type}, {"place", loaded.sources.place(each.span)}});
+        names.push_back({{"name", each.name}, {"type", each.type}, {"place", loaded.sources.path_and_line(each.span)}});
     return diagnostics::json_text(json) + "\n";
 }
 
 /// Prints the answer about a script. If it is the answer of the run, a limit must not print a second document.
 void print_answer(const std::string& text, const Options& options) {
     if (options.inputs.size() == 1) options.run->finish();
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     print_exact(text);
 }
 
@@ -62,7 +62,7 @@ void show_types(const std::string& path, const LoadedScript& loaded, const Optio
     } else if (options.types) {
         for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
     } else if (!options.quiet) {
-        print("{}: the types of {} names are in order\n", diagnostics::shown(path), loaded.types.size());
+        print("{}: the types of {} names are in order\n", diagnostics::escape_for_display(path), loaded.types.size());
     }
 }
 
@@ -72,11 +72,12 @@ Exit check_types(const Options& options) {
         options.run->last_word([path, &options](const std::string& why) {
             keep_json(types_json(path, {}, why), options);
             if (options.format == Format::json) print_exact(types_json(path, {}, why));
-            print_error("robochart-verify: {}; the types of {} are not known\n", why, diagnostics::shown(path));
+            print_error("robochart-verify: {}; the types of {} are not known\n", why,
+                        diagnostics::escape_for_display(path));
             return Exit::inconclusive;
         });
         LoadedScript loaded;
-        loaded.diagnostics.within(&options.run->budget());
+        loaded.diagnostics.set_budget(&options.run->budget());
         const diagnostics::Budget::Phase phase(options.run->budget(), "checking the types of " + path);
         load_script(path, loaded);
         show_findings(loaded, options);
@@ -101,13 +102,15 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
         printed.expression = cspm::print(statement->body);
         try {
             const diagnostics::Budget::Phase phase(options.run->budget(), "printing " + printed.expression);
-            printed.value = session.evaluate(statement->body, limits(options, printed.expression));
+            printed.value = session.evaluate(statement->body, limits_of_check(options, printed.expression));
         } catch (const diagnostics::LimitReached& limit) {
-            printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(statement->span)), limit.what());
+            printed.error = fmt::format(
+                "{}: {}", diagnostics::escape_for_display(sources.path_and_line(statement->span)), limit.what());
             options.run->finish();  // from here on, only known results are printed
             stopped = true;
         } catch (const cspm::EvaluationError& error) {
-            printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(error.span)), error.what());
+            printed.error =
+                fmt::format("{}: {}", diagnostics::escape_for_display(sources.path_and_line(error.span)), error.what());
             printed.failed = true;
         }
     }
@@ -122,14 +125,14 @@ void show_prints(const ScriptReport& script, const Options& options) {
 
 /// The findings in the form of FDR's output: one text each.
 void take_findings(const LoadedScript& loaded, ScriptReport& report) {
-    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
-        const std::string text = fmt::format("{}: {}", loaded.sources.place(each.span), each.message());
+    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted_findings()) {
+        const std::string text = fmt::format("{}: {}", loaded.sources.path_and_line(each.span), each.message());
         (each.rule->severity == diagnostics::Severity::error ? report.errors : report.warnings).push_back(text);
     }
 }
 
 /// The script with the assertions about this script, by the file name that `emit csp` uses; "" if there is none.
-std::string assertions_beside(const std::string& path) {
+std::string script_with_assertions(const std::string& path) {
     const std::filesystem::path file(path);
     const std::filesystem::path beside = file.parent_path() / (file.stem().string() + "_assertions.csp");
     std::error_code code;
@@ -138,15 +141,15 @@ std::string assertions_beside(const std::string& path) {
 
 /// A script without assertions is not an error: its names and types have been checked. An empty script is an error.
 void note_no_assertions(const LoadedScript& loaded, const Options& options, ScriptReport& script) {
-    const std::string path = diagnostics::shown(script.path);
+    const std::string path = diagnostics::escape_for_display(script.path);
     if (loaded.script.decls.empty()) {
         script.errors.push_back(fmt::format("{}: nothing to check: it is empty", path));
         return;
     }
-    const std::string beside = assertions_beside(script.path);
-    script.warnings.push_back(
-        fmt::format("{}: there are no assertions; its names and types are right{}", path,
-                    beside.empty() ? "" : fmt::format(", and assertions are in {}", diagnostics::shown(beside))));
+    const std::string beside = script_with_assertions(script.path);
+    script.warnings.push_back(fmt::format(
+        "{}: there are no assertions; its names and types are right{}", path,
+        beside.empty() ? "" : fmt::format(", and assertions are in {}", diagnostics::escape_for_display(beside))));
     const bool text = options.format == Format::text || options.format == Format::plain;
     if (text || options.format == Format::junit) print_error("{}\n", script.warnings.back());
 }
@@ -176,7 +179,7 @@ struct Known {
 void print_decided(const ScriptAssertion& decided, const process::EventTable& events, const Options& options,
                    const ScriptReport& script) {
     if (options.format != Format::plain && options.format != Format::framed_json) return;
-    const auto edit = options.run->edit();  // so that the last word is not printed in between
+    const auto edit = options.run->lock_for_edit();  // so that the last word is not printed in between
     if (options.format == Format::plain) {
         print_text(refines_plain(decided, events, options));
     } else {
@@ -188,22 +191,22 @@ void print_decided(const ScriptAssertion& decided, const process::EventTable& ev
 }
 
 void decide_all(const LoadedScript& loaded, OpenScript& open, const Options& options, Known& known) {
-    const auto assertions = open.session().assertions();
+    const auto assertions = open.open_session().assertions();
     ScriptReport& script = known.script;
     const std::vector<std::size_t> chosen = chosen_of(assertions, options, script.path);
     {
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         if (assertions.empty() && script.prints.empty()) note_no_assertions(loaded, options, script);
         std::string& summary = known.report.summary;
         summary += fmt::format("{}{} assertions", summary.empty() ? "" : ", ", assertions.size());
     }
     ScriptClaims claims(open, loaded, options, chosen, script, known.report);
-    claims.decide([&](const ScriptAssertion& decided, const process::EventTable& events) {
+    claims.decide_all([&](const ScriptAssertion& decided, const process::EventTable& events) {
         print_decided(decided, events, options, script);
     });
 }
 
-Exit worse(Exit a, Exit b) {
+Exit worse_exit(Exit a, Exit b) {
     const auto rank = [](Exit exit) {
         constexpr std::array order{Exit::success, Exit::inconclusive, Exit::failed, Exit::bad_input};
         return std::ranges::find(order, exit) - order.begin();
@@ -228,7 +231,7 @@ void keep_cases(const Known& known, const Options& options) {
 }
 
 void note_refused(const ScriptReport& script, const Options& options, Known& known) {
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     known.refused.push_back({script.path, "", fmt::format("{}", fmt::join(script.errors, "\n"))});
 }
 
@@ -237,13 +240,13 @@ void print_report(const Known& known, const Options& options) {
     if (options.format == Format::junit)
         print_exact(render_junit(with_refused(known)));
     else
-        print_styled(wrapped(render_text(known.report, options), line_width(STDOUT_FILENO)));
+        print_styled(wrap_lines(render_text(known.report, options), line_width(STDOUT_FILENO)));
 }
 
 /// Prints the rest of the output about a script. It is printed completely, and the last word does not print it again.
 void print_last(const std::string& text, const Options& options, Known& known) {
     if (known.last) options.run->finish();
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     known.script = {};
     print_exact(text);
     finish_output();
@@ -252,13 +255,13 @@ void print_last(const std::string& text, const Options& options, Known& known) {
 /// Prints the object of a script, in the formats that have one.
 void print_object(const Options& options, Known& known) {
     const bool json = options.format == Format::json || options.format == Format::framed_json;
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     keep_object(known.script, options);
     print_last(json ? refines_json(known.script, options) : "", options, known);
 }
 
 /// The script's errors so far, also as the case of a script that is refused.
-Exit refuse(const Options& options, Known& known) {
+Exit refuse_script(const Options& options, Known& known) {
     note_refused(known.script, options, known);
     print_object(options, known);
     return Exit::bad_input;
@@ -271,21 +274,21 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
     std::optional<diagnostics::Budget::Phase> reading(std::in_place, options.run->budget(), "reading " + script.path);
     OpenScript open(loaded, options);
     reading.reset();
-    std::vector<ScriptPrint> prints = print_statements(open.session(), loaded, options, stopped);
+    std::vector<ScriptPrint> prints = print_statements(open.open_session(), loaded, options, stopped);
     const bool failed = std::ranges::any_of(prints, [](const ScriptPrint& each) { return each.failed; });
     {
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         script.prints = std::move(prints);
     }
     show_prints(script, options);
-    const bool asserts = !open.session().assertions().empty();
+    const bool asserts = !open.open_session().assertions().empty();
     decide_all(loaded, open, options, known);
     known.asks = known.asks || asserts || !script.prints.empty();
     for (const std::string& error : script.errors) print_error("{}\n", error);
-    if (!script.errors.empty()) return refuse(options, known);
+    if (!script.errors.empty()) return refuse_script(options, known);
     // Frames belong to assertions; a script with only print statements gets one frame.
     if (options.format == Format::framed_json && asserts) {
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         keep_object(script, options);
         print_last("", options, known);
     } else {
@@ -299,17 +302,17 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
 /// Decides one script and adds its results to the common report.
 Exit decide_script(const Options& options, Known& known) {
     LoadedScript loaded;
-    loaded.diagnostics.within(&options.run->budget());
+    loaded.diagnostics.set_budget(&options.run->budget());
     {
         const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + known.script.path);
         load_script(known.script.path, loaded);
     }
     show_findings(loaded, options);
     {
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         take_findings(loaded, known.script);
     }
-    if (!loaded.diagnostics.ok()) return refuse(options, known);
+    if (!loaded.diagnostics.ok()) return refuse_script(options, known);
     try {
         return decide_loaded(loaded, options, known);
     } catch (const diagnostics::LimitReached& limit) {
@@ -319,11 +322,11 @@ Exit decide_script(const Options& options, Known& known) {
         print_object(options, known);
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
-        const auto edit = options.run->edit();
-        known.script.errors.push_back(
-            fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
+        const auto edit = options.run->lock_for_edit();
+        known.script.errors.push_back(fmt::format(
+            "{}: {}", diagnostics::escape_for_display(loaded.sources.path_and_line(error.span)), error.what()));
         print_error("{}\n", known.script.errors.back());
-        return refuse(options, known);
+        return refuse_script(options, known);
     }
 }
 
@@ -351,7 +354,7 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
 
 /// The last word. What has been decided is in the object of the script that is open, and what has not says why; frames
 /// of what has been decided are printed already.
-Exit say_what_is_known(const std::string& why, const Options& options, Known& known) {
+Exit print_partial_result(const std::string& why, const Options& options, Known& known) {
     Report& report = known.report;
     report.limit = why;
     for (AssertionReport& each : report.assertions)
@@ -373,7 +376,7 @@ Exit say_what_is_known(const std::string& why, const Options& options, Known& kn
                           [](const ScriptAssertion& each) { return each.answer != Answer::inconclusive; });
         print_exact(refines_json(script, options));
     }
-    return report.exit();
+    return report.exit_code();
 }
 
 }  // namespace
@@ -397,7 +400,7 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 }
 
 Exit run_cspm(const Options& options) {
-    if ((options.typecheck || options.types) && is_asked_for(options, Format::junit))
+    if ((options.typecheck || options.types) && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support types; use text or json");
     if (options.typecheck || options.types) return check_types(options);
     if (!options.exported.empty()) return export_process(options);
@@ -406,16 +409,16 @@ Exit run_cspm(const Options& options) {
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
     report.subject = "process";
     options.run->last_word(
-        [known, &options](const std::string& why) { return say_what_is_known(why, options, *known); });
+        [known, &options](const std::string& why) { return print_partial_result(why, options, *known); });
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) {
         {
-            const auto edit = options.run->edit();
+            const auto edit = options.run->lock_for_edit();
             known->script = {};
             known->script.path = path;
             known->last = &path == &options.inputs.back();
         }
-        exit = worse(exit, decide_script(options, *known));
+        exit = worse_exit(exit, decide_script(options, *known));
         if (!report.limit.empty()) break;
     }
     options.run->finish();
@@ -426,8 +429,8 @@ Exit run_cspm(const Options& options) {
     const bool some = exit != Exit::bad_input || !report.assertions.empty();
     keep_cases(*known, options);
     if (options.format == Format::junit || (options.format == Format::text && some)) print_report(*known, options);
-    const Exit all = worse(exit, report.exit());
-    if ((all == Exit::success || all == Exit::failed) && report.all_decided()) options.run->all_asked();
+    const Exit all = worse_exit(exit, report.exit_code());
+    if ((all == Exit::success || all == Exit::failed) && report.all_decided()) options.run->end_questions();
     return all;
 }
 

@@ -16,8 +16,8 @@
 #include "app/command/run.hpp"
 #include "app/pages/part_diagrams.hpp"
 #include "app/verbs/verbs.hpp"
-#include "cpp_emit/load/shared_library.hpp"
 #include "base/diagnostics/files.hpp"
+#include "cpp_emit/load/shared_library.hpp"
 #include "frontend/diagrams/exports/dot.hpp"
 #include "frontend/diagrams/exports/mermaid.hpp"
 #include "frontend/diagrams/layout/arrange.hpp"
@@ -43,7 +43,7 @@ public:
     Exit run() {
         parts_ = read_parts(options_);
         diagrams_.emplace(parts_, options_.run->budget());
-        choose();
+        choose_subjects();
         if (has_places() && !parts_.empty()) parts_.front().project->diagnostics.add(diagrams_->stored_findings());
         std::optional<diagnostics::Budget::Phase> phase(std::in_place, options_.run->budget(), "drawing");
         written_ = wanted_.size() == 1 ? draw_one() : draw_all();
@@ -52,7 +52,7 @@ public:
         bool good = written_;
         for (const Part& part : parts_) {
             show_findings(*part.project, options_);
-            good = good && acceptable(*part.project, options_);
+            good = good && is_acceptable(*part.project, options_);
         }
         if (chosen_.empty() && good) print_error("robochart-verify: there is nothing to draw\n");
         return good && !chosen_.empty() ? Exit::success : Exit::bad_input;
@@ -60,13 +60,13 @@ public:
 
 private:
     /// Selects the subjects named on the command line; without names, all. Throws UsageError.
-    void choose() {
-        for (const std::string& name : wanted_) chosen_.push_back(&named(name));
+    void choose_subjects() {
+        for (const std::string& name : wanted_) chosen_.push_back(&find_subject(name));
         if (!wanted_.empty()) return;
         for (const PartSubject& each : diagrams_->subjects()) chosen_.push_back(&each);
     }
 
-    [[nodiscard]] const PartSubject& named(const std::string& name) const {
+    [[nodiscard]] const PartSubject& find_subject(const std::string& name) const {
         std::vector<const PartSubject*> called;
         std::vector<std::string> known;
         for (const PartSubject& each : diagrams_->subjects()) {
@@ -89,14 +89,14 @@ private:
         if (options_.theme == "light" || options_.picture != "svg") style.theme = diagrams::Theme::light;
         if (options_.theme == "dark") style.theme = diagrams::Theme::dark;
         try {
-            const diagrams::Picture picture =
-                diagrams::draw(drawn.subject, {*drawn.elements, nullptr, &options_.run->budget(), layout_of(drawn)});
-            if (options_.picture == "mermaid") return diagrams::mermaid(picture);
-            if (options_.picture == "dot") return diagrams::dot(picture);
-            const std::string text = diagrams::svg(picture, *drawn.elements, style);
-            return options_.picture == "svg" ? text : converted(drawn, text);
+            const diagrams::Picture picture = diagrams::draw_subject(
+                drawn.subject, {*drawn.elements, nullptr, &options_.run->budget(), layout_of(drawn)});
+            if (options_.picture == "mermaid") return diagrams::render_mermaid(picture);
+            if (options_.picture == "dot") return diagrams::render_dot(picture);
+            const std::string text = diagrams::render_svg(picture, *drawn.elements, style);
+            return options_.picture == "svg" ? text : convert_svg(drawn, text);
         } catch (const diagrams::layout::TooLarge& large) {
-            return fail(drawn, fmt::format("{}: {}", drawn.subject.name, large.what()));
+            return report_unwritable(drawn, fmt::format("{}: {}", drawn.subject.name, large.what()));
         }
     }
 
@@ -110,34 +110,34 @@ private:
         return drawn.layout;
     }
 
-    static std::nullopt_t fail(const PartSubject& drawn, const std::string& why) {
+    static std::nullopt_t report_unwritable(const PartSubject& drawn, const std::string& why) {
         drawn.project->diagnostics.report(rules::unwritable, {}, {why});
         return std::nullopt;
     }
 
     /// Converts the diagram with rsvg-convert, in a temporary folder.
-    std::optional<std::string> converted(const PartSubject& drawn, const std::string& text) {
+    std::optional<std::string> convert_svg(const PartSubject& drawn, const std::string& text) {
         std::string error;
         diagnostics::Budget* budget = &options_.run->budget();
         const diagnostics::TemporaryFolder folder("", error, budget);
         if (error.empty()) error = diagnostics::write_below(folder.path(), "diagram.svg", text, budget);
-        if (!error.empty()) return fail(drawn, error);
+        if (!error.empty()) return report_unwritable(drawn, error);
         const std::string made = folder.path() + "/diagram";
         const std::string log = folder.path() + "/log";
         const int status = cpp_emit::run_program(
             {"rsvg-convert", "--format", options_.picture, "--output", made, folder.path() + "/diagram.svg"}, log,
             error, budget);
         if (status < 0)
-            return fail(
+            return report_unwritable(
                 drawn,
                 fmt::format("{}; it makes PNG and PDF: on Debian, `apt install librsvg2-bin` installs it", error));
         if (status > 0)
-            return fail(drawn,
-                        fmt::format("rsvg-convert failed with status {}: {}", status, contents(log).substr(0, 500)));
-        return contents(made);
+            return report_unwritable(drawn, fmt::format("rsvg-convert failed with status {}: {}", status,
+                                                        read_contents(log).substr(0, 500)));
+        return read_contents(made);
     }
 
-    static std::string contents(const std::string& path) {
+    static std::string read_contents(const std::string& path) {
         std::ifstream in(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
@@ -149,7 +149,7 @@ private:
         if (!text) return false;
         if (options_.out_given && options_.out != "-") {
             const std::string error = diagnostics::replace_file(options_.out, *text, &options_.run->budget());
-            if (!error.empty()) fail(drawn, error);
+            if (!error.empty()) report_unwritable(drawn, error);
             return error.empty();
         }
         const bool binary = options_.picture == "png" || options_.picture == "pdf";

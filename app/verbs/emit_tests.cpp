@@ -12,9 +12,9 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
-#include "conformance/testgen/test_suite.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "conformance/testgen/test_suite.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -37,23 +37,24 @@ std::string suite_summary(const Made& made, const Options& options, const ir::Co
 }
 
 /// Throws std::length_error if there is no test suite.
-Made make(Project& project, const Options& options, const ir::ComponentRef& component, const refine::Limits& bounds) {
+Made make_suite(Project& project, const Options& options, const ir::ComponentRef& component,
+                const refine::Limits& bounds) {
     std::string error;
     const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle,
                                                       bounds, project.sources, project.diagnostics, error);
     if (model == nullptr) throw std::length_error(error);
     const auto choices = conformance::choice_automaton(*model, bounds);
     const std::string name = file_name(project, component);
-    const std::string qualified = ir::qualified(component);
-    if (!choices.deterministic()) {
-        Made made{conformance::adaptive_sources(name), choices.states(), 0, 0, true};
+    const std::string qualified = ir::qualified_name(component);
+    if (!choices.is_deterministic()) {
+        Made made{conformance::adaptive_sources(name), choices.state_count(), 0, 0, true};
         made.files.push_back(
             {name + ".graph", conformance::choice_graph(choices, *model, qualified, options.extra_states)});
         return made;
     }
     const auto machine = conformance::cycle_automaton(*model, bounds);
     const auto tests = conformance::complete_suite(machine, options.extra_states);
-    Made made{conformance::suite_sources(name), machine.states(), tests.size(), 0};
+    Made made{conformance::suite_sources(name), machine.state_count(), tests.size(), 0};
     for (const auto& test : tests) made.cycles += test.size();
     made.files.push_back(
         {name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.extra_states)});
@@ -68,26 +69,26 @@ bool write_tests(Project& project, const Options& options, Report& report) {
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.component.empty() ? "the model" : options.component});
     for (const ir::ComponentRef& component : components) {
-        const refine::Limits bounds = limits(options, "tests of " + component.path);
+        const refine::Limits bounds = limits_of_check(options, "tests of " + component.path);
         std::string refused;
         diagnostics::Span place;
         try {
-            const Made made = make(project, options, component, bounds);
+            const Made made = make_suite(project, options, component, bounds);
             const std::string below = fmt::format("tests/{}{}/", project.folder, file_name(project, component));
             if (!write_all(below, made.files, report.test_files, options, project)) return false;
-            const auto edit = options.run->edit();
+            const auto edit = options.run->lock_for_edit();
             report.remarks.push_back(project.label + suite_summary(made, options, component));
         } catch (const std::length_error& large) {
             refused = large.what();
         } catch (const cspm::EvaluationError& failed) {
-            refused = runs::failure(failed, project.system);
+            refused = runs::failure_text(failed, project.system);
             place = failed.span;
         } catch (const conformance::AlphabetError& mismatch) {
             refused = mismatch.what();
         }
         if (!refused.empty())
             project.diagnostics.report(rules::no_monitor,
-                                       place.known() ? place : declared_at(project.system, component),
+                                       place.is_known() ? place : declared_at(project.system, component),
                                        {component.path, refused});
     }
     return project.diagnostics.ok();

@@ -25,7 +25,7 @@ Evidence::Files files_of(const Project& project) {
         const std::filesystem::path path = project.sources.path(source);
         const std::string ending = path.extension().string();
         if (std::filesystem::exists(path) && (ending == ".rct" || ending == ".assertions"))
-            files.emplace_back(path.filename().string(), content_digest(project.sources.text(source)));
+            files.emplace_back(path.filename().string(), content_digest(project.sources.source_text(source)));
     }
     std::ranges::sort(files);
     files.erase(std::unique(files.begin(), files.end()), files.end());
@@ -70,9 +70,9 @@ void decide_assertions_of(const Options& wanted, const std::vector<Part>& parts,
         Report report;
         Options asked = wanted;
         asked.core = core_wanted(part, wanted);
-        if (acceptable(project, wanted)) check_assertions(project, asked, report);
-        if (!acceptable(project, wanted)) {
-            for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+        if (is_acceptable(project, wanted)) check_assertions(project, asked, report);
+        if (!is_acceptable(project, wanted)) {
+            for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
                 if (each.rule->severity == diagnostics::Severity::error)
                     add(fmt::format("{}: {}", project.name, each.message()), "error");
         }
@@ -89,7 +89,7 @@ void decide_assertions_of(const Options& wanted, const std::vector<Part>& parts,
 
 void decide_assertions(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
     std::set<ModelRead> done;
-    for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
+    for (std::size_t controller = 0; controller < scenario.controller_count(); ++controller) {
         Options wanted = over_the_model(options, scenario, controller, Verb::check);
         const std::vector<Part> parts = load_parts(wanted);
         if (done.insert(model_read(wanted, parts)).second)
@@ -99,7 +99,7 @@ void decide_assertions(const Options& options, const simulation::Scenario& scena
 
 void decide_conformance(const Options& options, const simulation::Scenario& scenario, Evidence& evidence) {
     std::set<std::pair<std::string, ModelRead>> done;
-    for (std::size_t controller = 0; controller < scenario.controllers(); ++controller) {
+    for (std::size_t controller = 0; controller < scenario.controller_count(); ++controller) {
         Options wanted = over_the_model(options, scenario, controller, Verb::conform);
         wanted.component = scenario.controller_at(controller).component.text;
         wanted.cycle = scenario.units_per_step;
@@ -108,7 +108,7 @@ void decide_conformance(const Options& options, const simulation::Scenario& scen
         if (!done.emplace(wanted.component, model_read(wanted, parts)).second) continue;
         Report report;
         for (const Part& part : parts)
-            if (acceptable(*part.project, wanted) && !part.again &&
+            if (is_acceptable(*part.project, wanted) && !part.again &&
                 !code_components(part.project->system, wanted.component).empty())
                 check_conformance(*part.project, wanted, report);
         const std::string name = in_front(scenario, controller);
@@ -121,7 +121,7 @@ void decide_conformance(const Options& options, const simulation::Scenario& scen
 bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<Simulation>& simulation) {
     simulation = load_simulation(options);
     Project& project = *simulation->project;
-    if (!acceptable(project, options)) return false;
+    if (!is_acceptable(project, options)) return false;
     const auto controller = build_controller(*simulation, options);
     if (controller == nullptr || !project.diagnostics.ok()) return false;
     simulation::Scenario scenario = simulation->scenario;
@@ -134,17 +134,17 @@ bool decide_claims(const Options& options, Evidence& evidence, std::unique_ptr<S
     wanted.record = false;
     wanted.interrupted = when_a_limit_is_reached(options);
     const simulation::RunResult found =
-        simulation::run(plan, drives_of(*simulation, *controller), wanted, project.diagnostics);
+        simulation::run_trials(plan, drives_of(*simulation, *controller), wanted, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
     if (found.interrupted) options.run->budget().check();  // throws the reached limit
     evidence.scenario = scenario.name.text;
-    std::string texts(project.sources.text(simulation->scenario.name.span.source));
+    std::string texts(project.sources.source_text(simulation->scenario.name.span.source));
     for (const std::string& drawing : simulation->scenario.drawings) texts += content_digest(drawing);
     evidence.scenario_digest = content_digest(texts);
     evidence.seed = scenario.seed;
     for (std::size_t c = 0; c < found.claims.size(); ++c) {
         const simulation::ClaimResult& each = found.claims[c];
-        evidence.claims.push_back({scenario.claims[c].text, simulation::verdict_word(each.verdict), each.trials(),
+        evidence.claims.push_back({scenario.claims[c].text, simulation::verdict_word(each.verdict), each.trial_count(),
                                    each.successes, each.interval.low, each.interval.high});
     }
     return true;

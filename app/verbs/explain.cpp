@@ -15,7 +15,7 @@
 namespace robochart::app {
 namespace {
 
-std::string_view word(diagnostics::Severity severity) {
+std::string_view severity_word(diagnostics::Severity severity) {
     return severity == diagnostics::Severity::error     ? "error"
            : severity == diagnostics::Severity::warning ? "warning"
                                                         : "note";
@@ -31,7 +31,7 @@ std::string upper_start(std::string_view code) {
 }
 
 /// The nearest code, or the codes with the same prefix, for a mistyped code.
-std::string relatives(std::string_view code) {
+std::string similar_codes(std::string_view code) {
     std::vector<std::string> all, found;
     for (const diagnostics::Rule* rule : all_rules()) {
         all.emplace_back(rule->code);
@@ -47,19 +47,19 @@ std::string relatives(std::string_view code) {
 std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
     std::string text;
     for (const diagnostics::Rule* rule : rules)
-        text +=
-            fmt::format("{} ({}): {}\n\n{}\n\n", rule->code, word(rule->severity), rule->message, rule->explanation);
+        text += fmt::format("{} ({}): {}\n\n{}\n\n", rule->code, severity_word(rule->severity), rule->message,
+                            rule->explanation);
     return text;
 }
 
-bool explain(const std::string& written, bool color) {
+bool explain_code(const std::string& written, bool color) {
     const std::vector<std::string> meant = codes_meant(written);
     const std::string code = meant.size() == 1 ? meant.front() : written;
     const std::string_view page = page_text(code);
     const auto rules = find_rules(code);
     if (page.empty() && rules.empty()) {
         const std::string instead =
-            meant.empty() ? relatives(written) : fmt::format("; there are {}", fmt::join(meant, ", "));
+            meant.empty() ? similar_codes(written) : fmt::format("; there are {}", fmt::join(meant, ", "));
         print_error("robochart-verify: no rule has the code {}{}\n", written, instead);
         return false;
     }
@@ -83,7 +83,7 @@ Exit run_explain(const Options& options) {
     Exit exit = Exit::success;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
         if (i > 0) print("\n");
-        if (!explain(options.inputs[i], color)) exit = Exit::usage;
+        if (!explain_code(options.inputs[i], color)) exit = Exit::usage;
     }
     return exit;
 }

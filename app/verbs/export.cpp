@@ -21,7 +21,7 @@
 namespace robochart::app {
 
 /// The process is on a line of its own, so that findings show only the process.
-cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
+cspm::DeclPtr parse_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
     const auto source = loaded.sources.add(origin, "assert (\n" + process + "\n) :[divergence free]\n");
     cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
     if (!loaded.diagnostics.ok() || read.decls.size() != 1) return nullptr;
@@ -33,7 +33,7 @@ cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process, co
 namespace {
 
 /// The definitions of the script, without assertions and print statements.
-cspm::Script definitions(const cspm::Script& script) {
+cspm::Script definitions_only(const cspm::Script& script) {
     cspm::Script result;
     for (const cspm::DeclPtr& decl : script.decls)
         if (decl->kind != cspm::DeclKind::assertion && decl->kind != cspm::DeclKind::print)
@@ -49,7 +49,7 @@ std::string fresh_name(const std::string& text, std::string name) {
 
 void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, const lts::Graph& graph,
                   const process::EventTable& events, std::ostream& out) {
-    const std::string text = cspm::print(definitions(loaded.script));
+    const std::string text = cspm::print(definitions_only(loaded.script));
     const std::string original = cspm::print(process);
     const std::string name = fresh_name(text + original, "Explicit");
     fmt::print(out, "-- {}: {} states, {} transitions, as {}.\n\n{}\n", original, graph.size(), graph.edge_count(),
@@ -60,17 +60,17 @@ void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, cons
 
 Exit export_from(LoadedScript& loaded, const Options& options) {
     const std::string& format = options.exported[0];
-    const cspm::DeclPtr asked = asked_process(loaded, options.exported[1], "--export");
+    const cspm::DeclPtr asked = parse_process(loaded, options.exported[1], "--export");
     if (!asked) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
     cspm::Session session(loaded.script, &options.run->budget());
-    const refine::Limits bounds = limits(options, options.exported[1]);
+    const refine::Limits bounds = limits_of_check(options, options.exported[1]);
     const cspm::ExprPtr& process = asked->assertion.specification;
     const auto system = session.system(process, bounds);
     std::size_t known = 0;
-    const lts::Graph graph = explored(*system, bounds, known);
+    const lts::Graph graph = explore_graph(*system, bounds, known);
     options.run->finish();
     // Formatted for people only if it is small; otherwise written as it is made.
     std::ostringstream seen;
@@ -98,7 +98,7 @@ Exit export_process(const Options& options) {
         return Exit::inconclusive;
     });
     LoadedScript loaded;
-    loaded.diagnostics.within(&options.run->budget());
+    loaded.diagnostics.set_budget(&options.run->budget());
     load_script(options.inputs.front(), loaded);
     if (!loaded.diagnostics.ok()) {
         show_findings(loaded, options);
@@ -107,7 +107,7 @@ Exit export_process(const Options& options) {
     try {
         return export_from(loaded, options);
     } catch (const cspm::EvaluationError& error) {
-        print_error("{}: {}\n", loaded.sources.place(error.span), error.what());
+        print_error("{}: {}\n", loaded.sources.path_and_line(error.span), error.what());
         return Exit::bad_input;
     }
 }

@@ -47,15 +47,15 @@ public:
     Exit run();
 
 private:
-    void input(const std::string& path);
-    void file(const fs::path& path);
+    void format_input(const std::string& path);
+    void format_file(const fs::path& path);
     void standard_input();
-    void changed(const fs::path& path, std::string_view before, const std::string& after);
-    void report(const diagnostics::Rule& rule, std::vector<std::string> arguments);
+    void handle_change(const fs::path& path, std::string_view before, const std::string& after);
+    void report_failure(const diagnostics::Rule& rule, std::vector<std::string> arguments);
     /// The formatted text. If it has syntax errors, they are shown and there is no value.
     std::optional<std::string> format(diagnostics::SourceId source, Language language);
-    void show(const diagnostics::Diagnostics& diagnostics) const;
-    [[nodiscard]] std::string closing() const;
+    void print_findings(const diagnostics::Diagnostics& diagnostics) const;
+    [[nodiscard]] std::string closing_line() const;
 
     const Options& options_;
     diagnostics::SourceManager sources_;
@@ -65,26 +65,26 @@ private:
     bool failed_ = false;
 };
 
-void Formatting::show(const diagnostics::Diagnostics& diagnostics) const {
+void Formatting::print_findings(const diagnostics::Diagnostics& diagnostics) const {
     const diagnostics::TextStyle style = findings_style(options_);
     print_error_styled(diagnostics::render_text(sources_, diagnostics, style));
 }
 
-void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> arguments) {
+void Formatting::report_failure(const diagnostics::Rule& rule, std::vector<std::string> arguments) {
     diagnostics::Diagnostics diagnostics;
     diagnostics.report(rule, {}, std::move(arguments));
-    show(diagnostics);
+    print_findings(diagnostics);
     failed_ = true;
 }
 
 std::optional<std::string> Formatting::format(diagnostics::SourceId source, Language language) {
     diagnostics::Diagnostics diagnostics;
-    diagnostics.within(&options_.run->budget());
+    diagnostics.set_budget(&options_.run->budget());
     auto result = language == Language::rules
                       ? sleec::format(sources_, source, diagnostics)
                       : frontend::format(sources_, source, language == Language::assertions, diagnostics);
     if (result) return result;
-    show(diagnostics);
+    print_findings(diagnostics);
     failed_ = true;
     return std::nullopt;
 }
@@ -92,57 +92,57 @@ std::optional<std::string> Formatting::format(diagnostics::SourceId source, Lang
 void Formatting::standard_input() {
     std::string error;
     std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
-    if (!error.empty()) return report(syntax::unreadable, {"-", error});
+    if (!error.empty()) return report_failure(syntax::unreadable, {"-", error});
     const auto source = sources_.add("<stdin>", std::move(text));
     const auto result = format(source, options_.assertions ? Language::assertions : Language::model);
     if (!result) return;
     ++files_;
-    const std::string_view before = sources_.text(source);
+    const std::string_view before = sources_.source_text(source);
     if (options_.check || options_.diff) {
-        if (*result != before) changed("<stdin>", before, *result);
+        if (*result != before) handle_change("<stdin>", before, *result);
     } else {
         print_exact(*result);
     }
 }
 
-void Formatting::changed(const fs::path& path, std::string_view before, const std::string& after) {
+void Formatting::handle_change(const fs::path& path, std::string_view before, const std::string& after) {
     ++changed_;
     if (options_.diff) return print_exact(unified_diff(path.string(), before, after));
     if (!options_.check) {
         const std::string error = diagnostics::replace_text(path.string(), after, &options_.run->budget());
-        if (!error.empty()) return report(rules::unwritable, {error});
+        if (!error.empty()) return report_failure(rules::unwritable, {error});
     }
-    if (options_.check || !options_.quiet) print("{}\n", diagnostics::shown(path.string()));
+    if (options_.check || !options_.quiet) print("{}\n", diagnostics::escape_for_display(path.string()));
 }
 
-void Formatting::file(const fs::path& path) {
+void Formatting::format_file(const fs::path& path) {
     std::error_code code;
     const fs::path canonical = fs::weakly_canonical(path, code);
     if (!seen_.insert(code ? path : canonical).second) return;
     std::string error;
-    const auto source = sources_.load(path.string(), error);
-    if (!source) return report(syntax::unreadable, {path.string(), error});
+    const auto source = sources_.load_file(path.string(), error);
+    if (!source) return report_failure(syntax::unreadable, {path.string(), error});
     ++files_;
     const auto result = format(*source, language_of(path).value_or(Language::model));
-    if (result && *result != sources_.text(*source)) changed(path, sources_.text(*source), *result);
+    if (result && *result != sources_.source_text(*source)) handle_change(path, sources_.source_text(*source), *result);
 }
 
-void Formatting::input(const std::string& path) {
+void Formatting::format_input(const std::string& path) {
     if (path == "-") return standard_input();
     std::error_code code;
-    if (!fs::is_directory(path, code)) return file(path);
+    if (!fs::is_directory(path, code)) return format_file(path);
     const diagnostics::FilesBelow found = diagnostics::files_below(path, true);
-    for (const auto& [folder, cause] : found.unreadable) report(syntax::unreadable, {folder, cause});
+    for (const auto& [folder, cause] : found.unreadable) report_failure(syntax::unreadable, {folder, cause});
     std::size_t ours = 0;
     for (const fs::path each : found.files) {
         if (!language_of(each)) continue;
         ++ours;
-        file(each);
+        format_file(each);
     }
-    if (ours == 0 && found.unreadable.empty()) report(syntax::no_files, {path});
+    if (ours == 0 && found.unreadable.empty()) report_failure(syntax::no_files, {path});
 }
 
-std::string Formatting::closing() const {
+std::string Formatting::closing_line() const {
     const auto count = [](std::size_t n) { return fmt::format("{} file{}", n, n == 1 ? "" : "s"); };
     const char* const verdict = options_.check || options_.diff ? "would change" : "changed";
     return changed_ == 0 ? fmt::format("{} in the standard layout", count(files_))
@@ -150,10 +150,10 @@ std::string Formatting::closing() const {
 }
 
 Exit Formatting::run() {
-    for (const std::string& path : options_.inputs) input(path);
+    for (const std::string& path : options_.inputs) format_input(path);
     const bool filters = options_.inputs == std::vector<std::string>{"-"};
     finish_output();  // so that the summary comes last if both streams are the same
-    if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing());
+    if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing_line());
     if (failed_) return Exit::bad_input;
     return options_.check && changed_ > 0 ? Exit::failed : Exit::success;
 }

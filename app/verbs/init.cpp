@@ -14,10 +14,10 @@
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "checker/cspm/syntax/lexer.hpp"
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/text.hpp"
+#include "checker/cspm/syntax/lexer.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::app {
@@ -47,7 +47,7 @@ bool is_word_of_cspm(const std::string& name) {
 }
 
 /// The reason why it cannot be the name of a package; "" if it can.
-std::string unfit(const std::string& name) {
+std::string reason_unfit(const std::string& name) {
     const auto fits = [](char c) { return is_plain(c) || c == '_'; };
     if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
     if (name.empty() || !std::ranges::all_of(name, fits) || std::isalpha(static_cast<unsigned char>(name.front())) == 0)
@@ -73,7 +73,7 @@ std::string made_fit(const std::string& name) {
     fit.resize(std::min(fit.size(), longest_name - added.size()));
     while (!fit.empty() && fit.back() == '_') fit.pop_back();
     if (fit.empty()) return "";
-    return unfit(fit).empty() ? fit : std::string(added) + fit;
+    return reason_unfit(fit).empty() ? fit : std::string(added) + fit;
 }
 
 std::vector<NewFile> files_of(const std::string& name, const Options& options) {
@@ -84,7 +84,7 @@ std::vector<NewFile> files_of(const std::string& name, const Options& options) {
         commands +=
             fmt::format("robochart-verify emit cpp . --target ros2 --mapping {}.ros2  # a package for ROS 2\n", name);
     const auto text = [&](std::string_view path) {
-        return diagnostics::filled(template_text(path), {{"COMMANDS", commands}, {"NAME", name}});
+        return diagnostics::fill_template(template_text(path), {{"COMMANDS", commands}, {"NAME", name}});
     };
     std::vector<NewFile> files{{name + ".rct", text("model.rct")}, {name + ".assertions", text("model.assertions")}};
     if (options.simulation) files.push_back({name + ".scenario", text("model.scenario")});
@@ -107,7 +107,7 @@ std::string in_the_way(const fs::path& folder, const std::vector<NewFile>& files
     return "";
 }
 
-Exit refused(const std::string& why) {
+Exit report_refusal(const std::string& why) {
     print_error("robochart-verify: {}; nothing is written\n", why);
     return Exit::bad_input;
 }
@@ -136,7 +136,7 @@ bool write(const fs::path& folder, const std::vector<NewFile>& files, const Opti
 /// The project's name from the last part of its folder's path. If no name was given, it is made from the name of the
 /// folder.
 std::string name_of(const std::string& last, const fs::path& folder, const Options& options) {
-    const std::string why = unfit(last);
+    const std::string why = reason_unfit(last);
     if (why.empty()) return last;
     const std::string meant = made_fit(last);
     if (options.inputs.empty() && !meant.empty()) return meant;
@@ -157,7 +157,7 @@ Exit run_init(const Options& options) {
     const fs::path folder = fs::path(given).lexically_normal();
     const std::string name = name_of(last, folder, options);
     const std::vector<NewFile> files = files_of(name, options);
-    if (const std::string why = in_the_way(folder, files); !why.empty()) return refused(why);
+    if (const std::string why = in_the_way(folder, files); !why.empty()) return report_refusal(why);
     if (!write(folder, files, options)) return Exit::bad_input;
     print("\nnext: robochart-verify {}\n", folder.string());
     return Exit::success;

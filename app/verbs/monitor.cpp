@@ -17,8 +17,8 @@
 #include "app/rules/rule_guard.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
-#include "checker/process/term.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "checker/process/term.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "simulation/trial/kind_traces.hpp"
 #include "sleec/emit/monitor_file.hpp"
@@ -28,14 +28,15 @@ namespace robochart::app {
 namespace {
 
 /// The tables of one component; null with a diagnostic.
-std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options& options,
-                                                 const ir::ComponentRef& component, std::uint32_t cycle_length) {
+std::unique_ptr<conformance::MonitorBuild> build_monitor(Project& project, const Options& options,
+                                                         const ir::ComponentRef& component,
+                                                         std::uint32_t cycle_length) {
     const auto refuse = [&](const std::string& why, diagnostics::Span place = {}) {
-        project.diagnostics.report(rules::no_monitor, place.known() ? place : declared_at(project.system, component),
+        project.diagnostics.report(rules::no_monitor, place.is_known() ? place : declared_at(project.system, component),
                                    {component.path, why});
         return nullptr;
     };
-    const refine::Limits bounds = limits(options, "monitor of " + component.path);
+    const refine::Limits bounds = limits_of_check(options, "monitor of " + component.path);
     try {
         std::string error;
         const auto model =
@@ -46,7 +47,7 @@ std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options
     } catch (const std::length_error& large) {
         return refuse(large.what());
     } catch (const cspm::EvaluationError& failed) {
-        return refuse(runs::failure(failed, project.system), failed.span);
+        return refuse(runs::failure_text(failed, project.system), failed.span);
     } catch (const conformance::AlphabetError& mismatch) {
         return refuse(mismatch.what());
     }
@@ -58,7 +59,7 @@ std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options
 class Monitors::Watch final : public simulation::Trace {
 public:
     Watch(Monitors& all, std::unique_ptr<simulation::Trace> other)
-        : all_(all), other_(std::move(other)), cycles_(all.borrow()) {}
+        : all_(all), other_(std::move(other)), cycles_(all.borrow_cache()) {}
     ~Watch() override {
         all_.give_back(std::move(cycles_));
         all_.robots_ += monitors_.size();
@@ -68,20 +69,20 @@ public:
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-               rc_drive_result result) override {
-        if (other_ != nullptr) other_->cycle(robot, step, inputs, outputs, result);
+    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) override {
+        if (other_ != nullptr) other_->observe_cycle(robot, step, inputs, outputs, result);
         if (robot >= monitors_.size()) monitors_.resize(robot + 1, Monitor(all_.build_->tables()));
         if (result != RC_DRIVE_QUIESCENT && ended_before(robot)) return;
-        cycles_->tell(monitors_[robot], inputs, outputs, result);
-        if (monitors_[robot].verdict() == MonitorVerdict::violated) object(monitors_[robot]);
+        cycles_->pass_cycle(monitors_[robot], inputs, outputs, result);
+        if (monitors_[robot].verdict() == MonitorVerdict::violated) set_objection(monitors_[robot]);
     }
 
-    [[nodiscard]] const simulation::Objection* objection() const override {
+    [[nodiscard]] const simulation::Objection* current_objection() const override {
         return objection_.cause.empty() ? nullptr : &objection_;
     }
 
-    [[nodiscard]] bool decided() const override {
+    [[nodiscard]] bool is_conclusive() const override {
         return std::ranges::none_of(monitors_,
                                     [](const Monitor& each) { return each.verdict() == MonitorVerdict::unknown; });
     }
@@ -93,7 +94,7 @@ private:
         return std::exchange(ended_[robot], std::uint8_t{1}) != 0;
     }
 
-    void object(const Monitor& monitor) {
+    void set_objection(const Monitor& monitor) {
         const std::string where = monitor.where();
         const std::string element = monitor.element();
         objection_.cause = fmt::format("its model does not allow {} here", monitor.event());
@@ -108,7 +109,7 @@ private:
     simulation::Objection objection_;
 };
 
-std::unique_ptr<conformance::CycleCache> Monitors::borrow() {
+std::unique_ptr<conformance::CycleCache> Monitors::borrow_cache() {
     const std::lock_guard lock(mutex_);
     if (idle_.empty())
         return std::make_unique<conformance::CycleCache>(build_->tables(), emission_.inputs, emission_.outputs);
@@ -122,13 +123,13 @@ void Monitors::give_back(std::unique_ptr<conformance::CycleCache> cycles) {
     idle_.push_back(std::move(cycles));
 }
 
-Monitors::Maker Monitors::beside(Maker other) {
+Monitors::Maker Monitors::make_observer(Maker other) {
     return [this, other = std::move(other)](std::uint32_t trial) {
         return std::make_unique<Watch>(*this, other ? other(trial) : nullptr);
     };
 }
 
-std::string Monitors::note() const {
+std::string Monitors::summary_lines() const {
     const auto& tables = build_->tables();
     std::string text = fmt::format("  monitors: {} states, {} columns; {} robots watched", tables.states,
                                    tables.columns, robots_.load());
@@ -140,7 +141,7 @@ std::string Monitors::note() const {
 
 std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& options) {
     const auto components = code_components(simulation.project->system, simulation.scenario.component.text);
-    auto made = build(*simulation.project, options, components.front(), simulation.scenario.units_per_step);
+    auto made = build_monitor(*simulation.project, options, components.front(), simulation.scenario.units_per_step);
     return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
 }
 
@@ -152,14 +153,14 @@ public:
     KindGuards(const simulation::Scenario& scenario, std::vector<std::unique_ptr<Guard>> guards)
         : scenario_(scenario), guards_(std::move(guards)) {}
 
-    [[nodiscard]] Maker beside(Maker other) override {
+    [[nodiscard]] Maker make_observer(Maker other) override {
         std::vector<Maker> makers;
-        for (const auto& guard : guards_) makers.push_back(guard->beside({}));
+        for (const auto& guard : guards_) makers.push_back(guard->make_observer({}));
         return simulation::for_each_kind(scenario_, std::move(makers), std::move(other));
     }
-    [[nodiscard]] std::string note() const override {
+    [[nodiscard]] std::string summary_lines() const override {
         std::string text;
-        for (const auto& guard : guards_) text += guard->note();
+        for (const auto& guard : guards_) text += guard->summary_lines();
         if (scenario_.environment) text += "  the environment is not watched\n";
         return text;
     }
@@ -175,11 +176,11 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, Project& pro
                                             const Options& options) {
     const std::uint32_t cycle = simulation.scenario.units_per_step;
     if (options.guarding_rules.empty()) {
-        auto made = build(project, options, code_components(project.system, component).front(), cycle);
+        auto made = build_monitor(project, options, code_components(project.system, component).front(), cycle);
         if (made == nullptr && project.diagnostics.ok())
             simulation.project->diagnostics.report(rules::bad_option, {},
                                                    {fmt::format("--monitor: there is no monitor of {}", component)});
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
             if (&project != simulation.project.get() && each.rule->severity == diagnostics::Severity::error)
                 simulation.project->diagnostics.report(rules::bad_option, {},
                                                        {fmt::format("--monitor: {}: {}", component, each.message())});
@@ -190,7 +191,7 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, Project& pro
     if (guard == nullptr)
         simulation.project->diagnostics.report(
             rules::bad_option, {},
-            {fmt::format("--monitor {}: {}", diagnostics::shown(options.guarding_rules), error)});
+            {fmt::format("--monitor {}: {}", diagnostics::escape_for_display(options.guarding_rules), error)});
     return guard;
 }
 
@@ -200,7 +201,7 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
     if (!options.monitor) return nullptr;
     const simulation::Scenario& scenario = simulation.scenario;
     std::vector<std::unique_ptr<simulation::Guard>> guards;
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) {
         Project& project = kind == 0 ? *simulation.project : *simulation.others[kind - 1].project;
         guards.push_back(guard_of(simulation, project, simulation.emission_of(kind),
                                   scenario.kind_at(kind).component.text, options));
@@ -215,18 +216,18 @@ namespace {
 /// Writes the monitor of one rule file. Returns false, after printing the error, if there is none.
 bool write_rule_monitor(const std::string& file, Project& output, const Options& options, Report& report) {
     LoadedRules loaded;
-    loaded.diagnostics.within(&options.run->budget());
-    for (const std::string& code : options.allowed) loaded.diagnostics.allow(code);
+    loaded.diagnostics.set_budget(&options.run->budget());
+    for (const std::string& code : options.allowed) loaded.diagnostics.allow_code(code);
     load_rules(file, loaded);
     show_rule_findings(loaded, options);
-    if (!loaded.rules || (options.deny_warnings && loaded.diagnostics.warnings() > 0)) return false;
+    if (!loaded.rules || (options.deny_warnings && loaded.diagnostics.warning_count() > 0)) return false;
     try {
         const std::string below = fmt::format("monitor/{}/", sleec::monitor_name(file));
         const auto files = sleec::monitor_files(*loaded.rules, file, loaded.sources, sleec::WithoutLimit::eventually);
         return write_all(below, files, report.monitor_files, options, output);
     } catch (const sleec::NotDecided& error) {
         output.diagnostics.report(rules::bad_option, {},
-                                  {fmt::format("{}: {}", diagnostics::shown(file), error.what())});
+                                  {fmt::format("{}: {}", diagnostics::escape_for_display(file), error.what())});
         return false;
     }
 }
@@ -237,7 +238,7 @@ bool write_rule_monitors(const Options& options, Report& report) {
     if (!options.component.empty() || options.cycle_given || !options.print.empty())
         throw UsageError("--component, --cycle and --print apply to models, not to rules");
     Project output;
-    output.diagnostics.within(&options.run->budget());
+    output.diagnostics.set_budget(&options.run->budget());
     bool written = true;
     for (const std::string& file : options.inputs)
         written = write_rule_monitor(file, output, options, report) && written;
@@ -251,15 +252,15 @@ bool write_monitors(Project& project, const Options& options, Report& report) {
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.component.empty() ? "the model" : options.component});
     for (const ir::ComponentRef& component : components) {
-        const auto made = build(project, options, component, options.cycle);
+        const auto made = build_monitor(project, options, component, options.cycle);
         if (made == nullptr) return false;
         const std::string below = fmt::format("monitor/{}{}/", project.folder, file_name(project, component));
         const auto files = conformance::monitor_files(made->tables(), file_name(project, component));
         if (!write_all(below, files, report.monitor_files, options, project)) return false;
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         report.remarks.push_back(fmt::format("{}{}: {} states, {} columns, {} bytes of table", project.label,
                                              component.path, made->tables().states, made->tables().columns,
-                                             with_commas(made->bytes())));
+                                             with_commas(made->table_bytes())));
     }
     return project.diagnostics.ok();
 }

@@ -21,13 +21,13 @@ class Monitors final : public simulation::Guard {
 public:
     Monitors(std::unique_ptr<conformance::MonitorBuild> build, const cpp_emit::DriveEmission& emission)
         : build_(std::move(build)), emission_(emission) {}
-    [[nodiscard]] Maker beside(Maker other) override;
-    [[nodiscard]] std::string note() const override;
+    [[nodiscard]] Maker make_observer(Maker other) override;
+    [[nodiscard]] std::string summary_lines() const override;
 
 private:
     class Watch;
 
-    [[nodiscard]] std::unique_ptr<conformance::CycleCache> borrow();
+    [[nodiscard]] std::unique_ptr<conformance::CycleCache> borrow_cache();
     void give_back(std::unique_ptr<conformance::CycleCache>);
 
     std::unique_ptr<conformance::MonitorBuild> build_;

@@ -15,15 +15,15 @@
 #include "app/prism/prism_plot.hpp"
 #include "app/report/prism_report.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/render.hpp"
+#include "base/threads/threads.hpp"
+#include "prism/emit/emit.hpp"
 #include "prism/explore/rules.hpp"
 #include "prism/session/export.hpp"
 #include "prism/session/session.hpp"
 #include "prism/session/simulation.hpp"
 #include "prism/syntax/printer.hpp"
-#include "base/diagnostics/files.hpp"
-#include "base/diagnostics/render.hpp"
-#include "base/threads/threads.hpp"
-#include "prism/emit/emit.hpp"
 
 namespace robochart::app {
 namespace {
@@ -34,11 +34,12 @@ void show_findings(const LoadedModel& loaded, const Options& options) {
 }
 
 void print_report(const PrismReport& report, const Options& options) {
-    answer(options, [&](Format format) { return format == Format::csv ? prism_csv(report) : prism_json(report); });
+    output_document(options,
+                    [&](Format format) { return format == Format::csv ? prism_csv(report) : prism_json(report); });
     if (options.format == Format::text) print_text(prism_text(report, options));
 }
 
-NamedValues named(const prism::Values& values) {
+NamedValues named_values(const prism::Values& values) {
     NamedValues result;
     for (const auto& [name, value] : values) result.emplace_back(name, value.text());
     return result;
@@ -60,29 +61,29 @@ class PrismVerb {
 public:
     PrismVerb(const Options& options, std::shared_ptr<PrismReport> report)
         : options_(options), report_(std::move(report)) {
-        loaded_.diagnostics.within(&options.run->budget());
-        for (const std::string& code : options.allowed) loaded_.diagnostics.allow(code);
+        loaded_.diagnostics.set_budget(&options.run->budget());
+        for (const std::string& code : options.allowed) loaded_.diagnostics.allow_code(code);
     }
 
     Exit operator()() {
         {
             const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
-            load(options_, loaded_);
-            if (!loaded_.diagnostics.ok()) return refused();
+            load_model(options_, loaded_);
+            if (!loaded_.diagnostics.ok()) return end_refused();
         }
         begin_report();
-        const Experiment wanted = experiment(loaded_, options_);
+        const Experiment wanted = make_experiment(loaded_, options_);
         if (!options_.exported_space.empty()) return export_result(wanted);
         run_all(wanted);
         options_.run->finish();
         show_findings(loaded_, options_);
         if (!loaded_.diagnostics.ok() && report_->errors.empty()) note_errors();
         print_report(*report_, options_);
-        return options_.plot.empty() ? exit_of(*report_) : plot();
+        return options_.plot.empty() ? exit_of(*report_) : write_plot();
     }
 
 private:
-    Exit plot() {
+    Exit write_plot() {
         const std::string picture = prism_plot(*report_);
         if (picture.empty())
             throw UsageError("--plot: there is no number for several values of a constant: --const NAME=LOW:HIGH");
@@ -93,26 +94,26 @@ private:
     }
 
     void note_errors() {
-        const auto edit = options_.run->edit();
-        for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted())
+        const auto edit = options_.run->lock_for_edit();
+        for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted_findings())
             if (each.rule->severity == diagnostics::Severity::error)
-                report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.place(each.span),
-                                                      each.span.known() ? ": " : "", each.message()));
+                report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.path_and_line(each.span),
+                                                      each.span.is_known() ? ": " : "", each.message()));
     }
 
-    Exit refused() {
+    Exit end_refused() {
         options_.run->finish();
         show_findings(loaded_, options_);
         note_errors();
         note_kind();
-        answer(options_, [&](Format format) { return format == Format::csv ? "" : prism_json(*report_); });
+        output_document(options_, [&](Format format) { return format == Format::csv ? "" : prism_json(*report_); });
         return Exit::bad_input;
     }
 
     void note_kind() { report_->kind = loaded_.kind; }
 
     void begin_report() {
-        const auto edit = options_.run->edit();
+        const auto edit = options_.run->lock_for_edit();
         note_kind();
         report_->scheduler = loaded_.scheduled ? options_.scheduler : "";
         report_->sources = &loaded_.sources;
@@ -124,9 +125,9 @@ private:
     void run_all(const Experiment& wanted) {
         const std::size_t count = wanted.of_model.size();
         {
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             report_->runs.resize(count);
-            for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named(wanted.of_model[i]);
+            for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named_values(wanted.of_model[i]);
         }
         std::vector<diagnostics::Diagnostics> findings(count);
         threads_ = diagnostics::threads_wanted(options_.threads);
@@ -137,25 +138,25 @@ private:
         std::size_t done = count;
         try {
             diagnostics::in_parallel(count, threads_, [&](std::size_t number, unsigned) {
-                if (!run(number, wanted, findings[number])) throw WrongModel(number);
+                if (!run_for_constants(number, wanted, findings[number])) throw WrongModel(number);
             });
         } catch (const WrongModel& first) {
             done = first.number() + 1;
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             report_->runs.resize(done);
         }
         for (std::size_t i = 0; i < done; ++i) loaded_.diagnostics.add(findings[i]);
     }
 
     /// Returns false if the model is wrong.
-    bool run(std::size_t number, const Experiment& wanted, diagnostics::Diagnostics& findings) {
-        findings.within(&options_.run->budget());
-        for (const std::string& code : options_.allowed) findings.allow(code);
+    bool run_for_constants(std::size_t number, const Experiment& wanted, diagnostics::Diagnostics& findings) {
+        findings.set_budget(&options_.run->budget());
+        for (const std::string& code : options_.allowed) findings.allow_code(code);
         const prism::Values& constants = wanted.of_model[number];
         const unsigned threads = wanted.of_model.size() == 1 ? threads_ : 1;
         try {
             if (options_.sampling) {
-                sample(number, prism::Instance(*loaded_.model, constants), wanted, findings, threads);
+                sample_paths(number, prism::Instance(*loaded_.model, constants), wanted, findings, threads);
                 return true;
             }
             std::optional<diagnostics::Budget::Phase> phase;
@@ -169,17 +170,19 @@ private:
             answer_all(
                 number, wanted, threads, findings,
                 [&](std::size_t property, const prism::Values& values) { return session.check(property, values); },
-                [&](std::size_t property, const prism::Values& values) { return evidence(session, property, values); });
+                [&](std::size_t property, const prism::Values& values) {
+                    return find_evidence(session, property, values);
+                });
         } catch (const prism::EvaluationError& error) {
-            report(error, findings);
+            report_error(error, findings);
             return false;
         }
         return true;
     }
 
     /// Answers by random paths: `threads` paths at once, one property after another.
-    void sample(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
-                diagnostics::Diagnostics& findings, unsigned threads) {
+    void sample_paths(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
+                      diagnostics::Diagnostics& findings, unsigned threads) {
         const prism::SamplingOptions sampling{*options_.sampling, options_.seed.value_or(0), threads,
                                               &options_.run->budget()};
         answer_all(
@@ -190,8 +193,8 @@ private:
             [](std::size_t, const prism::Values&) { return std::nullopt; });
     }
 
-    static std::optional<prism::Counterexample> evidence(const prism::Session& session, std::size_t property,
-                                                         const prism::Values& values) {
+    static std::optional<prism::Counterexample> find_evidence(const prism::Session& session, std::size_t property,
+                                                              const prism::Values& values) {
         try {
             return session.counterexample(property, values);
         } catch (const prism::Undecided&) {
@@ -216,7 +219,7 @@ private:
             std::optional<diagnostics::Budget::Phase> phase;
             if (answers.size() == 1)
                 phase.emplace(options_.run->budget(), "deciding " + report_->properties[property].text);
-            PrismAnswer answer{property, named(values), {}, {}, {}};
+            PrismAnswer answer{property, named_values(values), {}, {}, {}};
             std::optional<prism::EvaluationError>& failed = failures[at];
             try {
                 answer.result = decide(property, values);
@@ -224,31 +227,31 @@ private:
                 failed = error;
                 diagnostics::Diagnostics one;
                 error.report(one);
-                answer.error = one.sorted().front().message();
+                answer.error = one.sorted_findings().front().message();
             }
             const bool violated = !failed && answer.result.kind == prism::Result::Kind::truth && !answer.result.truth;
             std::vector<PrismAnswer>& reported = report_->runs[number].answers;
             {
-                const auto edit = options_.run->edit();
+                const auto edit = options_.run->lock_for_edit();
                 answers[at] = std::move(answer);
                 while (reported.size() < answers.size() && answers[reported.size()])
                     reported.push_back(*answers[reported.size()]);
             }
             if (!violated) return;
             std::optional<prism::Counterexample> found = explain(property, values);
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             (reported.size() > at ? reported[at] : *answers[at]).counterexample = std::move(found);
         });
         for (const std::optional<prism::EvaluationError>& each : failures)
-            if (each) report(*each, findings);
+            if (each) report_error(*each, findings);
     }
 
     /// Reports a value outside its range. For a model of `emit prism`, adds how the range is set.
-    void report(const prism::EvaluationError& error, diagnostics::Diagnostics& findings) const {
+    void report_error(const prism::EvaluationError& error, diagnostics::Diagnostics& findings) const {
         diagnostics::Diagnostic& finding = error.report(findings);
         const bool of_robochart = (error.is(prism::rules::out_of_range) || error.is(prism::rules::left_out)) &&
-                                  finding.span.known() &&
-                                  prism_emit::is_of_robochart(loaded_.sources.text(finding.span.source));
+                                  finding.span.is_known() &&
+                                  prism_emit::is_of_robochart(loaded_.sources.source_text(finding.span.source));
         if (of_robochart)
             finding.notes.push_back({{},
                                      "the model is of a RoboChart model, with the ranges of its finite instantiation: "
@@ -257,7 +260,7 @@ private:
     }
 
     void note_size(const prism::StateSpace& space, std::size_t number, double seconds) {
-        const auto edit = options_.run->edit();
+        const auto edit = options_.run->lock_for_edit();
         PrismRun& run = report_->runs[number];
         run.explored = true;
         run.states = space.chain().states();
@@ -299,7 +302,7 @@ private:
             if (format == "dot") prism::export_graph(space, sink);
             if (of_property) nothing = export_answer(space, wanted.of_properties.front(), sink);
         } catch (const prism::EvaluationError& error) {
-            report(error, loaded_.diagnostics);
+            report_error(error, loaded_.diagnostics);
         }
         options_.run->finish();
         show_findings(loaded_, options_);

@@ -16,10 +16,10 @@
 #include "app/rules/rule_claims.hpp"
 #include "app/rules/rule_run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "conformance/traces/trace_text.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
+#include "conformance/traces/trace_text.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/rules.hpp"
 
@@ -54,23 +54,23 @@ public:
         conformance::TraceHeader header;
         std::vector<TraceToken> tokens;
         bool version = false;
-        while (lines.next()) {
+        while (lines.read_line()) {
             options_.run->budget().poll();
-            conformance::split_line(lines.text(), tokens);
+            conformance::split_line(lines.line_text(), tokens);
             if (tokens.empty()) continue;
             if (!std::exchange(version, true)) {
                 expect_version(tokens);
                 continue;
             }
             if (tokens.front().text == "run")
-                begin(tokens, lines.number(), header);
-            else if (!run_ && !conformance::read_header_line(tokens, header, lines.number()))
+                begin(tokens, lines.line_number(), header);
+            else if (!run_ && !conformance::read_header_line(tokens, header, lines.line_number()))
                 throw conformance::TraceFault{nullptr,
                                               {"a line of the header, or `run`", fmt::format("`{}`", tokens[0].text)}};
             else if (!run_)
                 continue;
             else
-                take(tokens, lines.number());
+                follow_tokens(tokens, lines.line_number());
         }
         end();
     }
@@ -86,38 +86,41 @@ private:
         end();
         hidden_.clear();
         for (const std::string& each : header.unobserved)
-            if (!words_.events(each).empty()) hidden_ = each;
+            if (!words_.events_of_word(each).empty()) hidden_ = each;
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
         run_.emplace(of_, options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually);
     }
 
-    void take(const std::vector<TraceToken>& tokens, std::uint64_t line) {
-        if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost")) return run_->forget();
-        for (const TraceToken& each : tokens) word(each.text, line);
+    void follow_tokens(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+        if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost"))
+            return run_->drop_obligations();
+        for (const TraceToken& each : tokens) follow_word(each.text, line);
     }
 
-    void word(std::string_view word, std::uint64_t line) {
-        if (word == "tock") return run_->second(line);
-        for (const std::size_t measure : words_.measures(word)) run_->read(measure, words_.value(measure, word));
-        for (const std::size_t event : words_.events(word)) run_->happen(event, line);
+    void follow_word(std::string_view word, std::uint64_t line) {
+        if (word == "tock") return run_->end_second(line);
+        for (const std::size_t measure : words_.measures_of_word(word))
+            run_->read(measure, words_.value_in(measure, word));
+        for (const std::size_t event : words_.events_of_word(word)) run_->add_event(event, line);
     }
 
     void end() {
         if (!run_) return;
         run_->end();
         ++report_.runs;
-        report_.seconds += static_cast<std::uint64_t>(run_->seconds());
-        const bool broken = run_->broken() && hidden_.empty();
-        const bool open = !broken && (!run_->open().empty() || !hidden_.empty());
+        report_.seconds += static_cast<std::uint64_t>(run_->elapsed_seconds());
+        const bool broken = run_->is_broken() && hidden_.empty();
+        const bool open = !broken && (!run_->open_triggers().empty() || !hidden_.empty());
         ++(broken ? report_.broken : open ? report_.open : report_.accepted);
         if ((broken || open) && report_.reported.size() < most_reported) {
-            LoggedRun entry{path_, name_, broken ? run_->line() : begun_, broken, {}};
-            if (broken) entry.lines = run_->text();
+            LoggedRun entry{path_, name_, broken ? run_->violation_line() : begun_, broken, {}};
+            if (broken) entry.lines = run_->violation_text();
             if (!hidden_.empty())
-                entry.lines.push_back(fmt::format("the log does not show {}", diagnostics::shown(hidden_)));
-            for (const std::size_t rule : run_->open())
+                entry.lines.push_back(
+                    fmt::format("the log does not show {}", diagnostics::escape_for_display(hidden_)));
+            for (const std::size_t rule : run_->open_triggers())
                 if (open)
                     entry.lines.push_back(fmt::format(
                         "{} begins while a measure that decides what it asks for is not read", of_.rules.name(rule)));
@@ -157,7 +160,8 @@ void read_log(const LoadedRules& of, const std::string& path, RuleLogReport& rep
     std::ifstream in;
     if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);
     if (!in.is_open()) {
-        report.errors.push_back(fmt::format("{}: it is not a regular file that may be read", diagnostics::shown(path)));
+        report.errors.push_back(
+            fmt::format("{}: it is not a regular file that may be read", diagnostics::escape_for_display(path)));
         return;
     }
     ++report.logs;
@@ -165,9 +169,9 @@ void read_log(const LoadedRules& of, const std::string& path, RuleLogReport& rep
         RuleLog(of, path, report, options).read(in);
     } catch (const conformance::TraceFault& fault) {
         const std::string found = fault.arguments.size() > 1 ? fault.arguments[1] : "something else";
-        report.errors.push_back(fmt::format("{}: expected {}, found {}", diagnostics::shown(path),
+        report.errors.push_back(fmt::format("{}: expected {}, found {}", diagnostics::escape_for_display(path),
                                             fault.arguments.empty() ? "a log" : fault.arguments[0],
-                                            diagnostics::shown(found)));
+                                            diagnostics::escape_for_display(found)));
     }
 }
 
@@ -178,14 +182,15 @@ Exit exit_of(const RuleLogReport& report) {
 
 void print_logs(const RuleLogReport& report) {
     for (const LoggedRun& each : report.reported) {
-        print("{} {}:{}: run {}\n", each.broken ? "broken      " : "inconclusive", diagnostics::shown(each.log),
-              each.line, each.run.empty() ? "without a name" : diagnostics::shown(each.run));
+        print("{} {}:{}: run {}\n", each.broken ? "broken      " : "inconclusive",
+              diagnostics::escape_for_display(each.log), each.line,
+              each.run.empty() ? "without a name" : diagnostics::escape_for_display(each.run));
         for (const std::string& line : each.lines) print("  {}\n", line);
     }
     for (const std::string& each : report.errors) print_error("robochart-verify: {}\n", each);
     print("an input counts as an event of the rules when it is raised, also if the controller misses it\n");
-    print("{} in {}, {}: {} obey the rules, {} do not, {} inconclusive\n", counted(report.runs, "run"),
-          counted(report.logs, "log"), counted(report.seconds, "second"), with_commas(report.accepted),
+    print("{} in {}, {}: {} obey the rules, {} do not, {} inconclusive\n", count_text(report.runs, "run"),
+          count_text(report.logs, "log"), count_text(report.seconds, "second"), with_commas(report.accepted),
           with_commas(report.broken), with_commas(report.open));
 }
 
@@ -217,21 +222,21 @@ Exit conform_rules(const Options& options) {
     const std::vector<std::string> logs = log_files(options, report);
     for (const std::string& file : options.inputs) {
         LoadedRules loaded;
-        loaded.diagnostics.within(&options.run->budget());
+        loaded.diagnostics.set_budget(&options.run->budget());
         load_rules(file, loaded);
         show_rule_findings(loaded, options);
         if (!loaded.rules) {
-            report.errors.push_back(fmt::format("{} cannot be read", diagnostics::shown(file)));
+            report.errors.push_back(fmt::format("{} cannot be read", diagnostics::escape_for_display(file)));
             continue;
         }
         try {
             for (const std::string& log : logs) read_log(loaded, log, report, options);
         } catch (const sleec::NotDecided& error) {
-            report.errors.push_back(fmt::format("{}: {}", diagnostics::shown(file), error.what()));
+            report.errors.push_back(fmt::format("{}: {}", diagnostics::escape_for_display(file), error.what()));
         }
     }
     options.run->finish();
-    answer(options, [&](Format) { return logs_json(report); });
+    output_document(options, [&](Format) { return logs_json(report); });
     if (options.format == Format::text) print_logs(report);
     return exit_of(report);
 }

@@ -26,7 +26,7 @@ namespace robochart::app {
 namespace {
 
 void print_report(const RulesReport& report, const Options& options) {
-    answer(options, [&](Format) { return rules_json(report); });
+    output_document(options, [&](Format) { return rules_json(report); });
     if (options.format == Format::text) print_text(rules_text(report, options));
 }
 
@@ -35,23 +35,23 @@ class RulesVerb {
 public:
     RulesVerb(const Options& options, std::shared_ptr<RulesReport> report)
         : options_(options), report_(std::move(report)) {
-        loaded_.diagnostics.within(&options.run->budget());
-        for (const std::string& code : options.allowed) loaded_.diagnostics.allow(code);
+        loaded_.diagnostics.set_budget(&options.run->budget());
+        for (const std::string& code : options.allowed) loaded_.diagnostics.allow_code(code);
     }
 
     Exit operator()() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
         load_rules(options_.inputs.front(), loaded_);
         show_rule_findings(loaded_, options_);
-        if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warnings() > 0))
-            return refused(loaded_.diagnostics, loaded_.sources, Exit::bad_input);
-        describe();
+        if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warning_count() > 0))
+            return end_refused(loaded_.diagnostics, loaded_.sources, Exit::bad_input);
+        describe_rules();
         if (options_.inputs.size() > 1) {
-            if (const auto exit = conform()) return *exit;
+            if (const auto exit = judge_model()) return *exit;
         } else if (options_.as_sleec_tk)
-            compare();
+            compare_rules();
         else
-            analyse();
+            analyse_rules();
         options_.run->finish();
         print_report(*report_, options_);
         return exit_of(*report_);
@@ -59,46 +59,46 @@ public:
 
 private:
     /// The findings have been printed; programs that read the answer get them too.
-    Exit refused(const diagnostics::Diagnostics& findings, const diagnostics::SourceManager& sources, Exit exit) {
+    Exit end_refused(const diagnostics::Diagnostics& findings, const diagnostics::SourceManager& sources, Exit exit) {
         options_.run->finish();
-        for (const diagnostics::Diagnostic& finding : findings.sorted())
+        for (const diagnostics::Diagnostic& finding : findings.sorted_findings())
             if (finding.rule->severity != diagnostics::Severity::note)
-                report_->errors.push_back(fmt::format("{}{}{}", sources.place(finding.span),
-                                                      finding.span.known() ? ": " : "", finding.message()));
-        answer(options_, [&](Format) { return rules_json(*report_); });
+                report_->errors.push_back(fmt::format("{}{}{}", sources.path_and_line(finding.span),
+                                                      finding.span.is_known() ? ": " : "", finding.message()));
+        output_document(options_, [&](Format) { return rules_json(*report_); });
         return exit;
     }
 
-    void describe() {
-        const auto edit = options_.run->edit();
+    void describe_rules() {
+        const auto edit = options_.run->lock_for_edit();
         report_->dialect = sleec::dialect_name(rules().file->dialect);
         for (const sleec::CheckedRule& each : rules().rules)
-            report_->rules.push_back({each.written->name.text, loaded_.sources.place(each.written->span)});
+            report_->rules.push_back({each.written->name.text, loaded_.sources.path_and_line(each.written->span)});
     }
 
     // The default analysis
 
-    void analyse() {
+    void analyse_rules() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules");
         sleec::AnalysisOptions analysis;
         analysis.without_limit =
             options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually;
-        analysis.limits = limits(options_);
+        analysis.limits = limits_of_check(options_);
         analysis.budget = &options_.run->budget();
         sleec::for_each_question(rules(), analysis,
-                                 [&](const sleec::ConflictAnswer& answer) { note(answer, analysis); });
-        redundancies(analysis);
-        for (const sleec::CheckedProperty& each : rules().concerns) ask(each, true, analysis);
-        for (const sleec::CheckedProperty& each : rules().purposes) ask(each, false, analysis);
+                                 [&](const sleec::ConflictAnswer& answer) { note_conflict(answer, analysis); });
+        find_redundancies(analysis);
+        for (const sleec::CheckedProperty& each : rules().concerns) ask_property(each, true, analysis);
+        for (const sleec::CheckedProperty& each : rules().purposes) ask_property(each, false, analysis);
     }
 
     /// A concern must be impossible if the rules are satisfied; a purpose must be possible.
-    void ask(const sleec::CheckedProperty& property, bool concern, const sleec::AnalysisOptions& analysis) {
-        const sleec::PropertyAnswer answer = sleec::possible(rules(), property, analysis);
+    void ask_property(const sleec::CheckedProperty& property, bool concern, const sleec::AnalysisOptions& analysis) {
+        const sleec::PropertyAnswer answer = sleec::check_possible(rules(), property, analysis);
         const sleec::Answer wanted = concern ? sleec::Answer::no : sleec::Answer::yes;
         RuleProperty found{concern,
                            property.written->name.text,
-                           loaded_.sources.place(property.written->span),
+                           loaded_.sources.path_and_line(property.written->span),
                            answer.possible != sleec::Answer::not_decided,
                            answer.reason,
                            {},
@@ -106,29 +106,29 @@ private:
         if (found.decided && answer.possible != wanted && concern)
             found.lines = sleec::history_lines(answer.history, property, rules());
         if (found.decided && answer.possible != wanted && !concern)
-            found.excluded = sleec::excluding(rules(), property, analysis);
-        const auto edit = options_.run->edit();
+            found.excluded = sleec::excluding_rules(rules(), property, analysis);
+        const auto edit = options_.run->lock_for_edit();
         ++(concern ? report_->concerns : report_->purposes);
         if (answer.possible != wanted) report_->properties.push_back(std::move(found));
     }
 
-    void note(const sleec::ConflictAnswer& answer, const sleec::AnalysisOptions& analysis) {
+    void note_conflict(const sleec::ConflictAnswer& answer, const sleec::AnalysisOptions& analysis) {
         RuleConflict conflict{answer.rules, answer.conflict == sleec::Answer::yes, answer.reason, {}, {},
                               answer.states};
-        if (answer.example) conflict.lines = sleec::explain(*answer.example, rules(), loaded_.sources);
+        if (answer.example) conflict.lines = sleec::explain_conflict(*answer.example, rules(), loaded_.sources);
         if (answer.example && options_.suggest)
-            for (const sleec::Suggestion& each : sleec::suggest(rules(), answer.rules, analysis))
+            for (const sleec::Suggestion& each : sleec::suggest_defeaters(rules(), answer.rules, analysis))
                 conflict.suggested.push_back(fmt::format("{} ... {}", rules().name(each.rule), each.text));
-        const auto edit = options_.run->edit();
+        const auto edit = options_.run->lock_for_edit();
         ++report_->questions;
         if (answer.conflict != sleec::Answer::no) report_->conflicts.push_back(std::move(conflict));
     }
 
-    void redundancies(const sleec::AnalysisOptions& analysis) {
+    void find_redundancies(const sleec::AnalysisOptions& analysis) {
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             try {
-                if (sleec::asks_for_nothing(rules(), i, analysis)) {
-                    const auto edit = options_.run->edit();
+                if (sleec::makes_no_demand(rules(), i, analysis)) {
+                    const auto edit = options_.run->lock_for_edit();
                     report_->asking_nothing.push_back(i);
                     continue;
                 }
@@ -142,28 +142,28 @@ private:
     void redundancies_of(std::size_t rule, const sleec::AnalysisOptions& analysis) {
         bool alone = false;
         for (std::size_t by = 0; by < rules().rules.size(); ++by) {
-            if (by == rule || !sleec::redundant(rules(), rule, by, analysis)) continue;
+            if (by == rule || !sleec::is_redundant(rules(), rule, by, analysis)) continue;
             alone = true;
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             report_->redundant.push_back({rule, {by}});
         }
         if (alone || rules().rules.size() < 3) return;
-        const sleec::Implication found = sleec::implied(rules(), rule, analysis);
-        const auto edit = options_.run->edit();
+        const sleec::Implication found = sleec::check_implied(rules(), rule, analysis);
+        const auto edit = options_.run->lock_for_edit();
         if (found.implied != sleec::Answer::no) report_->redundant.push_back({rule, found.by, found.reason});
     }
 
     // as SLEEC-TK has it
 
     /// The rules that the published encoding supports; the others are reported by name.
-    std::vector<std::size_t> encoded(const sleec::Encoding& encoding) {
+    std::vector<std::size_t> encodable_rules(const sleec::Encoding& encoding) {
         std::vector<std::size_t> result;
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             try {
-                (void)encoding.processes({i});
+                (void)encoding.process_declarations({i});
                 result.push_back(i);
             } catch (const sleec::NotDecided& error) {
-                const auto edit = options_.run->edit();
+                const auto edit = options_.run->lock_for_edit();
                 report_->not_read.push_back(fmt::format("{}: {}", report_->rules[i].name, error.what()));
             }
         }
@@ -171,42 +171,42 @@ private:
     }
 
     void note_ranges(const sleec::Encoding& encoding) {
-        const auto edit = options_.run->edit();
+        const auto edit = options_.run->lock_for_edit();
         for (std::size_t i = 0; i < rules().file->measures.size(); ++i)
             if (rules().measure(i).type == sleec::MeasureType::numeric)
-                report_->ranges.push_back(
-                    fmt::format("{} in {{{}}}", rules().measure(i).name.text, fmt::join(encoding.values(i), ", ")));
+                report_->ranges.push_back(fmt::format("{} in {{{}}}", rules().measure(i).name.text,
+                                                      fmt::join(encoding.measure_values(i), ", ")));
     }
 
-    void compare() {
+    void compare_rules() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules as SLEEC-TK has it");
         std::optional<sleec::Encoding> encoding;
         try {
             encoding.emplace(rules());
         } catch (const sleec::NotDecided& error) {
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             report_->not_read.emplace_back(error.what());
             return;
         }
         note_ranges(*encoding);
-        const std::vector<std::size_t> asked = encoded(*encoding);
+        const std::vector<std::size_t> asked = encodable_rules(*encoding);
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
         for (std::size_t i = 0; i < asked.size(); ++i)
             for (std::size_t k = i + 1; k < asked.size(); ++k)
-                if (encoding->related(asked[i], asked[k])) pairs.emplace_back(asked[i], asked[k]);
+                if (encoding->are_related(asked[i], asked[k])) pairs.emplace_back(asked[i], asked[k]);
         {
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             for (const auto& [first, second] : pairs) report_->pairs.push_back({first, second, {}, {}, {}, {}});
         }
-        if (!pairs.empty()) decide(*encoding, pairs);
+        if (!pairs.empty()) decide_pairs(*encoding, pairs);
     }
 
-    void decide(const sleec::Encoding& encoding, const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
-        cspm::Session session(encoding.script(pairs), &options_.run->budget());
-        if (diagnostics::Cache* const cache = options_.run->cache()) session.remember(*cache);
+    void decide_pairs(const sleec::Encoding& encoding, const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+        cspm::Session session(encoding.make_script(pairs), &options_.run->budget());
+        if (diagnostics::Cache* const cache = options_.run->cache()) session.set_cache(*cache);
         const auto assertions = session.assertions();
         const auto holds = [&](std::size_t i) -> std::optional<bool> {
-            const refine::Outcome outcome = session.check(*assertions[i], limits(options_)).verdict.outcome;
+            const refine::Outcome outcome = session.check(*assertions[i], limits_of_check(options_)).verdict.outcome;
             if (outcome == refine::Outcome::inconclusive) return std::nullopt;
             return outcome == refine::Outcome::holds;
         };
@@ -216,7 +216,7 @@ private:
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             ComparedPair pair{pairs[i].first,   pairs[i].second, negated(holds(4 * i)), negated(holds(4 * i + 1)),
                               holds(4 * i + 2), holds(4 * i + 3)};
-            const auto edit = options_.run->edit();
+            const auto edit = options_.run->lock_for_edit();
             report_->pairs[i] = pair;
         }
     }
@@ -224,35 +224,35 @@ private:
     // whether a model obeys
 
     /// The exit code if the model is refused, or has nothing of the name that --component gives.
-    std::optional<Exit> conform() {
+    std::optional<Exit> judge_model() {
         Options of_model = options_;
         of_model.inputs.erase(of_model.inputs.begin());
         of_model.verb = Verb::check;
         of_model.times = Times::timed;
-        const std::unique_ptr<Project> project = app::load(of_model);
+        const std::unique_ptr<Project> project = app::load_project(of_model);
         const csp_emit::Emission* emission = nullptr;
         if (project->diagnostics.ok()) emission = &emit_csp(*project, of_model, csp_emit::Time::timed);
         app::show_findings(*project, options_);
-        if (emission == nullptr || !acceptable(*project, of_model))
-            return refused(project->diagnostics, project->sources, refusal(*project));
+        if (emission == nullptr || !is_acceptable(*project, of_model))
+            return end_refused(project->diagnostics, project->sources, refusal_code(*project));
         for (const ir::ComponentRef& each : code_components(project->system, options_.component))
             for (const csp_emit::ComponentProcesses& component : emission->components)
                 if (component.path == each.path || component.path == each.package + "::" + each.path)
-                    judge(*project, *emission, component);
+                    judge_component(*project, *emission, component);
         return std::nullopt;
     }
 
-    void judge(const Project& project, const csp_emit::Emission& emission,
-               const csp_emit::ComponentProcesses& component) {
+    void judge_component(const Project& project, const csp_emit::Emission& emission,
+                         const csp_emit::ComponentProcesses& component) {
         const ModelRules asked({rules(), loaded_.sources}, project, emission, component, options_);
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             if (rules().rules[i].assumed) continue;
-            RuleVerdict verdict = asked.judge(i).verdict;
-            const auto edit = options_.run->edit();
+            RuleVerdict verdict = asked.judge_rule(i).verdict;
+            const auto edit = options_.run->lock_for_edit();
             report_->verdicts.push_back(std::move(verdict));
         }
         const TimeStops time = asked.time_stops();
-        const auto edit = options_.run->edit();
+        const auto edit = options_.run->lock_for_edit();
         if (time.stops) report_->time_stops.push_back(component.path);
         if (time.unknown.empty()) return;
         const std::string why = fmt::format("whether time can stop in {}: {}", component.path, time.unknown);

@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 simulation::Scenario read_scenario_of(Project& project, const Options& options) {
     std::string error;
-    const auto source = project.sources.load(options.inputs.front(), error);
+    const auto source = project.sources.load_file(options.inputs.front(), error);
     if (!source) {
         project.diagnostics.report(frontend::syntax::unreadable, {},
                                    {options.inputs.front(), error + files_inside(options.inputs.front(), ".scenario")});
@@ -66,14 +66,14 @@ std::string name_in(const std::string& constant) {
 /// Reports names in `--const` that are not controllers of the scenario.
 void check_addresses(Project& project, const simulation::Scenario& scenario, const Options& options) {
     for (const std::string& each : options.constants) {
-        if (simulation::addressed(scenario, name_in(each))) continue;
+        if (simulation::find_constant_address(scenario, name_in(each))) continue;
         const std::vector<std::string> known = simulation::controller_names(scenario);
         const std::string given = each.substr(0, each.find('.'));
-        const std::string meant = diagnostics::nearest(given, known);
+        const std::string meant = diagnostics::nearest_spelling(given, known);
         project.diagnostics.report(
             rules::bad_option, {},
-            {fmt::format("--const {}: there is no kind of robots called {} in the scenario{}", diagnostics::shown(each),
-                         diagnostics::shown(given),
+            {fmt::format("--const {}: there is no kind of robots called {} in the scenario{}",
+                         diagnostics::escape_for_display(each), diagnostics::escape_for_display(given),
                          !meant.empty()  ? fmt::format(", did you mean {}?", meant)
                          : known.empty() ? ""
                                          : fmt::format("; there is {}", fmt::join(known, ", ")))});
@@ -85,7 +85,7 @@ void check_addresses(Project& project, const simulation::Scenario& scenario, con
 Options options_for(const simulation::Scenario& scenario, Options options, std::size_t controller) {
     std::vector<std::string> own;
     for (const std::string& each : options.constants) {
-        const auto address = simulation::addressed(scenario, name_in(each));
+        const auto address = simulation::find_constant_address(scenario, name_in(each));
         if (address && address->controller == controller)
             own.push_back(address->constant + each.substr(std::min(each.find('='), each.size())));
     }
@@ -115,8 +115,8 @@ std::string controllers_text(const simulation::Scenario& scenario) {
 }
 
 /// The emission of one component. Errors are reported in the scenario's project.
-cpp_emit::DriveEmission emitted(Simulation& simulation, Project& project, const Name& component,
-                                const std::string& model) {
+cpp_emit::DriveEmission emit_component(Simulation& simulation, Project& project, const Name& component,
+                                       const std::string& model) {
     const auto components = code_components(project.system, component.text);
     if (components.empty()) {
         simulation.project->diagnostics.report(simulation::rules::no_controller, component.span,
@@ -136,28 +136,28 @@ bool load_other(Simulation& simulation, std::size_t number, const Options& optio
     OtherController other;
     const Options wanted = options_for(simulation.scenario, options, number);
     other.model = wanted.inputs.front();
-    other.project = load(wanted);
-    if (acceptable(*other.project, wanted))
-        other.emission =
-            emitted(simulation, *other.project, simulation.scenario.controller_at(number).component, other.model);
-    const bool good = acceptable(*other.project, wanted);
+    other.project = load_project(wanted);
+    if (is_acceptable(*other.project, wanted))
+        other.emission = emit_component(simulation, *other.project, simulation.scenario.controller_at(number).component,
+                                        other.model);
+    const bool good = is_acceptable(*other.project, wanted);
     if (!good) simulation.project = std::move(other.project);
     simulation.others.push_back(std::move(other));
     return good && simulation.project->diagnostics.ok();
 }
 
-void emit(Simulation& simulation, const std::string& model, const Options& options) {
-    simulation.emission = emitted(simulation, *simulation.project, simulation.scenario.component, model);
+void emit_controllers(Simulation& simulation, const std::string& model, const Options& options) {
+    simulation.emission = emit_component(simulation, *simulation.project, simulation.scenario.component, model);
     if (!simulation.project->diagnostics.ok()) return;
     const simulation::Scenario& scenario = simulation.scenario;
-    for (std::size_t number = 1; number < scenario.controllers(); ++number)
+    for (std::size_t number = 1; number < scenario.controller_count(); ++number)
         if (!load_other(simulation, number, options)) return;
     simulation::Emissions emissions{{}, nullptr};
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind)
         emissions.kinds.push_back(&simulation.emission_of(kind));
     if (scenario.environment) emissions.environment = &simulation.others.back().emission;
     Project& project = *simulation.project;
-    simulation.plan = simulation::bind(simulation.scenario, emissions, project.diagnostics);
+    simulation.plan = simulation::bind_scenario(simulation.scenario, emissions, project.diagnostics);
     // Computing the first start finds robots that do not fit, before anything is compiled.
     if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
 }
@@ -171,22 +171,22 @@ std::string with_progress(const simulation::RunProgress& p) {
 }  // namespace
 
 std::function<bool()> when_a_limit_is_reached(const Options& options) {
-    return [&budget = options.run->budget()] { return !budget.reached().empty(); };
+    return [&budget = options.run->budget()] { return !budget.reached_limit().empty(); };
 }
 
 std::function<void(const simulation::RunProgress&)> progress_reports(const Options& options,
                                                                      const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const simulation::RunProgress& p) {
-            using diagnostics::rounded;
+            using diagnostics::round_to_places;
             print_error_styled(diagnostics::json_text({{"event", "progress"},
                                                        {"subject", subject},
                                                        {"phase", "simulating"},
-                                                       {"seconds", rounded(p.seconds, 3)},
+                                                       {"seconds", round_to_places(p.seconds, 3)},
                                                        {"trials", p.trials},
                                                        {"trialsDone", p.trials_done},
-                                                       {"simulatedSeconds", rounded(p.simulated_seconds, 1)},
-                                                       {"totalSeconds", rounded(p.total_seconds, 1)}}) +
+                                                       {"simulatedSeconds", round_to_places(p.simulated_seconds, 1)},
+                                                       {"totalSeconds", round_to_places(p.total_seconds, 1)}}) +
                                "\n");
         };
     if (!progress_line_wanted(options)) return {};
@@ -199,14 +199,14 @@ namespace {
 
 Exit exit_of(const simulation::RunResult& result) {
     if (result.interrupted) return Exit::inconclusive;
-    if (result.fails()) return Exit::failed;
-    return result.holds() ? Exit::success : Exit::inconclusive;
+    if (result.has_failed()) return Exit::failed;
+    return result.all_hold() ? Exit::success : Exit::inconclusive;
 }
 
 Exit before_trials(const Options& options, const std::string& why) {
     const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
     const diagnostics::Json none = diagnostics::Json::array();
-    answer(options, [&](Format) {
+    output_document(options, [&](Format) {
         return diagnostics::json_text({{"schema", "robochart-verify/simulation/1"},
                                        {"scenario", options.inputs.front()},
                                        {"trials", none},
@@ -237,16 +237,16 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
         if (!result.claims.empty()) print("claims\n{}\n", simulation::claims_text(scenario, result.claims));
         if (!result.claims.empty()) print("in this world\n{}\n", simulation::world_text(scenario));
         if (!files.empty()) print("files\n");
-        for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
+        for (const std::string& file : files) print("  {}\n", diagnostics::escape_for_display(file));
         print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
     }
     if (result.interrupted)
-        print("{}: {}\n", options.run->budget().reached(),
+        print("{}: {}\n", options.run->budget().reached_limit(),
               result.claims.empty() ? "the bands are not judged" : "what was not decided by then is open");
-    else if (result.stopped())
+    else if (result.has_stopped_trial())
         print("a controller stopped: see above\n");
     else
-        print("{}{}\n", result.watched ? "" : not_all_watched, simulation::summary(result));
+        print("{}{}\n", result.watched ? "" : not_all_watched, simulation::summary_text(result));
 }
 
 /// The first log that could not be written; set by the threads.
@@ -277,7 +277,7 @@ simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t 
 simulation::Guard::Maker log_maker(const Simulation& simulation, const Options& options, LogFailure& failure) {
     if (simulation.scenario.others.empty()) return log_maker_of(simulation, 0, options, failure);
     std::vector<simulation::Guard::Maker> makers;
-    for (std::size_t kind = 0; kind < simulation.scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < simulation.scenario.kind_count(); ++kind)
         makers.push_back(log_maker_of(simulation, kind, options, failure));
     return simulation::for_each_kind(simulation.scenario, std::move(makers));
 }
@@ -285,7 +285,7 @@ simulation::Guard::Maker log_maker(const Simulation& simulation, const Options& 
 }  // namespace
 
 void add_trials(const Simulation& simulation, diagnostics::Hasher& hasher) {
-    hasher.add(simulation.project->sources.text(simulation.scenario.name.span.source));
+    hasher.add(simulation.project->sources.source_text(simulation.scenario.name.span.source));
     for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
     const auto add = [&](const cpp_emit::DriveEmission& emission) {
         for (const auto& file : emission.files) {
@@ -335,8 +335,8 @@ void show_all_diagnostics(const Simulation& simulation, const Options& options) 
     // Findings that two kinds of one model share are shown once.
     const auto is_new = [&](const Project& project) {
         bool found = false;
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted()) {
-            const std::string path = each.span.known() ? std::string(project.sources.path(each.span.source)) : "";
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings()) {
+            const std::string path = each.span.is_known() ? std::string(project.sources.path(each.span.source)) : "";
             found = shown.insert(fmt::format("{}:{}:{}:{}", path, each.span.begin, each.rule->code, each.message()))
                         .second ||
                     found;
@@ -357,10 +357,10 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     if (simulation->project->diagnostics.ok()) check_addresses(*simulation->project, simulation->scenario, options);
     if (!simulation->project->diagnostics.ok()) return simulation;
     const Options model = options_for(simulation->scenario, options, 0);
-    simulation->project = load(model);
-    if (!acceptable(*simulation->project, options)) return simulation;
+    simulation->project = load_project(model);
+    if (!is_acceptable(*simulation->project, options)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);
-    emit(*simulation, model.inputs.front(), options);
+    emit_controllers(*simulation, model.inputs.front(), options);
     return simulation;
 }
 
@@ -371,7 +371,7 @@ void write_page(Simulation& simulation, const simulation::RunResult& result, con
                 const std::string& simulator, const std::string& monitors, const std::string& notes,
                 const std::vector<std::string>& files, const Options& options) {
     std::vector<KindModel> kinds{{simulation.project.get(), &simulation.emission}};
-    for (std::size_t kind = 1; kind < simulation.scenario.kinds(); ++kind)
+    for (std::size_t kind = 1; kind < simulation.scenario.kind_count(); ++kind)
         kinds.push_back({simulation.others[kind - 1].project.get(), &simulation.emission_of(kind)});
     const std::string page = render_simulation_html(
         {kinds, simulation.scenario, machines, result, simulator, monitors, notes, files}, options);
@@ -385,7 +385,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     Project& project = *simulation->project;
     if (!options.compare.empty())
         project.diagnostics.report(rules::bad_option, {}, {"--compare takes a scenario in which something varies"});
-    if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
+    if (!is_acceptable(project, options)) return show_diagnostics(project, options), refusal_code(project);
     if (simulation->scenario.abstraction) return study_chain(*simulation, options, stage);
     const auto controller = build_controller(*simulation, options);
     if (controller == nullptr || !project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
@@ -397,28 +397,29 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
     const auto monitors = make_guard(*simulation, options);
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
-    if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
+    if (monitors != nullptr) wanted.trace = monitors->make_observer(wanted.trace);
     wanted.interrupted = when_a_limit_is_reached(options);
     wanted.progress = progress_reports(options, simulation->scenario.name.text);
     const simulation::Drives drives = drives_of(*simulation, *controller);
     const simulation::Machines machines = simulation::machines_of(simulation->scenario, drives);
-    const simulation::RunResult result = simulation::run(simulation->plan, drives, wanted, project.diagnostics);
+    const simulation::RunResult result = simulation::run_trials(simulation->plan, drives, wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
-    if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
-    std::string notes = monitors == nullptr ? "" : monitors->note();
+    if (!project.diagnostics.ok() && !result.has_stopped_trial())
+        return show_diagnostics(project, options), Exit::bad_input;
+    std::string notes = monitors == nullptr ? "" : monitors->summary_lines();
     std::vector<std::string> files;
     if (options.pictures && !result.interrupted)
         files = write_simulation_files(*simulation, result, machines, options, notes);
     if (!options.html.empty() && !result.interrupted)
-        write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->note(), notes, files,
-                   options);
+        write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->summary_lines(),
+                   notes, files, options);
     options.run->finish();
     // The only errors at this point are stopped trials and files that could not be written.
-    const bool unwritable = !project.diagnostics.ok() && !result.stopped();
+    const bool unwritable = !project.diagnostics.ok() && !result.has_stopped_trial();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (unwritable && options.format == Format::json) return show_diagnostics(project, options), exit;
     if (!unwritable)
-        answer(options, [&](Format) {
+        output_document(options, [&](Format) {
             return simulation::result_json(simulation->scenario, result,
                                            simulation::guard_json(monitors.get(), result.watched), files,
                                            static_cast<int>(exit));
@@ -451,7 +452,7 @@ Exit run_simulate(const Options& given, const OtherStage& stage) {
     try {
         return simulate(options, stage);
     } catch (const cpp_emit::NoCompiler& missing) {
-        return options.run->stopped(missing.what());
+        return options.run->end_run(missing.what());
     }
 }
 

@@ -13,8 +13,8 @@
 
 #include "app/command/rules.hpp"
 #include "app/verbs/simulate.hpp"
-#include "cpp_emit/load/shared_library.hpp"
 #include "base/diagnostics/files.hpp"
+#include "cpp_emit/load/shared_library.hpp"
 #include "simulation/report/pictures.hpp"
 #include "simulation/report/plot.hpp"
 #include "simulation/report/raster.hpp"
@@ -52,7 +52,7 @@ public:
           machines_(machines) {}
 
     std::vector<std::string> write(std::string& notes) {
-        if (!tables()) return std::move(written_);
+        if (!write_tables()) return std::move(written_);
         const auto& frames = result_.trials.front().frames;
         if (frames.empty()) {
             notes += "  no tables and pictures: too many positions to keep (`record` less often)\n";
@@ -84,7 +84,7 @@ private:
         return error.empty();
     }
 
-    bool tables() {
+    bool write_tables() {
         for (std::size_t trial = 0; trial < result_.trials.size() && !result_.trials[trial].frames.empty(); ++trial)
             if (!add(fmt::format("trial-{:02}.csv", trial + 1),
                      simulation::positions_csv(result_.trials[trial].frames, machines_)))
@@ -93,30 +93,30 @@ private:
     }
 
     /// Runs a program that makes a file with this name in the work folder, and moves the file to the others.
-    bool make(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
+    bool make_file(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
         std::string error;
         const std::string log = work_->path() + "/log";
         const int status = cpp_emit::run_program(command, log, error, project_.diagnostics.budget());
-        if (status == 0) return add(name, contents(work_->path() + "/" + name));
-        if (error.empty()) error = fmt::format("status {}, {}", status, contents(log).substr(0, 500));
+        if (status == 0) return add(name, read_contents(work_->path() + "/" + name));
+        if (error.empty()) error = fmt::format("status {}, {}", status, read_contents(log).substr(0, 500));
         notes += fmt::format("  {} did not make {}: {}\n", command.front(), name, error);
         return false;
     }
 
-    static std::string contents(const std::string& path) {
+    static std::string read_contents(const std::string& path) {
         std::ifstream in(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
     /// If a limit ends the conversions, the drawings still exist.
     void images_and_films(const std::vector<simulation::Frame>& frames, std::string& notes) try {
-        images(notes);
-        video(frames, notes);
+        make_images(notes);
+        make_videos(frames, notes);
     } catch (const diagnostics::LimitReached& limit) {
         notes += fmt::format("  no more images: {}\n", limit.what());
     }
 
-    void images(std::string& notes) {
+    void make_images(std::string& notes) {
         if (!on_path("rsvg-convert")) {
             notes += "  no PNG: rsvg-convert is not on PATH (Debian: librsvg2-bin)\n";
             return;
@@ -124,12 +124,12 @@ private:
         for (const std::string name : {"snapshots", "trajectories", "plots"}) {
             const std::string drawing = fmt::format("{}/{}{}.svg", out_, below_, name);
             const std::string made = fmt::format("{}/{}.png", work_->path(), name);
-            make(name + ".png", {"rsvg-convert", "--background-color=white", drawing, "--output", made}, notes);
+            make_file(name + ".png", {"rsvg-convert", "--background-color=white", drawing, "--output", made}, notes);
         }
     }
 
     /// Writes the frames as raw video to a file, which ffmpeg converts to MP4 and GIF.
-    void video(const std::vector<simulation::Frame>& frames, std::string& notes) {
+    void make_videos(const std::vector<simulation::Frame>& frames, std::string& notes) {
         if (!on_path("ffmpeg")) {
             notes += "  no MP4 and GIF: ffmpeg is not on PATH (Debian: ffmpeg)\n";
             return;
@@ -140,7 +140,7 @@ private:
         const std::size_t every = (frames.size() + most - 1) / most;
         std::size_t count = 0;
         for (std::size_t f = 0; f < frames.size(); f += every, ++count) {
-            raster = simulation::rasterise(scenario_, frames[f], machines_.front().states.size(), 480);
+            raster = simulation::rasterise_frame(scenario_, frames[f], machines_.front().states.size(), 480);
             dots.append(raster.dots.begin(), raster.dots.end());
         }
         if (const std::string error = diagnostics::write_below(work_->path(), "frames.raw", dots); !error.empty()) {
@@ -166,7 +166,7 @@ private:
                                                 work_->path() + "/frames.raw"};
             command.insert(command.end(), more.begin(), more.end());
             command.push_back(work_->path() + "/" + name);
-            return make(name, command, notes);
+            return make_file(name, command, notes);
         };
         if (film("animation.mp4", {"-pix_fmt", "yuv420p"})) film("animation.gif", {"-vf", "scale=320:-1"});
     }

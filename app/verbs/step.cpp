@@ -22,11 +22,11 @@
 #include "app/step/step_page.hpp"
 #include "app/step/stepped_component.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/operational_semantics.hpp"
-#include "base/diagnostics/files.hpp"
-#include "base/diagnostics/splitmix64.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/stepper.hpp"
 #include "counterexample/text.hpp"
@@ -45,7 +45,7 @@ std::string place_of(const std::optional<runs::Place>& place) {
 }
 
 std::string text_of(const runs::Offer& offer) {
-    return runs::text(offer.happening.event, offer.happening.with);
+    return runs::text_of(offer.happening.event, offer.happening.with);
 }
 
 class Console {
@@ -65,33 +65,33 @@ private:
         void (Console::*obey)(const std::string& argument);  ///< null for numbers
     };
     /// A prefix of a name selects the first command in this list that has it.
-    static const std::vector<Command>& commands();
+    static const std::vector<Command>& command_table();
 
-    void obey(const std::string& line);
-    bool take(const std::string& word);
-    void undo(const std::string& word);
-    void tock(const std::string& word);
-    void random(const std::string& word);
-    void until(const std::string& text);
-    void why(const std::string& text);
+    void run_command_line(const std::string& line);
+    bool take_offer(const std::string& word);
+    void undo_steps(const std::string& word);
+    void pass_time(const std::string& word);
+    void take_random_steps(const std::string& word);
+    void step_until(const std::string& text);
+    void explain_absences(const std::string& text);
     void find(const std::string& text);
     [[nodiscard]] std::string leads_to(std::size_t offer);
     bool list_offers(const std::string& text);  ///< those with this text; false if there are none
-    void watch(const std::string& name);
-    void way(const std::string&);
-    void tree(const std::string&);
-    void internal(const std::string&);
-    void help(const std::string&);
+    void watch_component(const std::string& name);
+    void print_way(const std::string&);
+    void print_tree(const std::string&);
+    void toggle_internal(const std::string&);
+    void print_help(const std::string&);
     void quit(const std::string&) { quits_ = true; }
-    void save(const std::string& path);
-    void load(const std::string& path);
-    void settle();
-    void show();
-    void wrong(const std::string& text);
-    [[nodiscard]] bool chance();
+    void save_log(const std::string& path);
+    void load_log(const std::string& path);
+    void settle_hidden();
+    void show_state();
+    void report_wrong(const std::string& text);
+    [[nodiscard]] bool take_random_offer();
     /// True if the text occurred after this number of steps.
-    [[nodiscard]] bool has(const std::string& text, std::size_t steps);
-    std::optional<std::size_t> number(const std::string& word, std::size_t otherwise);
+    [[nodiscard]] bool has_occurred(const std::string& text, std::size_t steps);
+    std::optional<std::size_t> read_number(const std::string& word, std::size_t otherwise);
 
     runs::Stepper& stepper_;
     const Options& options_;
@@ -104,38 +104,38 @@ private:
     bool person_ = isatty(STDIN_FILENO) == 1;
 };
 
-void Console::wrong(const std::string& text) {
+void Console::report_wrong(const std::string& text) {
     print_error("{}\n", text);
     failed_ = true;
 }
 
-std::optional<std::size_t> Console::number(const std::string& word, std::size_t otherwise) {
+std::optional<std::size_t> Console::read_number(const std::string& word, std::size_t otherwise) {
     if (word.empty()) return otherwise;
     std::size_t value = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (code == std::errc() && end == word.data() + word.size() && value <= 1'000'000) return value;
-    wrong(fmt::format("{}: expected a whole number, at most 1000000", word));
+    report_wrong(fmt::format("{}: expected a whole number, at most 1000000", word));
     return std::nullopt;
 }
 
-void Console::settle() {
-    if (!internal_) stepper_.settle(most_settled);
+void Console::settle_hidden() {
+    if (!internal_) stepper_.take_forced_steps(most_settled);
 }
 
-void Console::show() {
+void Console::show_state() {
     std::string heading = stepped_.name;
-    if (stepped_.time == csp_emit::Time::timed) heading += fmt::format(", t={}", stepper_.time());
-    print("\n{}, step {}\n", heading, stepper_.way().size());
-    const std::vector<runs::Machine> machines = stepper_.machines();
+    if (stepped_.time == csp_emit::Time::timed) heading += fmt::format(", t={}", stepper_.elapsed_time());
+    print("\n{}, step {}\n", heading, stepper_.steps_taken().size());
+    const std::vector<runs::Machine> machines = stepper_.current_machines();
     for (const runs::Machine& machine : machines) {
-        if (watched_.empty()) print("  {}: {}\n", machine.component, runs::text(machine));
+        if (watched_.empty()) print("  {}: {}\n", machine.component, runs::text_of(machine));
         for (const runs::Variable& each : machine.variables)
             if (each.name == watched_ || each.name == fmt::format("since({})", watched_))
                 print("  {}: {} = {}\n", machine.component, each.name, each.value.value_or("-"));
     }
     if (machines.empty())
-        print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.here()));
-    const std::vector<runs::Offer>& offers = stepper_.offers();
+        print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.current_term()));
+    const std::vector<runs::Offer>& offers = stepper_.current_offers();
     for (std::size_t i = 0; i < offers.size(); ++i)
         print("{:>4}  {}{}{}{}\n", i + 1, offers[i].hidden ? "(hidden) " : "", text_of(offers[i]), leads_to(i),
               place_of(offers[i].happening.event.place));
@@ -144,7 +144,7 @@ void Console::show() {
 
 /// For a process of a script in which several offers have the same text: "   to STOP".
 std::string Console::leads_to(std::size_t offer) {
-    const std::vector<runs::Offer>& offers = stepper_.offers();
+    const std::vector<runs::Offer>& offers = stepper_.current_offers();
     const auto same = [&](const runs::Offer& each) {
         return each.hidden == offers[offer].hidden && text_of(each) == text_of(offers[offer]);
     };
@@ -153,95 +153,96 @@ std::string Console::leads_to(std::size_t offer) {
     return "   to " + process::describe(terms, offers[offer].step.target);
 }
 
-bool Console::take(const std::string& word) {
+bool Console::take_offer(const std::string& word) {
     std::size_t offer = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), offer);
     if (code != std::errc() || end != word.data() + word.size()) return false;
-    if (offer < 1 || offer > stepper_.offers().size()) {
-        wrong(fmt::format("there is no offer {}", word));
+    if (offer < 1 || offer > stepper_.current_offers().size()) {
+        report_wrong(fmt::format("there is no offer {}", word));
         return true;
     }
-    choices_.push_back(stepper_.way().size());
-    stepper_.take(offer - 1);
-    settle();
-    show();
+    choices_.push_back(stepper_.steps_taken().size());
+    stepper_.take_offer(offer - 1);
+    settle_hidden();
+    show_state();
     return true;
 }
 
-void Console::undo(const std::string& word) {
+void Console::undo_steps(const std::string& word) {
     if (word.empty()) {
-        if (choices_.empty()) return wrong("there is no choice to go back from");
+        if (choices_.empty()) return report_wrong("there is no choice to go back from");
         stepper_.back_to(choices_.back());
         choices_.pop_back();
-        return show();
+        return show_state();
     }
-    const auto steps = number(word, 0);
+    const auto steps = read_number(word, 0);
     if (!steps) return;
-    if (*steps > stepper_.way().size()) return wrong(fmt::format("the way has only {} steps", stepper_.way().size()));
+    if (*steps > stepper_.steps_taken().size())
+        return report_wrong(fmt::format("the way has only {} steps", stepper_.steps_taken().size()));
     stepper_.back_to(*steps);
     while (!choices_.empty() && choices_.back() >= *steps) choices_.pop_back();
-    show();
+    show_state();
 }
 
-void Console::tock(const std::string& word) {
-    const auto units = number(word, 1);
+void Console::pass_time(const std::string& word) {
+    const auto units = read_number(word, 1);
     for (std::size_t i = 0; units && i < *units; ++i) {
         options_.run->budget().poll();
-        const std::vector<runs::Offer>& offers = stepper_.offers();
+        const std::vector<runs::Offer>& offers = stepper_.current_offers();
         if (offers.empty() || offers.back().happening.event.kind != runs::Kind::tock) {
-            wrong("time cannot pass here");
+            report_wrong("time cannot pass here");
             break;
         }
-        choices_.push_back(stepper_.way().size());
-        stepper_.take(offers.size() - 1);
-        settle();
+        choices_.push_back(stepper_.steps_taken().size());
+        stepper_.take_offer(offers.size() - 1);
+        settle_hidden();
     }
-    show();
+    show_state();
 }
 
 /// Returns false if no step is possible.
-bool Console::chance() {
+bool Console::take_random_offer() {
     options_.run->budget().poll();
-    const std::size_t offers = stepper_.offers().size();
+    const std::size_t offers = stepper_.current_offers().size();
     if (offers == 0) return false;
-    choices_.push_back(stepper_.way().size());
-    stepper_.take(diagnostics::splitmix64(chance_) % offers);
-    settle();
+    choices_.push_back(stepper_.steps_taken().size());
+    stepper_.take_offer(diagnostics::splitmix64(chance_) % offers);
+    settle_hidden();
     return true;
 }
 
-void Console::random(const std::string& word) {
-    const auto steps = number(word, 1);
-    for (std::size_t i = 0; steps && i < *steps && chance(); ++i) {
+void Console::take_random_steps(const std::string& word) {
+    const auto steps = read_number(word, 1);
+    for (std::size_t i = 0; steps && i < *steps && take_random_offer(); ++i) {
     }
-    show();
+    show_state();
 }
 
-bool Console::has(const std::string& text, std::size_t steps) {
-    const std::vector<runs::Taken>& way = stepper_.way();
+bool Console::has_occurred(const std::string& text, std::size_t steps) {
+    const std::vector<runs::Taken>& way = stepper_.steps_taken();
     for (std::size_t i = steps; i < way.size(); ++i)
         if (text_of(way[i].offer).find(text) != std::string::npos) return true;
-    for (const runs::Machine& machine : stepper_.machines())
-        if (runs::text(machine).find(text) != std::string::npos) return true;
+    for (const runs::Machine& machine : stepper_.current_machines())
+        if (runs::text_of(machine).find(text) != std::string::npos) return true;
     return false;
 }
 
-void Console::until(const std::string& text) {
-    if (text.empty()) return wrong("until what?");
+void Console::step_until(const std::string& text) {
+    if (text.empty()) return report_wrong("until what?");
     std::size_t steps = 0;
     bool goes_on = true;
     std::size_t before = 0;
     do {
-        before = stepper_.way().size();
-        goes_on = chance();
-    } while (goes_on && ++steps < most_until && !has(text, before));
-    if (!goes_on || steps == most_until) wrong(fmt::format("`{}` was not met in {} choices", text, steps));
-    show();
+        before = stepper_.steps_taken().size();
+        goes_on = take_random_offer();
+    } while (goes_on && ++steps < most_until && !has_occurred(text, before));
+    if (!goes_on || steps == most_until) report_wrong(fmt::format("`{}` was not met in {} choices", text, steps));
+    show_state();
 }
 
-void Console::why(const std::string& text) {
+void Console::explain_absences(const std::string& text) {
     std::size_t shown = 0;
-    for (const runs::Absence& each : stepper_.absences()) {
+    for (const runs::Absence& each : stepper_.explain_absences()) {
         if (each.text.find(text) == std::string::npos) continue;
         print("  {}: {}: {}{}\n", each.component, each.text, each.reason, place_of(each.place));
         ++shown;
@@ -262,7 +263,7 @@ void Console::find(const std::string& text) {
 
 bool Console::list_offers(const std::string& text) {
     bool found = false;
-    const std::vector<runs::Offer>& offers = stepper_.offers();
+    const std::vector<runs::Offer>& offers = stepper_.current_offers();
     for (std::size_t i = 0; i < offers.size(); ++i) {
         if (text_of(offers[i]).find(text) == std::string::npos) continue;
         print("{:>4}  {}{}\n", i + 1, text_of(offers[i]), leads_to(i));
@@ -271,97 +272,99 @@ bool Console::list_offers(const std::string& text) {
     return found;
 }
 
-void Console::way(const std::string&) {
+void Console::print_way(const std::string&) {
     if (!stepped_.project) {
         std::vector<std::string> names;
-        for (const runs::Taken& each : stepper_.way())
+        for (const runs::Taken& each : stepper_.steps_taken())
             names.push_back(each.offer.hidden ? fmt::format("τ({})", each.offer.name) : each.offer.name);
         return app::print_text(fmt::format("  <{}>\n", fmt::join(names, ", ")));
     }
-    app::print_text(runs::text(stepper_.run(stepped_.time), "  "));
+    app::print_text(runs::text_of(stepper_.run(stepped_.time), "  "));
 }
 
-void Console::save(const std::string& path) {
+void Console::save_log(const std::string& path) {
     const std::string error = save_way(stepper_, stepped_, path, *options_.run);
-    if (!error.empty()) return wrong(error);
+    if (!error.empty()) return report_wrong(error);
     print("{}\n", path);
 }
 
-void Console::load(const std::string& path) {
+void Console::load_log(const std::string& path) {
     const Followed followed = follow_log(stepper_, stepped_, path, *options_.run);
     choices_.clear();
-    if (!followed.error.empty()) wrong(followed.error);
-    settle();
-    show();
+    if (!followed.error.empty()) report_wrong(followed.error);
+    settle_hidden();
+    show_state();
 }
 
-void Console::watch(const std::string& name) {
+void Console::watch_component(const std::string& name) {
     watched_ = name;
-    show();
+    show_state();
 }
 
-void Console::tree(const std::string&) {
-    print("{}", structure_text(stepper_.structure(), stepper_.reader().context().session.event_table()));
+void Console::print_tree(const std::string&) {
+    print("{}", structure_text(stepper_.current_structure(), stepper_.reader().context().session.event_table()));
 }
 
-void Console::internal(const std::string&) {
+void Console::toggle_internal(const std::string&) {
     internal_ = !internal_;
-    settle();
-    show();
+    settle_hidden();
+    show_state();
 }
 
-void Console::help(const std::string&) {
-    for (const Command& each : commands())
+void Console::print_help(const std::string&) {
+    for (const Command& each : command_table())
         print("  {:<16} {}\n", fmt::format("{} {}", each.name, each.argument), each.help);
 }
 
-const std::vector<Console::Command>& Console::commands() {
+const std::vector<Console::Command>& Console::command_table() {
     static const std::vector<Command> all = {
         {"N", "", "take the offer of this number", nullptr},
-        {"undo", "[N]", "go back one choice, or to step N of the way", &Console::undo},
-        {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first", &Console::tock},
-        {"random", "[N]", "take N offers by chance, one without N", &Console::random},
-        {"until", "TEXT", "take offers by chance until a state, a value or an event with this text", &Console::until},
+        {"undo", "[N]", "go back one choice, or to step N of the way", &Console::undo_steps},
+        {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first",
+         &Console::pass_time},
+        {"random", "[N]", "take N offers by chance, one without N", &Console::take_random_steps},
+        {"until", "TEXT", "take offers by chance until a state, a value or an event with this text",
+         &Console::step_until},
         {"why", "[TEXT]", "why transitions that leave active states, or events of components, are not on offer",
-         &Console::why},
+         &Console::explain_absences},
         {"find", "TEXT", "the offers with this text", &Console::find},
-        {"watch", "[NAME]", "show this variable alone; all without NAME", &Console::watch},
-        {"way", "", "how it has come here", &Console::way},
-        {"tree", "", "the structure of the process, its operators and components", &Console::tree},
-        {"internal", "", "stop at hidden steps too, or do not any more", &Console::internal},
+        {"watch", "[NAME]", "show this variable alone; all without NAME", &Console::watch_component},
+        {"way", "", "how it has come here", &Console::print_way},
+        {"tree", "", "the structure of the process, its operators and components", &Console::print_tree},
+        {"internal", "", "stop at hidden steps too, or do not any more", &Console::toggle_internal},
         {"save", "FILE", "write the way: FILE.trace a log, FILE.assertions an assertion that it stays possible",
-         &Console::save},
-        {"load", "FILE", "go the way of a log from the beginning", &Console::load},
-        {"help", "", "this list", &Console::help},
+         &Console::save_log},
+        {"load", "FILE", "go the way of a log from the beginning", &Console::load_log},
+        {"help", "", "this list", &Console::print_help},
         {"quit", "", "leave", &Console::quit},
     };
     return all;
 }
 
-void Console::obey(const std::string& line) {
+void Console::run_command_line(const std::string& line) {
     std::istringstream words(line);
     std::string name, rest;
     words >> name;
     std::getline(words >> std::ws, rest);
     while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.back())) != 0) rest.pop_back();
-    if (name.empty() || take(name)) return;
+    if (name.empty() || take_offer(name)) return;
     std::vector<std::string> known;
-    for (const Command& each : commands()) {
+    for (const Command& each : command_table()) {
         if (each.obey != nullptr && std::string_view(each.name).starts_with(name)) return (this->*each.obey)(rest);
         known.emplace_back(each.name);
     }
-    wrong(fmt::format("there is no command '{}'{}; `help` lists them", name, did_you_mean(name, known)));
+    report_wrong(fmt::format("there is no command '{}'{}; `help` lists them", name, did_you_mean(name, known)));
 }
 
 Exit Console::run() {
-    settle();
-    show();
+    settle_hidden();
+    show_state();
     for (std::string line;;) {
         if (person_) print("> ");
         finish_output();
         if (!std::getline(std::cin, line)) break;
         options_.run->budget().poll();
-        obey(line);
+        run_command_line(line);
         if (quits_) break;
     }
     return failed_ && !person_ ? Exit::failed : Exit::success;
@@ -372,8 +375,8 @@ Exit Console::run() {
 Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& stepped,
                 const std::vector<Part>& parts) {
     diagnostics::Budget& budget = options.run->budget();
-    const runs::Exploration space = runs::explore(stepper.reader(), stepper.here(), {}, budget);
-    const std::string reached = budget.reached();
+    const runs::Exploration space = runs::explore_process(stepper.reader(), stepper.current_term(), {}, budget);
+    const std::string reached = budget.reached_limit();
     options.run->finish();
     const std::string error = diagnostics::replace_file(options.html, step_page(space, stepped, parts), &budget);
     if (!error.empty()) {
@@ -390,7 +393,8 @@ Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& s
 }
 
 /// Steps in the terminal, or writes the page.
-Exit animate(runs::Stepper& stepper, const Options& options, const Stepped& stepped, const std::vector<Part>& parts) {
+Exit run_stepper(runs::Stepper& stepper, const Options& options, const Stepped& stepped,
+                 const std::vector<Part>& parts) {
     return options.html.empty() ? Console(stepper, options, stepped).run()
                                 : write_page(stepper, options, stepped, parts);
 }
@@ -398,7 +402,7 @@ Exit animate(runs::Stepper& stepper, const Options& options, const Stepped& step
 /// The components that can be stepped through, each with its part.
 using Candidates = std::vector<std::pair<Project*, ir::ComponentRef>>;
 
-Candidates candidates(const std::vector<Part>& parts, const std::string& wanted) {
+Candidates candidate_components(const std::vector<Part>& parts, const std::string& wanted) {
     Candidates result;
     for (const Part& part : parts)
         if (part.project->diagnostics.ok() && !part.again)
@@ -408,12 +412,12 @@ Candidates candidates(const std::vector<Part>& parts, const std::string& wanted)
 }
 
 /// The selected component. Throws UsageError if there is none, or several.
-std::pair<Project*, ir::ComponentRef> meant(const std::vector<Part>& parts, const std::string& wanted) {
-    const Candidates found = candidates(parts, wanted);
+std::pair<Project*, ir::ComponentRef> find_meant_component(const std::vector<Part>& parts, const std::string& wanted) {
+    const Candidates found = candidate_components(parts, wanted);
     if (found.size() == 1) return found.front();
     std::vector<std::string> names;
-    for (const auto& [project, component] : found.empty() ? candidates(parts, "") : found)
-        names.push_back(ir::qualified(component));
+    for (const auto& [project, component] : found.empty() ? candidate_components(parts, "") : found)
+        names.push_back(ir::qualified_name(component));
     std::vector<std::string> known = names;  // with and without packages
     for (const std::string& name : names) known.push_back(name.substr(name.rfind(':') + 1));
     if (found.empty())
@@ -427,18 +431,18 @@ Exit step_component(const Options& options) {
     model.inputs.resize(1);
     const std::vector<Part> parts = load_parts(model);
     for (const Part& part : parts)
-        if (!show_diagnostics(*part.project, options)) return refusal(*part.project);
-    const auto [project, component] = meant(parts, options.inputs.size() > 1 ? options.inputs[1] : "");
+        if (!show_diagnostics(*part.project, options)) return refusal_code(*part.project);
+    const auto [project, component] = find_meant_component(parts, options.inputs.size() > 1 ? options.inputs[1] : "");
     const csp_emit::Time time = options.times == Times::untimed ? csp_emit::Time::untimed : csp_emit::Time::timed;
     (void)emit_csp(*project, options, time);
     if (!project->diagnostics.ok()) {
         show_findings(*project, options);
-        return refusal(*project);
+        return refusal_code(*project);
     }
-    const std::string name = ir::qualified(component);
+    const std::string name = ir::qualified_name(component);
     try {
         SteppedComponent stepped(*project, name, time, options);
-        return animate(stepped.stepper(), options, {name, options.inputs.front(), project, time}, parts);
+        return run_stepper(stepped.stepper(), options, {name, options.inputs.front(), project, time}, parts);
     } catch (const cspm::EvaluationError& error) {
         print_error("robochart-verify: {}\n", runs::placed_failure(error, project->system, project->sources));
         return Exit::bad_input;
@@ -448,10 +452,10 @@ Exit step_component(const Options& options) {
 Exit step_script(const Options& options) {
     if (options.inputs.size() < 2) throw UsageError("step needs a process of the script: `step FILE.csp PROCESS`");
     LoadedScript loaded;
-    loaded.diagnostics.within(&options.run->budget());
+    loaded.diagnostics.set_budget(&options.run->budget());
     load_script(options.inputs.front(), loaded);
     const cspm::DeclPtr asked =
-        loaded.diagnostics.ok() ? asked_process(loaded, options.inputs[1], options.inputs[1]) : nullptr;
+        loaded.diagnostics.ok() ? parse_process(loaded, options.inputs[1], options.inputs[1]) : nullptr;
     if (!asked) {
         show_findings(loaded, options);
         return Exit::bad_input;
@@ -464,8 +468,8 @@ Exit step_script(const Options& options) {
         const runs::Context context{nothing, no_system, no_instantiation, loaded.sources, session};
         runs::StepReader reader(context);
         runs::Stepper stepper(reader, session.process(asked->assertion.specification));
-        return animate(stepper, options, {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed},
-                       {});
+        return run_stepper(stepper, options,
+                           {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed}, {});
     } catch (const cspm::EvaluationError& error) {
         print_error("robochart-verify: {}\n", runs::placed_failure(error, no_system, loaded.sources));
         return Exit::bad_input;

@@ -42,23 +42,23 @@ public:
         : options_(options), stage_(stage), project_(std::move(project)), scenario_(std::move(scenario)) {}
 
     Exit run() {
-        check();
-        if (!project_->diagnostics.ok()) return refused(*project_);
+        check_options();
+        if (!project_->diagnostics.ok()) return show_refusal(*project_);
         for (const simulation::Point& point : simulation::points_of(scenario_)) result_.points.push_back({point, {}});
         for (simulation::PointResult& point : result_.points) {
-            if (result_.interrupted || !wanted(point)) continue;
-            if (const auto refusal = look_at(point)) return *refusal;
+            if (result_.interrupted || !is_wanted(point)) continue;
+            if (const auto refusal = run_point(point)) return *refusal;
         }
-        redraw("");
-        compared_ = simulation::compare(scenario_, result_, table_);
+        redraw_progress("");
+        compared_ = simulation::compare_tables(scenario_, result_, table_);
         result_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-        return report();
+        return write_report();
     }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    void check() {
+    void check_options() {
         const auto missing = [&](const char* what) {
             project_->diagnostics.report(simulation::rules::missing, scenario_.name.span, {what});
         };
@@ -79,9 +79,9 @@ private:
     /// Reads the table of `--compare`; its errors are reported in the table's text.
     void read_table() {
         std::string error;
-        const auto source = project_->sources.load(options_.compare, error);
+        const auto source = project_->sources.load_file(options_.compare, error);
         if (source) {
-            auto table = simulation::read_table(project_->sources.text(*source), scenario_, error);
+            auto table = simulation::read_table(project_->sources.source_text(*source), scenario_, error);
             if (table) table_ = std::move(*table);
         }
         const bool estimates =
@@ -89,38 +89,39 @@ private:
         if (error.empty() && !estimates) error = "the scenario has no estimate";
         if (!error.empty())
             project_->diagnostics.report(
-                rules::bad_option, {}, {fmt::format("--compare {}: {}", diagnostics::shown(options_.compare), error)});
+                rules::bad_option, {},
+                {fmt::format("--compare {}: {}", diagnostics::escape_for_display(options_.compare), error)});
     }
 
     /// Errors of the file are reported when it is used.
     void read_rules() {
         std::string error;
-        if (const auto source = project_->sources.load(options_.guarding_rules, error))
-            rules_text_ = project_->sources.text(*source);
+        if (const auto source = project_->sources.load_file(options_.guarding_rules, error))
+            rules_text_ = project_->sources.source_text(*source);
     }
 
-    Exit refused(Project& project) const { return show_diagnostics(project, options_), refusal(project); }
+    Exit show_refusal(Project& project) const { return show_diagnostics(project, options_), refusal_code(project); }
 
     [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
 
     /// If values are tried until one is proved: true if this point can still change the least value.
-    [[nodiscard]] bool wanted(const simulation::PointResult& point) const {
+    [[nodiscard]] bool is_wanted(const simulation::PointResult& point) const {
         if (!until_proved()) return true;
         const std::optional<double> second = point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
         for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
-            if (!scenario_.claims[c].estimate && !simulation::least(result_.points, c, second).ended) return true;
+            if (!scenario_.claims[c].estimate && !simulation::least_value(result_.points, c, second).ended) return true;
         return false;
     }
 
     /// Computes a point; returns an exit code if this is impossible.
-    std::optional<Exit> look_at(simulation::PointResult& point) {
-        if (const auto refusal = prepare(simulation::constants_at(scenario_, point.point))) return refusal;
+    std::optional<Exit> run_point(simulation::PointResult& point) {
+        if (const auto refusal = prepare_controller(simulation::constants_at(scenario_, point.point))) return refusal;
         const simulation::Scenario scenario = simulation::scenario_at(prepared_.simulation->scenario, point.point);
         const diagnostics::Digest key = key_of(point.point);
         diagnostics::Cache* const cache = options_.run->cache();
         const auto earlier = cache == nullptr ? std::nullopt : cache->find(key);
         if (earlier)
-            if (auto known = simulation::restored(*earlier, scenario.claims.size())) {
+            if (auto known = simulation::claims_from_text(*earlier, scenario.claims.size())) {
                 point.claims = std::move(*known);
                 ++result_.earlier;
                 return std::nullopt;
@@ -129,16 +130,17 @@ private:
         plan.scenario = &scenario;
         Project& project = *prepared_.simulation->project;
         const simulation::RunResult found =
-            simulation::run(plan, drives_of(*prepared_.simulation, *prepared_.controller), run_options(point.point),
-                            project.diagnostics);
+            simulation::run_trials(plan, drives_of(*prepared_.simulation, *prepared_.controller),
+                                   run_options(point.point), project.diagnostics);
         result_.cpu_seconds += found.cpu_seconds;
-        if (!project.diagnostics.ok()) return refused(project);
+        if (!project.diagnostics.ok()) return show_refusal(project);
         point.claims = found.claims;
         result_.interrupted = found.interrupted;
-        if (result_.watched && !found.watched) unwatched_ = prepared_.monitors->note();
+        if (result_.watched && !found.watched) unwatched_ = prepared_.monitors->summary_lines();
         result_.watched = result_.watched && found.watched;
         // A point that was not completely monitored is computed again next time, to repeat the message.
-        if (!found.interrupted && found.watched && cache != nullptr) cache->keep(key, simulation::stored(found.claims));
+        if (!found.interrupted && found.watched && cache != nullptr)
+            cache->store_entry(key, simulation::claims_to_text(found.claims));
         return std::nullopt;
     }
 
@@ -146,8 +148,8 @@ private:
     void find_unknown(const Project& refused) {
         for (const simulation::Variation& each : scenario_.variations) {
             if (each.what != simulation::Varied::constant) continue;
-            const auto address = simulation::addressed(scenario_, each.constant);
-            for (const diagnostics::Diagnostic& finding : refused.diagnostics.sorted())
+            const auto address = simulation::find_constant_address(scenario_, each.constant);
+            for (const diagnostics::Diagnostic& finding : refused.diagnostics.sorted_findings())
                 if (address && finding.rule == &ir::rules::unknown_constant_option &&
                     finding.arguments.front() == address->constant)
                     project_->diagnostics.report(simulation::rules::unknown_part, each.span,
@@ -155,15 +157,15 @@ private:
         }
     }
 
-    std::optional<Exit> prepare(const std::vector<std::string>& constants) {
+    std::optional<Exit> prepare_controller(const std::vector<std::string>& constants) {
         if (prepared_.controller != nullptr && prepared_.constants == constants) return std::nullopt;
         Options options = options_;
         options.constants.insert(options.constants.end(), constants.begin(), constants.end());
         prepared_ = {constants, load_simulation(options), nullptr, nullptr};
         Project& project = *prepared_.simulation->project;
-        if (!acceptable(project, options)) {
+        if (!is_acceptable(project, options)) {
             find_unknown(project);
-            return refused(project_->diagnostics.ok() ? project : *project_);
+            return show_refusal(project_->diagnostics.ok() ? project : *project_);
         }
         if (!shown_) show_all_diagnostics(*prepared_.simulation, options);
         shown_ = true;
@@ -196,20 +198,20 @@ private:
         wanted.stage = stage_.make;
         wanted.record = false;
         wanted.comparisons = static_cast<std::uint32_t>(result_.points.size());
-        if (prepared_.monitors != nullptr) wanted.trace = prepared_.monitors->beside({});
+        if (prepared_.monitors != nullptr) wanted.trace = prepared_.monitors->make_observer({});
         wanted.interrupted = when_a_limit_is_reached(options_);
         const std::string where = simulation::point_text(scenario_, point);
         wanted.progress = [this, where](const simulation::RunProgress& now) {
-            redraw(fmt::format("{} ({} points): {} trials", where, result_.points.size(), now.trials_done));
+            redraw_progress(fmt::format("{} ({} points): {} trials", where, result_.points.size(), now.trials_done));
         };
         return wanted;
     }
 
-    void redraw(const std::string& line) const {
+    void redraw_progress(const std::string& line) const {
         if (options_.progress != ProgressMode::json && progress_line_wanted(options_)) redraw_error_line(line);
     }
 
-    Exit report() {
+    Exit write_report() {
         const std::vector<simulation::SweepPlot> plots = simulation::sweep_plots(scenario_, result_);
         std::vector<std::string> files;
         if (options_.pictures) {
@@ -218,12 +220,12 @@ private:
             for (const simulation::SweepPlot& plot : plots) add("sweep-" + plot.name + ".svg", plot.svg, files);
         }
         if (!options_.html.empty())
-            unwritable(diagnostics::replace_file(options_.html, render_sweep_html(scenario_, result_, plots),
-                                                 &options_.run->budget()));
+            report_unwritable(diagnostics::replace_file(options_.html, render_sweep_html(scenario_, result_, plots),
+                                                        &options_.run->budget()));
         options_.run->finish();
         if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
         const Exit exit = exit_code();
-        answer(options_, [&](Format) {
+        output_document(options_, [&](Format) {
             return simulation::sweep_json(scenario_, result_, simulation::comparison_json(scenario_, compared_),
                                           simulation::guard_json(prepared_.monitors.get(), result_.watched), files,
                                           static_cast<int>(exit));
@@ -235,11 +237,11 @@ private:
     void add(const std::string& name, const std::string& text, std::vector<std::string>& files) {
         const std::string path = "simulation/" + scenario_.name.text + "/" + name;
         const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
-        unwritable(error);
+        report_unwritable(error);
         if (error.empty()) files.push_back(options_.out + "/" + path);
     }
 
-    void unwritable(const std::string& error) {
+    void report_unwritable(const std::string& error) {
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
@@ -248,14 +250,14 @@ private:
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
         if (std::ranges::any_of(
-                compared_, [&](const simulation::Compared& each) { return simulation::rejected(scenario_, each); }))
+                compared_, [&](const simulation::Compared& each) { return simulation::is_rejected(scenario_, each); }))
             return Exit::failed;
         for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
             for (const simulation::PointResult& point : result_.points) {
                 if (!until_proved() && simulation::point_word(point, c) == "open") return Exit::inconclusive;
                 const std::optional<double> second =
                     point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
-                const simulation::Least found = simulation::least(result_.points, c, second);
+                const simulation::Least found = simulation::least_value(result_.points, c, second);
                 if (until_proved() && !scenario_.claims[c].estimate && !(found.value && found.certain))
                     return Exit::inconclusive;
             }
@@ -273,10 +275,10 @@ private:
             if (!scenario_.bands.empty()) print("bands are not asked where something varies\n\n");
             print("in this world, but for what varies\n{}\n", simulation::world_text(scenario_));
             if (!files.empty()) print("files\n");
-            for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
+            for (const std::string& file : files) print("  {}\n", diagnostics::escape_for_display(file));
             if (!files.empty()) print("\n");
         }
-        if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached());
+        if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached_limit());
         if (!result_.watched) print("{}{}", options_.quiet ? "" : unwatched_, not_all_watched);
         for (const std::string& line : simulation::least_lines(scenario_, result_)) print("{}\n", line);
         if (!options_.compare.empty()) print("{}\n", simulation::comparison_summary(scenario_, compared_));
@@ -301,7 +303,7 @@ private:
 Exit sweep(const Options& options, const OtherStage& stage) {
     auto project = std::make_unique<Project>();
     simulation::Scenario scenario = read_scenario_of(*project, options);
-    if (!project->diagnostics.ok()) return show_diagnostics(*project, options), refusal(*project);
+    if (!project->diagnostics.ok()) return show_diagnostics(*project, options), refusal_code(*project);
     return Sweep(options, stage, std::move(project), std::move(scenario)).run();
 }
 

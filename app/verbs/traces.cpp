@@ -21,13 +21,13 @@
 #include "app/command/run.hpp"
 #include "app/step/trace_page.hpp"
 #include "app/verbs/verbs.hpp"
-#include "conformance/model/rules.hpp"
-#include "conformance/traces/trace_check.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
-#include "frontend/syntax/syntax_rules.hpp"
+#include "conformance/model/rules.hpp"
+#include "conformance/traces/trace_check.hpp"
 #include "counterexample/evaluation_failure.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/ir/element_at.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -54,7 +54,7 @@ struct Totals {
 constexpr std::size_t max_reported = 100;
 
 /// The files, and the logs in folders, in order.
-std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& diagnostics) {
+std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diagnostics& diagnostics) {
     std::vector<std::string> result;
     for (const std::string& given : options.traces) {
         std::error_code error;
@@ -80,7 +80,7 @@ std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& 
 class Checkers {
 public:
     Checkers(const std::vector<Part>& parts, const Options& options)
-        : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
+        : parts_(parts), options_(options), limits_(limits_of_check(options, "traces")) {}
 
     /// A component and the checker that compares logs with it.
     struct Found {
@@ -92,27 +92,28 @@ public:
     [[nodiscard]] diagnostics::Budget& budget() const { return options_.run->budget(); }
 
     /// No value, with a finding, if there is no such component.
-    std::optional<Found> of(const conformance::TraceHeader& header) {
+    std::optional<Found> find_checker(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
-        const std::vector<Part>* const parts = with(header.constants);
+        const std::vector<Part>* const parts = model_with(header.constants);
         if (parts == nullptr) return std::nullopt;
-        std::vector<Candidate> all = found(*parts, wanted);
-        if (all.empty()) all = found(*parts, "");
+        std::vector<Candidate> all = first_components(*parts, wanted);
+        if (all.empty()) all = first_components(*parts, "");
         if (all.empty())
-            return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted},
-                          model_place(*parts_.front().project));
+            return report_refusal(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted},
+                                  model_place(*parts_.front().project));
         const auto& [part, component] = all.front();
         if (!wanted.empty() && all.size() > 1 && all[1].first != part)
-            return refuse(parts_.front(), rules::bad_option,
-                          {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
-                                       part->project->name, all[1].first->project->name, wanted)});
+            return report_refusal(
+                parts_.front(), rules::bad_option,
+                {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
+                             part->project->name, all[1].first->project->name, wanted)});
         const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
-        Entry& entry = entries_[{part, ir::qualified(component), cycle}];
-        if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
+        Entry& entry = entries_[{part, ir::qualified_name(component), cycle}];
+        if (entry.checker == nullptr && entry.error.empty()) load_entry(entry, *part->project, component, cycle);
         if (!entry.error.empty())
-            return refuse(parts_.front(), rules::no_monitor, {ir::qualified(component), entry.error},
-                          declared_at(part->project->system, component));
-        return Found{part->project.get(), ir::qualified(component), entry.checker.get()};
+            return report_refusal(parts_.front(), rules::no_monitor, {ir::qualified_name(component), entry.error},
+                                  declared_at(part->project->system, component));
+        return Found{part->project.get(), ir::qualified_name(component), entry.checker.get()};
     }
 
 private:
@@ -125,7 +126,7 @@ private:
 
     /// The model with the log's constants, unless the options set them: like `--component` and `--cycle`, `--const` has
     /// priority over the log. Null, with a finding, if the model cannot be read with them.
-    const std::vector<Part>* with(const std::vector<std::string>& constants) {
+    const std::vector<Part>* model_with(const std::vector<std::string>& constants) {
         if (constants.empty()) return &parts_;
         auto [known, fresh] = others_.try_emplace(constants);
         std::vector<Part>& parts = known->second;
@@ -135,17 +136,18 @@ private:
             parts = load_parts(wanted);
         }
         for (const Part& part : parts)
-            for (const diagnostics::Diagnostic& each : part.project->diagnostics.sorted())
+            for (const diagnostics::Diagnostic& each : part.project->diagnostics.sorted_findings())
                 if (each.rule->severity == diagnostics::Severity::error) {
-                    (void)refuse(parts_.front(), conformance::rules::log_of_other,
-                                 {fmt::format("a model with {}", fmt::join(constants, ", ")),
-                                  fmt::format("one that has no such constants: {}", each.message())});
+                    (void)report_refusal(parts_.front(), conformance::rules::log_of_other,
+                                         {fmt::format("a model with {}", fmt::join(constants, ", ")),
+                                          fmt::format("one that has no such constants: {}", each.message())});
                     return nullptr;
                 }
         return &parts;
     }
     /// The first component of this name in each part.
-    [[nodiscard]] static std::vector<Candidate> found(const std::vector<Part>& parts, const std::string& wanted) {
+    [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<Part>& parts,
+                                                                 const std::string& wanted) {
         std::vector<Candidate> result;
         for (const Part& part : parts)
             if (const auto components = code_components(part.project->system, wanted);
@@ -153,17 +155,18 @@ private:
                 result.emplace_back(&part, components.front());
         return result;
     }
-    static std::nullopt_t refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments,
-                                 diagnostics::Span place = {}) {
+    static std::nullopt_t report_refusal(const Part& part, const diagnostics::Rule& rule,
+                                         std::vector<std::string> arguments, diagnostics::Span place = {}) {
         part.project->diagnostics.report(rule, place, std::move(arguments));
         return std::nullopt;
     }
-    void load(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
+    void load_entry(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
         entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_,
                                                      project.sources, project.diagnostics, entry.error);
         if (entry.model == nullptr) return;
         entry.checker = std::make_unique<conformance::TraceChecker>(
-            *entry.model, std::vector<std::string>{ir::qualified(component), component.path}, limits_, project.sources);
+            *entry.model, std::vector<std::string>{ir::qualified_name(component), component.path}, limits_,
+            project.sources);
     }
 
     const std::vector<Part>& parts_;
@@ -175,18 +178,18 @@ private:
 
 /// Reads only the header, up to its first fault: the component and the constants of the log. Throws
 /// diagnostics::LimitReached.
-conformance::TraceHeader peek(const std::string& path, diagnostics::Budget& budget) {
+conformance::TraceHeader peek_header(const std::string& path, diagnostics::Budget& budget) {
     std::ifstream in(path, std::ios::binary);
     conformance::LineReader lines(in);
     conformance::TraceHeader header;
     std::vector<conformance::TraceToken> tokens;
     try {
-        while (lines.next()) {
+        while (lines.read_line()) {
             budget.poll();
-            conformance::split_line(lines.text(), tokens);
+            conformance::split_line(lines.line_text(), tokens);
             if (tokens.empty()) continue;
             if (tokens.front().text == "run") break;
-            (void)conformance::read_header_line(tokens, header, lines.number());
+            (void)conformance::read_header_line(tokens, header, lines.line_number());
         }
     } catch (const conformance::TraceFault&) {
         // The main reader will find and report the fault.
@@ -214,12 +217,12 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
                                    {path, error ? error.message() : "it is not a regular file that may be read"});
         return;
     }
-    const conformance::TraceHeader header = peek(path, checkers.budget());
-    const auto found = checkers.of(header);
+    const conformance::TraceHeader header = peek_header(path, checkers.budget());
+    const auto found = checkers.find_checker(header);
     if (!found) return;
     ++totals.logs;
     ComparedLog compared{path, found->project, found->component, {}, std::nullopt};
-    const auto report = found->checker->check(in, header.constants, [&](const conformance::RunReport& run) {
+    const auto report = found->checker->check_log(in, header.constants, [&](const conformance::RunReport& run) {
         if (totals.reported.size() < max_reported) totals.reported.push_back({path, run});
         if (!compared.wrong) compared.wrong = run;
     });
@@ -238,10 +241,10 @@ void print_run(const ReportedRun& reported, bool quiet) {
     const conformance::RunReport& run = reported.run;
     const bool rejected = run.verdict == RunVerdict::rejected;
     print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive",
-          diagnostics::shown(reported.path), run.at_line,
-          run.name.empty() ? "without a name" : diagnostics::shown(run.name), run.cycle);
+          diagnostics::escape_for_display(reported.path), run.at_line,
+          run.name.empty() ? "without a name" : diagnostics::escape_for_display(run.name), run.cycle);
     const auto line = [](const char* title, const std::string& text) {
-        print("    {:<10} {}\n", title, diagnostics::shown(text));
+        print("    {:<10} {}\n", title, diagnostics::escape_for_display(text));
     };
     std::uint64_t number = run.at_line - run.before.size();
     for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
@@ -267,10 +270,10 @@ void print_totals(const Totals& totals, const Options& options) {
     if (totals.replaced > 0 && !options.quiet)
         print(
             "{} outside the finite instantiation replaced, as the model only passes such values on (docs/traces.md)\n",
-            counted(totals.replaced, "value"));
+            count_text(totals.replaced, "value"));
     if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
-    print("{} in {}, {}: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", counted(totals.runs, "run"),
-          counted(totals.logs, "log"), counted(totals.cycles, "cycle"), with_commas(totals.accepted),
+    print("{} in {}, {}: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", count_text(totals.runs, "run"),
+          count_text(totals.logs, "log"), count_text(totals.cycles, "cycle"), with_commas(totals.accepted),
           with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
 }
 
@@ -294,7 +297,7 @@ std::string totals_json(const Totals& totals, Exit exit) {
                            {"inconclusive", totals.inconclusive},
                            {"replacedValues", totals.replaced},
                            {"limit", totals.limit},
-                           {"seconds", diagnostics::rounded(totals.seconds, 3)},
+                           {"seconds", diagnostics::round_to_places(totals.seconds, 3)},
                            {"exit", static_cast<int>(exit)}};
     diagnostics::Json& runs = json["reported"] = diagnostics::Json::array();
     for (const ReportedRun& reported : totals.reported) runs.push_back(run_json(reported));
@@ -306,7 +309,7 @@ std::string totals_json(const Totals& totals, Exit exit) {
 namespace {
 
 /// The component of the logs, if only the command line names it.
-std::string subject(const Options& options) {
+std::string subject_text(const Options& options) {
     return options.component.empty() ? "the model" : options.component;
 }
 
@@ -326,11 +329,11 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     options.run->last_word([options](const std::string& why) {
         Totals none;
         none.limit = why;
-        answer(options, [&](Format) { return totals_json(none, Exit::inconclusive); });
+        output_document(options, [&](Format) { return totals_json(none, Exit::inconclusive); });
         if (options.format == Format::text) print_totals(none, options);
         return Exit::inconclusive;
     });
-    const std::vector<std::string> paths = logs(options, project.diagnostics);
+    const std::vector<std::string> paths = logs_to_check(options, project.diagnostics);
     std::optional<std::string> page;
     try {
         Checkers checkers(parts, options);
@@ -339,10 +342,10 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
-        const std::string why = runs::failure(failed, part_at(parts, failed.span).system);
-        project.diagnostics.report(rules::no_monitor, failed.span, {subject(options), why});
+        const std::string why = runs::failure_text(failed, part_at(parts, failed.span).system);
+        project.diagnostics.report(rules::no_monitor, failed.span, {subject_text(options), why});
     } catch (const conformance::AlphabetError& mismatch) {
-        project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
+        project.diagnostics.report(rules::no_monitor, {}, {subject_text(options), mismatch.what()});
     }
     const auto in_order = [](const Part& part) { return part.project->diagnostics.ok(); };
     if (totals.runs == 0 && totals.limit.empty() && std::ranges::all_of(parts, in_order))
@@ -355,11 +358,11 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
         if ((options.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) &&
             wrong == nullptr)
             wrong = part.project.get();
-    if (options.format == Format::json && wrong != nullptr) return refusal(*wrong);
-    const Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
+    if (options.format == Format::json && wrong != nullptr) return refusal_code(*wrong);
+    const Exit exit = wrong == nullptr ? exit_of(totals) : refusal_code(*wrong);
     if (!options.html.empty() && !page) page = trace_page(totals.compared, parts, options, totals.limit);
     if (page && wrong == nullptr) options.run->keep_for(options.html, *page);
-    if (wrong == nullptr) answer(options, [&](Format) { return totals_json(totals, exit); });
+    if (wrong == nullptr) output_document(options, [&](Format) { return totals_json(totals, exit); });
     if (options.format == Format::text) print_totals(totals, options);
     return exit;
 }

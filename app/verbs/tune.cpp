@@ -34,14 +34,15 @@ using simulation::Parameter;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 /// The NAME and VALUE of `--const`; without `=`, the whole text is the name.
-std::pair<std::string, std::string> split(const std::string& option) {
+std::pair<std::string, std::string> split_constant(const std::string& option) {
     const std::size_t equal = option.find('=');
     return {option.substr(0, equal), equal == std::string::npos ? "" : option.substr(equal + 1)};
 }
 
 std::string with_constants(const Pairs& constants) {
     std::vector<std::string> words;
-    for (const auto& [name, value] : constants) words.push_back(diagnostics::shown(fmt::format("{}={}", name, value)));
+    for (const auto& [name, value] : constants)
+        words.push_back(diagnostics::escape_for_display(fmt::format("{}={}", name, value)));
     return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -51,16 +52,17 @@ std::string counted(const std::vector<DecidedItem>& items, const std::string& go
     return fmt::format("{} of {}", count, items.size());
 }
 
-bool any(const std::vector<DecidedItem>& items, std::initializer_list<const char*> answers) {
+bool has_any_answer(const std::vector<DecidedItem>& items, std::initializer_list<const char*> answers) {
     return std::ranges::any_of(
         items, [&](const DecidedItem& each) { return std::ranges::find(answers, each.answer) != answers.end(); });
 }
 
 /// The exit code for the decisions: 1 if something fails, otherwise 3 if something is open.
 Exit exit_of(const Evidence& evidence) {
-    const bool fails = any(evidence.assertions, {"fails", "error"}) ||
-                       any(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
-    const bool open = any(evidence.assertions, {"inconclusive"}) || any(evidence.conformance, {"inconclusive"});
+    const bool fails = has_any_answer(evidence.assertions, {"fails", "error"}) ||
+                       has_any_answer(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
+    const bool open =
+        has_any_answer(evidence.assertions, {"inconclusive"}) || has_any_answer(evidence.conformance, {"inconclusive"});
     const auto claim = [&](const char* answer) {
         return std::ranges::any_of(evidence.claims, [&](const DecidedClaim& each) { return each.answer == answer; });
     };
@@ -73,14 +75,14 @@ std::string evidence_text(const Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
     for (const DecidedItem& each : evidence.assertions)
         if (each.answer != "holds" && each.answer != "no check")
-            out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::shown(each.subject));
+            out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::escape_for_display(each.subject));
     for (const DecidedItem& each : evidence.conformance)
-        out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::shown(each.subject));
+        out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::escape_for_display(each.subject));
     out += fmt::format("claims, on seeds from {} on\n", evidence.seed);
     for (const DecidedClaim& each : evidence.claims)
-        out +=
-            fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
-                        diagnostics::shown(each.claim), each.successes, each.trials, 100 * each.low, 100 * each.high);
+        out += fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
+                           diagnostics::escape_for_display(each.claim), each.successes, each.trials, 100 * each.low,
+                           100 * each.high);
     return out;
 }
 
@@ -91,17 +93,17 @@ public:
             std::uint64_t search)
         : options_(options), parameters_(parameters), scenario_(scenario), search_(search) {}
 
-    bool usable(const Candidate& candidate) override {
+    bool is_usable(const Candidate& candidate) override {
         options_.run->budget().check();
         Built built;
-        const Options options = with(candidate);
+        const Options options = options_with(candidate);
         built.simulation = load_simulation(options);
         Project& project = *built.simulation->project;
-        if (acceptable(project, options)) built.controller = build_controller(*built.simulation, options);
+        if (is_acceptable(project, options)) built.controller = build_controller(*built.simulation, options);
         const bool good = built.controller != nullptr && project.diagnostics.ok();
         if (good && !shown_) show_all_diagnostics(*built.simulation, options_);
         shown_ = shown_ || good;
-        if (!good) note(candidate, project);
+        if (!good) note_unusable(candidate, project);
         if (good) built.digest = digest_of(*built.simulation);
         if (good) built.drives.emplace(drives_of(*built.simulation, *built.controller));
         // From now on only the plan is needed; the models would use much memory.
@@ -112,9 +114,9 @@ public:
         return good;
     }
 
-    bool admitted(const Candidate& candidate) override {
+    bool admits_candidate(const Candidate& candidate) override {
         Evidence found;
-        decide_assertions(with(candidate), scenario_, found);
+        decide_assertions(options_with(candidate), scenario_, found);
         const auto bad = std::ranges::find_if(
             found.assertions, [](const DecidedItem& each) { return each.answer == "fails" || each.answer == "error"; });
         if (bad == found.assertions.end()) return true;
@@ -124,12 +126,12 @@ public:
         return false;
     }
 
-    std::vector<double> costs(const std::vector<simulation::RaceTrial>& wanted) override {
+    std::vector<double> trial_costs(const std::vector<simulation::RaceTrial>& wanted) override {
         std::vector<double> result(wanted.size());
         std::vector<std::size_t> missing;
         std::vector<simulation::TuningTrial> trials;
         for (std::size_t t = 0; t < wanted.size(); ++t) {
-            if (const auto known = earlier(wanted[t])) {
+            if (const auto known = earlier_cost(wanted[t])) {
                 result[t] = *known;
                 continue;
             }
@@ -141,28 +143,28 @@ public:
         constexpr std::size_t portion = 64;
         for (std::size_t begin = 0; begin < trials.size(); begin += portion) {
             const std::size_t end = std::min(trials.size(), begin + portion);
-            redraw(fmt::format("{} trials", done_));
+            redraw_progress(fmt::format("{} trials", done_));
             const std::vector<double> costs =
                 simulation::trial_costs({trials.begin() + static_cast<std::ptrdiff_t>(begin),
                                          trials.begin() + static_cast<std::ptrdiff_t>(end)},
                                         options_.threads, [&] { options_.run->budget().check(); });
             for (std::size_t t = begin; t < end; ++t) {
                 result[missing[t]] = costs[t - begin];
-                keep(wanted[missing[t]], costs[t - begin]);
+                keep_cost(wanted[missing[t]], costs[t - begin]);
             }
         }
         done_ += wanted.size();
-        redraw("");
+        redraw_progress("");
         return result;
     }
 
     /// Why a candidate could not be used; "" if all could be used.
-    [[nodiscard]] const std::string& unusable() const { return unusable_; }
+    [[nodiscard]] const std::string& unusable_reason() const { return unusable_; }
     /// Why one of the best candidates was refused; "" if none was.
-    [[nodiscard]] const std::string& refused() const { return refusal_; }
+    [[nodiscard]] const std::string& refusal_reason() const { return refusal_; }
     [[nodiscard]] std::uint64_t earlier_trials() const { return earlier_; }
 
-    [[nodiscard]] Options with(const Candidate& candidate) const {
+    [[nodiscard]] Options options_with(const Candidate& candidate) const {
         Options options = options_;
         for (const std::string& each : simulation::constants_of(parameters_, candidate))
             options.constants.push_back(each);
@@ -177,9 +179,9 @@ private:
         diagnostics::Digest digest{};
     };
 
-    void note(const Candidate& candidate, const Project& project) {
+    void note_unusable(const Candidate& candidate, const Project& project) {
         if (!unusable_.empty()) return;
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted())
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
             if (each.rule->severity == diagnostics::Severity::error && unusable_.empty())
                 unusable_ = fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), each.message());
     }
@@ -203,7 +205,7 @@ private:
         return hasher.finish();
     }
 
-    std::optional<double> earlier(const simulation::RaceTrial& trial) {
+    std::optional<double> earlier_cost(const simulation::RaceTrial& trial) {
         diagnostics::Cache* const cache = options_.run->cache();
         const auto text = cache == nullptr ? std::nullopt : cache->find(key_of(trial));
         if (!text) return std::nullopt;
@@ -213,12 +215,12 @@ private:
         return value.get<double>();
     }
 
-    void keep(const simulation::RaceTrial& trial, double cost) const {
+    void keep_cost(const simulation::RaceTrial& trial, double cost) const {
         if (diagnostics::Cache* const cache = options_.run->cache())
-            cache->keep(key_of(trial), diagnostics::json_text(diagnostics::Json(cost)));
+            cache->store_entry(key_of(trial), diagnostics::json_text(diagnostics::Json(cost)));
     }
 
-    void redraw(const std::string& line) const {
+    void redraw_progress(const std::string& line) const {
         if (options_.progress != ProgressMode::json && progress_line_wanted(options_)) redraw_error_line(line);
     }
 
@@ -239,7 +241,7 @@ public:
     explicit Tuning(const Options& options) : asked_(options), options_(options) {
         options_.constants.clear();
         for (const std::string& each : options.constants) {
-            const auto [name, value] = split(each);
+            const auto [name, value] = split_constant(each);
             if (simulation::is_varied(value))
                 varied_.emplace_back(name, value);
             else
@@ -248,34 +250,34 @@ public:
     }
 
     Exit run() {
-        if (!asked_.certificate.empty()) return verify();
-        if (!begin()) return refused();
+        if (!asked_.certificate.empty()) return verify_certificate();
+        if (!begin()) return show_refusal();
         const std::uint64_t search = options_.seed.value_or(1);
         const simulation::RaceOptions wanted{
             options_.tuning_trials, search,
             options_.elimination == "t-test" ? simulation::Elimination::t_test : simulation::Elimination::friedman};
         Subject subject(options_, parameters_, scenario_, search);
         simulation::Race race(parameters_, wanted, subject);
-        if (!quiet()) print("{}", beginning(wanted));
+        if (!is_quiet()) print("{}", beginning_text(wanted));
         try {
             race.run([&](const simulation::Race& now) { show_iteration(now); });
-            if (!race.elites().empty()) decide(race, subject);
+            if (!race.elites().empty()) decide_winner(race, subject);
         } catch (const diagnostics::LimitReached& limit) {
             options_.run->finish();
             limit_ = limit.what();
         }
-        if (!limit_.empty()) return interrupted(race);
+        if (!limit_.empty()) return end_interrupted(race);
         if (race.elites().empty()) return without_winner(race, subject);
-        if (!project_->diagnostics.ok()) return refused();
-        return finish(race, subject);
+        if (!project_->diagnostics.ok()) return show_refusal();
+        return write_results(race, subject);
     }
 
 private:
-    [[nodiscard]] bool quiet() const { return options_.quiet || options_.format == Format::json; }
+    [[nodiscard]] bool is_quiet() const { return options_.quiet || options_.format == Format::json; }
 
-    Exit refused() const { return show_diagnostics(*project_, options_), refusal(*project_); }
+    Exit show_refusal() const { return show_diagnostics(*project_, options_), refusal_code(*project_); }
 
-    void report(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
+    void report_option(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
 
     /// Reads everything except the candidates; returns false with diagnostics if there is an error.
     bool begin() {
@@ -289,9 +291,10 @@ private:
         scenario_ = simulation->scenario;
         project_ = std::move(simulation->project);
         others_ = std::move(simulation->others);
-        if (!acceptable(*project_, options_)) return false;
-        if (varied_.empty()) report("tune takes constants with values to try: --const NAME=LOW..HIGH or NAME=A,B,C");
-        if (!scenario_.variations.empty()) report("tune takes a scenario in which nothing varies");
+        if (!is_acceptable(*project_, options_)) return false;
+        if (varied_.empty())
+            report_option("tune takes constants with values to try: --const NAME=LOW..HIGH or NAME=A,B,C");
+        if (!scenario_.variations.empty()) report_option("tune takes a scenario in which nothing varies");
         if (scenario_.claims.empty())
             project_->diagnostics.report(simulation::rules::missing, scenario_.name.span,
                                          {"what is claimed (accept probability) or estimated (estimate probability)"});
@@ -305,7 +308,8 @@ private:
         if (parameter)
             parameters_.push_back(std::move(*parameter));
         else
-            report(fmt::format("--const {}={}: {}", diagnostics::shown(name), diagnostics::shown(value), error));
+            report_option(fmt::format("--const {}={}: {}", diagnostics::escape_for_display(name),
+                                      diagnostics::escape_for_display(value), error));
     }
 
     /// The model of a controller, as first read.
@@ -316,11 +320,11 @@ private:
     /// The constants that do not vary: those of `--const`, and those that the scenario leaves open.
     [[nodiscard]] Pairs fixed_constants() const {
         Pairs result;
-        for (const std::string& each : options_.constants) result.push_back(split(each));
-        for (std::size_t number = 0; number < scenario_.controllers(); ++number) {
+        for (const std::string& each : options_.constants) result.push_back(split_constant(each));
+        for (std::size_t number = 0; number < scenario_.controller_count(); ++number) {
             ir::GivenConstants left = project_of(number).asked.constants;
             for (const std::string& each : asked_.constants)
-                if (const auto address = simulation::addressed(scenario_, split(each).first);
+                if (const auto address = simulation::find_constant_address(scenario_, split_constant(each).first);
                     address && address->controller == number)
                     left.erase(address->constant);
             const std::string name = number == 0 ? "" : scenario_.controller_name(number) + ".";
@@ -331,7 +335,7 @@ private:
 
     [[nodiscard]] simulation::ParameterKind kind_of(const std::string& name) const {
         using simulation::ParameterKind;
-        const auto address = simulation::addressed(scenario_, name);
+        const auto address = simulation::find_constant_address(scenario_, name);
         if (!address) return ParameterKind::other;
         const ir::System& system = project_of(address->controller).system;
         for (const ir::NamedConstant& each : ir::named_constants(system)) {
@@ -344,7 +348,7 @@ private:
         return ParameterKind::other;
     }
 
-    [[nodiscard]] std::string beginning(const simulation::RaceOptions& wanted) const {
+    [[nodiscard]] std::string beginning_text(const simulation::RaceOptions& wanted) const {
         std::string out = fmt::format("tuning of {}: at most {} trials, seed {}, {}\n", scenario_.name.text,
                                       wanted.budget, wanted.seed, options_.elimination);
         for (const Parameter& each : parameters_)
@@ -355,27 +359,27 @@ private:
     /// "farRadius=0.2: cost 412.3 in 15 trials"
     [[nodiscard]] std::string entry_text(const simulation::RaceEntry& entry) const {
         return fmt::format("{}: cost {:.1f} in {} trials", simulation::candidate_text(parameters_, entry.candidate),
-                           entry.mean(), entry.trials());
+                           entry.mean_cost(), entry.trial_count());
     }
 
     void show_iteration(const simulation::Race& race) const {
-        if (quiet()) return;
+        if (is_quiet()) return;
         const simulation::RaceIteration& now = race.iterations().back();
         print("iteration {}: {} new candidates, {} seeds, {} trials ({} in all), {} left{}{}\n",
-              race.iterations().size(), now.fresh, now.seeds, now.trials, race.trials(), now.left,
+              race.iterations().size(), now.fresh, now.seeds, now.trials, race.trial_count(), now.left,
               now.unusable > 0 ? fmt::format(", {} unusable", now.unusable) : "",
               now.refused > 0 ? fmt::format(", {} refused by check", now.refused) : "");
         if (!race.elites().empty()) print("  {}\n", entry_text(race.entries()[race.elites().front()]));
     }
 
-    void decide(const simulation::Race& race, const Subject& subject) {
+    void decide_winner(const simulation::Race& race, const Subject& subject) {
         const Candidate& winner = race.entries()[race.elites().front()].candidate;
-        const Options options = subject.with(winner);
+        const Options options = subject.options_with(winner);
         certificate_.program = fmt::format("robochart-verify {}", program_version);
         certificate_.build =
             diagnostics::program_identity().empty() ? "" : content_digest(diagnostics::program_identity());
         for (std::size_t p = 0; p < parameters_.size(); ++p)
-            certificate_.constants.emplace_back(parameters_[p].name, parameters_[p].value(winner[p]));
+            certificate_.constants.emplace_back(parameters_[p].name, parameters_[p].value_text(winner[p]));
         const Pairs fixed = fixed_constants();
         certificate_.constants.insert(certificate_.constants.end(), fixed.begin(), fixed.end());
         certificate_.ranges = options_.ranges;
@@ -384,11 +388,11 @@ private:
         search.budget = options_.tuning_trials;
         search.seed = options_.seed.value_or(1);
         search.test = options_.elimination;
-        search.trials = race.trials();
+        search.trials = race.trial_count();
         search.candidates = race.entries().size();
         search.first_seed = simulation::tuning_seed(scenario_, search.seed, 0);
-        search.seeds = race.seeds();
-        search.cost = race.entries()[race.elites().front()].mean();
+        search.seeds = race.seed_count();
+        search.cost = race.entries()[race.elites().front()].mean_cost();
         decide_all(options);
     }
 
@@ -402,7 +406,7 @@ private:
     }
 
     /// The results of a search that was interrupted.
-    Exit interrupted(const simulation::Race& race) const {
+    Exit end_interrupted(const simulation::Race& race) const {
         print_json(race, "", Exit::inconclusive);
         if (options_.format == Format::json) return Exit::inconclusive;
         print("{}: not finished; the same command goes on where it was\n", limit_);
@@ -412,14 +416,14 @@ private:
 
     Exit without_winner(const simulation::Race& race, const Subject& subject) const {
         options_.run->finish();
-        const bool some = race.trials() > 0;
+        const bool some = race.trial_count() > 0;
         const Exit exit = some ? Exit::failed : Exit::bad_input;
         std::vector<std::string> reasons;
-        if (!subject.refused().empty()) reasons.push_back("refused: " + subject.refused());
-        if (!subject.unusable().empty()) reasons.push_back("unusable: " + subject.unusable());
+        if (!subject.refusal_reason().empty()) reasons.push_back("refused: " + subject.refusal_reason());
+        if (!subject.unusable_reason().empty()) reasons.push_back("unusable: " + subject.unusable_reason());
         if (some)
             reasons.emplace_back("no values were found with which the model's assertions hold");
-        else if (subject.unusable().empty())
+        else if (subject.unusable_reason().empty())
             reasons.emplace_back("the trials do not suffice for a search: --budget takes more");
         else
             reasons.emplace_back("no values were found with which the scenario can be run");
@@ -429,24 +433,25 @@ private:
         return exit;
     }
 
-    Exit finish(const simulation::Race& race, const Subject& subject) {
+    Exit write_results(const simulation::Race& race, const Subject& subject) {
         const std::string folder = "tuning/" + scenario_.name.text + "/";
         const std::string path = folder + "certificate.json";
         write(path, certificate_text(certificate_));
         write(folder + "candidates.csv", candidates_csv(race));
         options_.run->finish();
-        if (!project_->diagnostics.ok()) return refused();
+        if (!project_->diagnostics.ok()) return show_refusal();
         const Exit exit = exit_of(certificate_.evidence);
         print_json(race, options_.out + "/" + path, exit);
         if (options_.format == Format::json) return exit;
         if (!options_.quiet) {
             print("\nwinner: {}\n", with_constants(certificate_.constants));
             if (subject.earlier_trials() > 0)
-                print("  {} of {} trials known from earlier runs\n", subject.earlier_trials(), race.trials());
-            if (!subject.refused().empty()) print("  refused by check, among others: {}\n", subject.refused());
+                print("  {} of {} trials known from earlier runs\n", subject.earlier_trials(), race.trial_count());
+            if (!subject.refusal_reason().empty())
+                print("  refused by check, among others: {}\n", subject.refusal_reason());
             print("{}in this world\n{}files\n  {}/{}\n  {}/{}candidates.csv\n\n", evidence_text(certificate_.evidence),
-                  simulation::world_text(scenario_), diagnostics::shown(options_.out), path,
-                  diagnostics::shown(options_.out), folder);
+                  simulation::world_text(scenario_), diagnostics::escape_for_display(options_.out), path,
+                  diagnostics::escape_for_display(options_.out), folder);
         }
         print("{}: {}\n", with_constants(certificate_.constants),
               exit == Exit::success  ? "checked, conforming, and no claim fails"
@@ -468,10 +473,11 @@ private:
         for (std::size_t c = 0; c < race.entries().size(); ++c) {
             const simulation::RaceEntry& entry = race.entries()[c];
             out += fmt::format("{}", c + 1);
-            for (std::size_t p = 0; p < parameters_.size(); ++p) out += "," + parameters_[p].value(entry.candidate[p]);
+            for (std::size_t p = 0; p < parameters_.size(); ++p)
+                out += "," + parameters_[p].value_text(entry.candidate[p]);
             const auto rank = std::find(race.elites().begin(), race.elites().end(), c);
-            out += fmt::format(",{},{},{}\n", entry.trials(),
-                               entry.trials() > 0 ? fmt::format("{:.3f}", entry.mean()) : "",
+            out += fmt::format(",{},{},{}\n", entry.trial_count(),
+                               entry.trial_count() > 0 ? fmt::format("{:.3f}", entry.mean_cost()) : "",
                                rank == race.elites().end() ? "" : fmt::format("{}", rank - race.elites().begin() + 1));
         }
         return out;
@@ -486,8 +492,8 @@ private:
             const simulation::RaceEntry& entry = race.entries()[each];
             Json constants = Json::object();
             for (std::size_t p = 0; p < parameters_.size(); ++p)
-                constants[parameters_[p].name] = parameters_[p].value(entry.candidate[p]);
-            elites.push_back({{"constants", constants}, {"trials", entry.trials()}, {"cost", entry.mean()}});
+                constants[parameters_[p].name] = parameters_[p].value_text(entry.candidate[p]);
+            elites.push_back({{"constants", constants}, {"trials", entry.trial_count()}, {"cost", entry.mean_cost()}});
         }
         Json iterations = Json::array();
         for (const simulation::RaceIteration& each : race.iterations())
@@ -498,11 +504,11 @@ private:
                                   {"left", each.left},
                                   {"refused", each.refused}});
         const Json decided = certificate.empty() ? Json() : Json::parse(certificate_text(certificate_));
-        answer(options_, [&](Format) {
+        output_document(options_, [&](Format) {
             return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
                                            {"scenario", scenario_.name.text},
-                                           {"trials", race.trials()},
-                                           {"seeds", race.seeds()},
+                                           {"trials", race.trial_count()},
+                                           {"seeds", race.seed_count()},
                                            {"iterations", iterations},
                                            {"elites", elites},
                                            {"reasons", reasons},
@@ -516,33 +522,35 @@ private:
 
     // ------------------------------------------------------------ --verify-certificate
 
-    Exit verify() {
+    Exit verify_certificate() {
         project_ = std::make_unique<Project>();
         std::string error;
-        const auto source = project_->sources.load(asked_.certificate, error);
+        const auto source = project_->sources.load_file(asked_.certificate, error);
         std::optional<Certificate> certified;
-        if (source) certified = read_certificate(project_->sources.text(*source), error);
+        if (source) certified = read_certificate(project_->sources.source_text(*source), error);
         if (!certified)
-            report(fmt::format("--verify-certificate {}: {}", diagnostics::shown(asked_.certificate),
-                               diagnostics::shown(error)));
-        if (!asked_.constants.empty()) report("the constants are those of the certificate: no --const beside it");
-        if (!asked_.ranges.empty()) report("the ranges are those of the certificate: no --range beside it");
+            report_option(fmt::format("--verify-certificate {}: {}",
+                                      diagnostics::escape_for_display(asked_.certificate),
+                                      diagnostics::escape_for_display(error)));
+        if (!asked_.constants.empty())
+            report_option("the constants are those of the certificate: no --const beside it");
+        if (!asked_.ranges.empty()) report_option("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
-        if (!project_->diagnostics.ok()) return refused();
+        if (!project_->diagnostics.ok()) return show_refusal();
         for (const auto& [name, value] : certified->constants)
             options_.constants.push_back(fmt::format("{}={}", name, value));
         options_.ranges = certified->ranges;
         decide_all(options_);
-        if (!project_->diagnostics.ok()) return refused();
+        if (!project_->diagnostics.ok()) return show_refusal();
         options_.run->finish();
         return print_comparison(*certified);
     }
 
     /// A correct certificate that states a failure is not a success.
     Exit print_comparison(const Certificate& certified) const {
-        const std::vector<std::string> lines = differences(certified.evidence, certificate_.evidence);
+        const std::vector<std::string> lines = evidence_differences(certified.evidence, certificate_.evidence);
         const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
-        answer(options_, [&](Format) {
+        output_document(options_, [&](Format) {
             diagnostics::Json constants = diagnostics::Json::array();
             for (const auto& [name, value] : certified.constants)
                 constants.push_back({{"name", name}, {"value", value}});
@@ -559,11 +567,12 @@ private:
         if (!options_.quiet) {
             print("certificate of {}: {}\n", scenario_.name.text, with_constants(certified.constants));
             print("  ranges: {}\n  search: as recorded, not repeated\n",
-                  certified.ranges.empty() ? "none"
-                                           : diagnostics::shown(fmt::format("{}", fmt::join(certified.ranges, " "))));
+                  certified.ranges.empty()
+                      ? "none"
+                      : diagnostics::escape_for_display(fmt::format("{}", fmt::join(certified.ranges, " "))));
             print("{}\n", evidence_text(certificate_.evidence));
         }
-        for (const std::string& line : lines) print("  differs      {}\n", diagnostics::shown(line));
+        for (const std::string& line : lines) print("  differs      {}\n", diagnostics::escape_for_display(line));
         print("{}{}\n",
               lines.empty() ? "the certificate says what is decided here"
                             : "the certificate does not say what is decided here",
@@ -588,7 +597,7 @@ private:
 
 Exit run_tune(const Options& options) {
     options.run->last_word([&options](const std::string& why) {
-        answer(options, [&](Format) {
+        output_document(options, [&](Format) {
             return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
                                            {"limit", why},
                                            {"exit", static_cast<int>(Exit::inconclusive)}}) +
@@ -600,7 +609,7 @@ Exit run_tune(const Options& options) {
     try {
         return Tuning(options).run();
     } catch (const cpp_emit::NoCompiler& missing) {
-        return options.run->stopped(missing.what());
+        return options.run->end_run(missing.what());
     }
 }
 

@@ -10,12 +10,12 @@
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "checker/cspm/syntax/rules.hpp"
-#include "csp_emit/blocks/check_blocks.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/fixes.hpp"
 #include "base/diagnostics/render.hpp"
 #include "base/repair/repair.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+#include "csp_emit/blocks/check_blocks.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -24,7 +24,7 @@ namespace {
 
 bool is_syntax(const diagnostics::Rule& rule) {
     return frontend::syntax::is_syntax(rule) ||
-           std::ranges::any_of(cspm::rules::all(), [&](const diagnostics::Rule* each) { return each == &rule; });
+           std::ranges::any_of(cspm::rules::all_rules(), [&](const diagnostics::Rule* each) { return each == &rule; });
 }
 
 /// The parts, including the findings in their CSP blocks.
@@ -37,15 +37,15 @@ std::vector<Part> read_with_blocks(const Options& options) {
 
 /// Repairs the texts of a part (base/repair/repair.hpp) and writes the changed ones; each file is written
 /// completely or not at all. Returns why one could not be written; "" if all were.
-std::string repair(const Part& part, const Options& options, diagnostics::Repaired& sum) {
+std::string repair_part(const Part& part, const Options& options, diagnostics::Repaired& sum) {
     const Project& project = *part.project;
     diagnostics::Texts texts;
     for (const auto& file : project.model->files)
-        if (!file->is_library) texts[project.sources.path(file->source)] = project.sources.text(file->source);
+        if (!file->is_library) texts[project.sources.path(file->source)] = project.sources.source_text(file->source);
     const auto read = [&](const diagnostics::Texts& with) {
         auto reading = std::make_unique<diagnostics::TextReading>();
-        for (const std::string& code : options.allowed) reading->findings.allow(code);
-        reading->findings.within(&options.run->budget());
+        for (const std::string& code : options.allowed) reading->findings.allow_code(code);
+        reading->findings.set_budget(&options.run->budget());
         std::vector<diagnostics::SourceId> sources;
         for (const auto& [path, text] : with) sources.push_back(reading->sources.add(path, text));
         const auto model = frontend::load_texts(reading->sources, sources, reading->findings);
@@ -65,33 +65,34 @@ std::string repair(const Part& part, const Options& options, diagnostics::Repair
 void report_repair(const diagnostics::Repaired& sum) {
     print_error("{} place{} fixed\n", sum.made, sum.made == 1 ? "" : "s");
     for (const diagnostics::RefusedFix& each : sum.refused)
-        print_error("{}: not fixed: with `{}` the text would not read better ({})\n", diagnostics::shown(each.place),
-                    diagnostics::shown(each.replacement), each.code);
+        print_error("{}: not fixed: with `{}` the text would not read better ({})\n",
+                    diagnostics::escape_for_display(each.place), diagnostics::escape_for_display(each.replacement),
+                    each.code);
 }
 
 /// The findings of all parts, which share their texts.
-diagnostics::Diagnostics together(const std::vector<Part>& parts) {
+diagnostics::Diagnostics all_findings(const std::vector<Part>& parts) {
     diagnostics::Diagnostics all;
     for (const Part& part : parts) all.add(part.project->diagnostics);
     return all;
 }
 
 /// True if there are no errors and, with --deny-warnings, no warnings.
-bool valid(const diagnostics::Diagnostics& findings, const Options& options) {
-    return findings.ok() && !(options.deny_warnings && findings.warnings() > 0);
+bool is_valid(const diagnostics::Diagnostics& findings, const Options& options) {
+    return findings.ok() && !(options.deny_warnings && findings.warning_count() > 0);
 }
 
 /// `limit`: why not everything was checked; "" if everything was.
-void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings, const std::string& limit,
-          const Options& options) {
-    answer(options, [&](Format format) {
+void output_findings(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings,
+                     const std::string& limit, const Options& options) {
+    output_document(options, [&](Format format) {
         return format == Format::json ? diagnostics::render_json(sources, findings, limit)
                                       : diagnostics::render_sarif(sources, findings, about_log(options, limit));
     });
     if (options.format == Format::text) {
         const diagnostics::TextStyle style = findings_style(options);
         print_error_styled(diagnostics::render_text(sources, findings, style));
-        if (!options.quiet && limit.empty() && valid(findings, options)) print("valid\n");
+        if (!options.quiet && limit.empty() && is_valid(findings, options)) print("valid\n");
     }
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
@@ -102,7 +103,7 @@ Exit validate(const Options& options) {
     if (options.fix) {
         diagnostics::Repaired sum;
         for (const Part& part : parts)
-            if (const std::string error = repair(part, options, sum); !error.empty()) {
+            if (const std::string error = repair_part(part, options, sum); !error.empty()) {
                 print_error("robochart-verify: {}\n", error);
                 return Exit::bad_input;
             }
@@ -110,9 +111,9 @@ Exit validate(const Options& options) {
         if (!options.quiet && options.format == Format::text) report_repair(sum);
     }
     options.run->finish();
-    const diagnostics::Diagnostics findings = together(parts);
-    show(parts.front().project->sources, findings, "", options);
-    const bool good = valid(findings, options);
+    const diagnostics::Diagnostics findings = all_findings(parts);
+    output_findings(parts.front().project->sources, findings, "", options);
+    const bool good = is_valid(findings, options);
     if (findings.ok() && !good) print_error("warnings are denied (--deny-warnings)\n");
     return good ? Exit::success : Exit::bad_input;
 }
@@ -121,7 +122,7 @@ Exit validate(const Options& options) {
 
 Exit run_validate(const Options& options) {
     options.run->last_word([&options](const std::string& why) {
-        show(diagnostics::SourceManager(), diagnostics::Diagnostics(), why, options);
+        output_findings(diagnostics::SourceManager(), diagnostics::Diagnostics(), why, options);
         return Exit::inconclusive;
     });
     return validate(options);

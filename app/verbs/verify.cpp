@@ -21,14 +21,14 @@
 #include "app/verbs/block_values.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
-#include "checker/cspm/syntax/reader.hpp"
-#include "cpp_emit/emit.hpp"
-#include "cpp_emit/ros2/read_mapping.hpp"
-#include "cpp_emit/ros2/rules.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/render.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/ros2/read_mapping.hpp"
+#include "cpp_emit/ros2/rules.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "prism/emit/emit.hpp"
@@ -41,11 +41,11 @@
 namespace robochart::app {
 namespace {
 
-std::string count(std::size_t n, std::string_view what) {
+std::string plural_text(std::size_t n, std::string_view what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-std::string summary(const std::vector<Part>& parts) {
+std::string summary_text(const std::vector<Part>& parts) {
     std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
     for (const Part& part : parts) {
         const ir::System& system = part.project->system;
@@ -56,21 +56,21 @@ std::string summary(const std::vector<Part>& parts) {
         for (const ir::Machine& machine : system.machines)
             ++(machine.kind == ir::MachineKind::operation ? operations : machines);
     }
-    return fmt::format("{}, {}, {}, {}, {}", count(modules, "module"), count(controllers, "controller"),
-                       count(machines, "state machine"), count(operations, "operation"),
-                       count(assertions, "assertion"));
+    return fmt::format("{}, {}, {}, {}, {}", plural_text(modules, "module"), plural_text(controllers, "controller"),
+                       plural_text(machines, "state machine"), plural_text(operations, "operation"),
+                       plural_text(assertions, "assertion"));
 }
 
-std::string range(const std::vector<std::int64_t>& carrier) {
+std::string range_text(const std::vector<std::int64_t>& carrier) {
     return carrier.empty() ? "empty" : fmt::format("{}..{}", carrier.front(), carrier.back());
 }
 
-std::vector<std::string> notes(const ir::Instantiation& i) {
+std::vector<std::string> instantiation_notes(const ir::Instantiation& i) {
     std::vector<std::string> result;
     std::string reals = fmt::format("{} values", i.real.size());
     if (i.scale != 1) reals += fmt::format(", exact in steps of 1/{} (from the model's decimal literals)", i.scale);
-    result.push_back(fmt::format("finite instantiation: nat {}, int {}, real {}, clocks 0..{}", range(i.nat),
-                                 range(i.integer), reals, i.clock_bound));
+    result.push_back(fmt::format("finite instantiation: nat {}, int {}, real {}, clocks 0..{}", range_text(i.nat),
+                                 range_text(i.integer), reals, i.clock_bound));
     const ir::Instantiation usual;
     if (i.sequence_bound != usual.sequence_bound)
         result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
@@ -79,16 +79,16 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
 }
 
 /// The finite instantiation; printed once if all parts with one have the same.
-std::vector<std::string> notes(const std::vector<Part>& parts) {
+std::vector<std::string> instantiation_notes(const std::vector<Part>& parts) {
     std::vector<const Project*> finite;
     for (const Part& part : parts)
         if (part.project->diagnostics.ok()) finite.push_back(part.project.get());
     std::vector<std::string> result;
     const bool same = std::ranges::all_of(finite, [&](const Project* project) {
-        return notes(project->instantiation) == notes(finite.front()->instantiation);
+        return instantiation_notes(project->instantiation) == instantiation_notes(finite.front()->instantiation);
     });
     for (const Project* project : finite) {
-        for (const std::string& note : notes(project->instantiation))
+        for (const std::string& note : instantiation_notes(project->instantiation))
             result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
         if (same) break;
     }
@@ -134,7 +134,7 @@ bool write_code_graph(Project& project, const Options& options, conformance::Res
                           result.export_failure.empty() ? "there is no code" : result.export_failure)
             : diagnostics::replace_file(options.exported_code, result.exported, project.diagnostics.budget());
     if (error.empty()) {
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         report.csp_files.push_back({options.exported_code, result.exported.size()});
         return true;
     }
@@ -185,23 +185,24 @@ std::string first_file(const Part& part) {
 /// Fills in the beginning of the report. If all parts are rejected, they may not have been lowered, so it contains only
 /// the model's name.
 void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     const auto accepted = [](const Part& part) { return part.project->diagnostics.ok(); };
-    if (std::ranges::any_of(parts, accepted)) report.summary = summary(parts);
+    if (std::ranges::any_of(parts, accepted)) report.summary = summary_text(parts);
     report.file = first_file(parts.front());
     report.load_seconds = parts.front().project->seconds;
-    if (options.preferences.empty()) report.notes = notes(parts);  // otherwise the file gives the ranges
+    if (options.preferences.empty()) report.notes = instantiation_notes(parts);  // otherwise the file gives the ranges
 }
 
 /// Prints the report so far.
 Exit print_report(const Report& report, const Options& options) {
-    answer(options, [&](Format format) {
+    output_document(options, [&](Format format) {
         if (format == Format::json) return render_json(report);
         return format == Format::sarif ? render_sarif(report, options.verb == Verb::verify ? "verify" : "check")
                                        : render_junit(report);
     });
-    if (options.format == Format::text) print_styled(wrapped(render_text(report, options), line_width(STDOUT_FILENO)));
-    return report.exit();
+    if (options.format == Format::text)
+        print_styled(wrap_lines(render_text(report, options), line_width(STDOUT_FILENO)));
+    return report.exit_code();
 }
 
 /// `code`: code is generated for the part's components, and no earlier part has them.
@@ -240,7 +241,7 @@ namespace {
 /// The mapping of --mapping; no value, with findings, if it cannot be read.
 std::optional<cpp_emit::ros2::Mapping> read_mapping(Project& project, const Options& options) {
     std::string error;
-    const auto source = project.sources.load(options.mapping, error);
+    const auto source = project.sources.load_file(options.mapping, error);
     if (source) {
         auto mapping = cpp_emit::ros2::read_mapping(project.sources, *source, project.diagnostics);
         if (!project.diagnostics.has_errors_in(*source)) return mapping;
@@ -256,10 +257,10 @@ std::vector<ir::ComponentRef> mapped_component(Project& project, const std::vect
     const auto& [wanted, span] = mapping.component;
     std::vector<std::string> known;
     for (const ir::ComponentRef& each : components) {
-        if (each.path == wanted || ir::qualified(each) == wanted) return {each};
+        if (each.path == wanted || ir::qualified_name(each) == wanted) return {each};
         known.push_back(each.path);
     }
-    const std::string meant = diagnostics::nearest(wanted, known);
+    const std::string meant = diagnostics::nearest_spelling(wanted, known);
     const std::string help = meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
     project.diagnostics.report(cpp_emit::ros2::rules::unknown_name, span,
                                {"the model", "component that code is made of", wanted, help});
@@ -307,7 +308,7 @@ void warn_of_ignored(Project& project, const Options& options, const std::vector
     const auto reported = [](const diagnostics::Diagnostic& each) {
         return each.rule == &prism_emit::rules::ignored_preferences;
     };
-    if (ignored.empty() || std::ranges::any_of(project.diagnostics.sorted(), reported)) return;
+    if (ignored.empty() || std::ranges::any_of(project.diagnostics.sorted_findings(), reported)) return;
     project.diagnostics.report(
         prism_emit::rules::ignored_preferences, {},
         {options.preferences, fmt::format("{}", fmt::join(ignored, ", ")), ignored.size() == 1 ? "is" : "are"});
@@ -316,24 +317,24 @@ void warn_of_ignored(Project& project, const Options& options, const std::vector
 }  // namespace
 
 std::optional<prism_emit::Preferences> read_preferences(Project& project, const Options& options) {
-    prism_emit::Preferences result = prism_emit::preferences(project.instantiation);
+    prism_emit::Preferences result = prism_emit::preferences_of(project.instantiation);
     const auto asked = [&](const char* type) { return project.asked.ranges.contains(type); };
     result.nat.asked = asked("nat");
     result.integer.asked = asked("int");
     result.real.asked = asked("real");
     if (options.preferences.empty()) return result;
     std::string error;
-    const auto source = project.sources.load(options.preferences, error);
+    const auto source = project.sources.load_file(options.preferences, error);
     std::size_t line = 1;
-    if (source) error = prism_emit::read_preferences(project.sources.text(*source), result, &line);
+    if (source) error = prism_emit::read_preferences(project.sources.source_text(*source), result, &line);
     if (error.empty()) {
         warn_of_ignored(project, options, result.ignored);
         return result;
     }
     diagnostics::Span place;  // unknown for a file that cannot be read
     if (source) {
-        const std::string_view text = project.sources.text(*source);
-        const std::string_view wrong = project.sources.line(*source, static_cast<std::uint32_t>(line));
+        const std::string_view text = project.sources.source_text(*source);
+        const std::string_view wrong = project.sources.line_text(*source, static_cast<std::uint32_t>(line));
         const auto begin = static_cast<std::uint32_t>(wrong.data() - text.data());
         place = {*source, begin, begin + static_cast<std::uint32_t>(wrong.size())};
     }
@@ -368,7 +369,7 @@ bool write_prism(Project& project, const Options& options, Report& report) {
         struct File {
             std::string path, text;
         };
-        const std::vector<File> files{{file_name(project, component) + ".prism", prism_emit::text(*emission)}};
+        const std::vector<File> files{{file_name(project, component) + ".prism", prism_emit::file_text(*emission)}};
         if (!write_all("prism/" + project.folder, files, report.prism_files, options, project)) return false;
     }
     return project.diagnostics.ok();
@@ -377,7 +378,7 @@ bool write_prism(Project& project, const Options& options, Report& report) {
 namespace {
 
 /// The place where a component is declared.
-std::optional<runs::Place> declared(const Project& project, const ir::ComponentRef& component) {
+std::optional<runs::Place> declaration_place(const Project& project, const ir::ComponentRef& component) {
     const ir::System& system = project.system;
     const ir::Origin& origin = component.kind == ir::ComponentKind::module ? system.modules[component.definition].origin
                                : component.kind == ir::ComponentKind::controller
@@ -396,10 +397,10 @@ void check_conformance(Project& project, const Options& options, Report& report)
     if (!export_fits(project, options, components.size())) return;
     const std::size_t first = report.conformance.size();
     {
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         for (const ir::ComponentRef& component : components) {
             report.conformance.push_back(
-                {project.label + ir::qualified(component), declared(project, component), {}, 0});
+                {project.label + ir::qualified_name(component), declaration_place(project, component), {}, 0});
             report.conformance.back().result.reason = undecided_at_limit;
         }
     }
@@ -408,19 +409,19 @@ void check_conformance(Project& project, const Options& options, Report& report)
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ir::ComponentRef& component = components[i];
         const diagnostics::Budget::Phase phase(options.run->budget(),
-                                               "checking the code of " + ir::qualified(component));
+                                               "checking the code of " + ir::qualified_name(component));
         const auto start = std::chrono::steady_clock::now();
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
-        wanted.limits = limits(options, "code of " + ir::qualified(component));
+        wanted.limits = limits_of_check(options, "code of " + ir::qualified_name(component));
         wanted.generator.choices = options.choices;
         if (options.relation == "tick-tock") wanted.relation = conformance::Relation::tick_tock;
         wanted.walks.cycles = options.walks;
         wanted.cache = options.run->cache();
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
-        one.component = project.label + ir::qualified(component);
-        one.region = declared(project, component);
+        one.component = project.label + ir::qualified_name(component);
+        one.region = declaration_place(project, component);
         if (!model) {
             model =
                 conformance::timed_model(project.system, project.instantiation, project.sources, project.diagnostics);
@@ -435,7 +436,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
             options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
         if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
         if (!options.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         report.conformance[first + i] = std::move(one);
     }
 }
@@ -443,7 +444,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
 namespace {
 
 /// A run that found nothing to check must not look like a successful check.
-void note_nothing(const Options& options, Report& report) {
+void note_nothing_checked(const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
     const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
     if (std::ranges::any_of(report.assertions, decided)) return;
@@ -454,7 +455,7 @@ void note_nothing(const Options& options, Report& report) {
 
 /// True if a part has components for the verb. One of several parts may contain only types; no code is generated for
 /// it.
-bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
+bool has_components(const Part& part, const std::vector<Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
                       options.verb == Verb::conform;
@@ -475,26 +476,26 @@ bool show_all(const std::vector<Part>& parts, const Options& options) {
     bool good = true;
     for (const Part& part : parts) {
         if (options.format != Format::json) show_findings(*part.project, options);
-        good = acceptable(*part.project, options) && good;
+        good = is_acceptable(*part.project, options) && good;
     }
     return good;
 }
 
 /// The first part that is rejected because the command line is wrong; for a single part, also if its model is wrong.
-const Project* hopeless(const std::vector<Part>& parts, const Options& options) {
+const Project* first_refused(const std::vector<Part>& parts, const Options& options) {
     for (const Part& part : parts) {
-        if (acceptable(*part.project, options)) continue;
+        if (is_acceptable(*part.project, options)) continue;
         const bool alone = parts.size() == 1 && !reports_refused(part, options);
-        if (alone || refusal(*part.project) == Exit::usage) return part.project.get();
+        if (alone || refusal_code(*part.project) == Exit::usage) return part.project.get();
     }
     return nullptr;
 }
 
 void note_refused(const std::vector<Part>& parts, const Options& options, Report& report) {
-    const auto edit = options.run->edit();
+    const auto edit = options.run->lock_for_edit();
     report.refused.clear();
     for (const Part& part : parts)
-        if (!acceptable(*part.project, options))
+        if (!is_acceptable(*part.project, options))
             report.refused.push_back({part.project->name,
                                       diagnostics::render_json(part.project->sources, part.project->diagnostics),
                                       diagnostics::render_text(part.project->sources, part.project->diagnostics)});
@@ -506,14 +507,14 @@ void report_broken_claims(const Project& project, const Options& options, Report
     for (const auto& file : project.model->files) {
         if (!file->is_assertions) continue;
         for (const frontend::Assertion& claim : file->assertions) {
-            if (!asked_for(options, claim.name)) continue;
+            if (!is_claim_selected(options, claim.name)) continue;
             AssertionReport one;
             one.title = claim.name;
-            one.place = project.sources.place(claim.span);
+            one.place = project.sources.path_and_line(claim.span);
             one.answer = Answer::error;
-            one.reason = fmt::format("{}: not decided: {} has errors", diagnostics::shown(one.place),
-                                     diagnostics::shown(project.name));
-            const auto edit = options.run->edit();
+            one.reason = fmt::format("{}: not decided: {} has errors", diagnostics::escape_for_display(one.place),
+                                     diagnostics::escape_for_display(project.name));
+            const auto edit = options.run->lock_for_edit();
             report.assertions.push_back(std::move(one));
         }
     }
@@ -534,14 +535,14 @@ void keep_last_page(const std::vector<Part>& parts, const Options& options, cons
 }
 
 /// The answer if no part is processed: the diagnostics of this part, and with --html a page with the errors.
-Exit refuse(const Project& stopped, const std::vector<Part>& parts, const Options& options, Report& report) {
-    if (refusal(stopped) != Exit::usage) {
+Exit refuse_parts(const Project& stopped, const std::vector<Part>& parts, const Options& options, Report& report) {
+    if (refusal_code(stopped) != Exit::usage) {
         begin(parts, options, report);
         note_refused(parts, options, report);
         keep_page(parts, options, report);
     }
     (void)show_diagnostics(stopped, options);
-    return refusal(stopped);
+    return refusal_code(stopped);
 }
 
 /// Runs a verb whose answer is a report over all parts. A part with errors is rejected, and the others are still
@@ -551,10 +552,10 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
     note_refused(parts, options, report);
     bool some = false;
     for (const Part& part : parts) {
-        const bool refused = !acceptable(*part.project, options);
+        const bool refused = !is_acceptable(*part.project, options);
         some = some || refused;
         if (refused && reports_refused(part, options)) report_broken_claims(*part.project, options, report);
-        if (refused || !concerns(part, parts, options)) continue;
+        if (refused || !has_components(part, parts, options)) continue;
         some = true;
         Options wanted = options;
         wanted.core = core_wanted(part, options);
@@ -566,12 +567,13 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
         parts.front().project->diagnostics.report(rules::no_component, model_place(*parts.front().project),
                                                   {"the models"});
     options.run->finish();
-    if (const Project* const stopped = hopeless(parts, options)) return refuse(*stopped, parts, options, report);
+    if (const Project* const stopped = first_refused(parts, options))
+        return refuse_parts(*stopped, parts, options, report);
     note_refused(parts, options, report);
-    note_nothing(options, report);
+    note_nothing_checked(options, report);
     keep_page(parts, options, report);
     const bool accepted = show_all(parts, options);
-    if (accepted && report.all_decided()) options.run->all_asked();
+    if (accepted && report.all_decided()) options.run->end_questions();
     const Exit exit = print_report(report, options);
     return accepted ? exit : Exit::bad_input;
 }
@@ -580,12 +582,12 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
 Exit take_phase(Project& project, const Options& options, std::string& text) {
     show_diagnostics(project, options);
     if (options.print == "ast" || options.print == "model") {
-        text += frontend::dump(*project.model, project.sources, options.print == "model");
-        return acceptable(project, options) ? Exit::success : refusal(project);
+        text += frontend::dump_model(*project.model, project.sources, options.print == "model");
+        return is_acceptable(project, options) ? Exit::success : refusal_code(project);
     }
-    if (!acceptable(project, options)) return refusal(project);
+    if (!is_acceptable(project, options)) return refusal_code(project);
     if (options.print == "ir") {
-        text += ir::dump(project.system);
+        text += ir::dump_text(project.system);
         return Exit::success;
     }
     const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
@@ -600,7 +602,7 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
     Exit exit = Exit::success;
     std::string text;
     for (const Part& part : parts) {
-        if (parts.size() > 1) text += fmt::format("-- {}\n", diagnostics::shown(part.project->name));
+        if (parts.size() > 1) text += fmt::format("-- {}\n", diagnostics::escape_for_display(part.project->name));
         const Exit one = take_phase(*part.project, options, text);
         if (exit == Exit::success) exit = one;
     }
@@ -612,10 +614,10 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
 /// A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto refused =
-        std::ranges::find_if(parts, [&](const Part& part) { return !acceptable(*part.project, options); });
+        std::ranges::find_if(parts, [&](const Part& part) { return !is_acceptable(*part.project, options); });
     if (refused != parts.end()) {
         (void)show_diagnostics(*refused->project, options);
-        return refusal(*refused->project);
+        return refusal_code(*refused->project);
     }
     begin(parts, options, report);
     return conform_traces(parts, options);
@@ -632,10 +634,11 @@ Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
     parts = load_parts(options);
     if (!options.print.empty()) return print_phases(parts, options);
     if (!options.mapping.empty() && options.target != "ros2") throw UsageError("--mapping needs --target ros2");
-    if (!options.traces.empty() && is_asked_for(options, Format::junit))
+    if (!options.traces.empty() && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support --traces; use text or json");
     if (!options.traces.empty()) return compare_traces(parts, options, report);
-    if (const Project* const stopped = hopeless(parts, options)) return refuse(*stopped, parts, options, report);
+    if (const Project* const stopped = first_refused(parts, options))
+        return refuse_parts(*stopped, parts, options, report);
     return run_parts(parts, options, report);
 }
 

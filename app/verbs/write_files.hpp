@@ -24,7 +24,7 @@ bool write_all(const std::string& below, const auto& files, std::vector<FileRepo
         if constexpr (requires { file.keep; })
             if (file.keep && std::filesystem::exists(path)) continue;
         if (!write_output(project, options, below + file.path, file.text)) return false;
-        const auto edit = options.run->edit();
+        const auto edit = options.run->lock_for_edit();
         report.push_back({path, file.text.size()});
     }
     return true;

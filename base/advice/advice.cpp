@@ -8,7 +8,7 @@
 namespace robochart::diagnostics {
 namespace {
 
-bool fits(std::string_view pattern, const AdviceWord& word) {
+bool matches_word(std::string_view pattern, const AdviceWord& word) {
     if (pattern == "NAME") return word.kind == WordKind::name;
     if (pattern == "NUMBER") return word.kind == WordKind::number;
     if (pattern == "TEXT") return word.kind == WordKind::text;
@@ -38,7 +38,7 @@ std::string_view advice_on(std::span<const Advice> rows, std::string_view expect
         bool all = true;
         for (auto each = words.begin(); each != words.end() && all; ++each) {
             const std::ptrdiff_t at = each - words.begin();
-            if (each != place) all = fits(*each, word(at < before ? at - before : at - before - 1));
+            if (each != place) all = matches_word(*each, word(at < before ? at - before : at - before - 1));
         }
         if (all) return row.advice;
     }

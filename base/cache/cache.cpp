@@ -30,7 +30,7 @@ constexpr std::uint64_t largest_part = 4;  // the largest entry is this fraction
                                            // not read
 
 /// True if the folder exists or can be created, and only this user can write to it.
-bool usable(const std::string& folder) {
+bool is_usable_folder(const std::string& folder) {
     std::error_code code;
     fs::create_directories(fs::path(folder).parent_path(), code);
     if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return false;
@@ -44,7 +44,7 @@ bool usable(const std::string& folder) {
 std::optional<std::string> read_whole(const std::string& path, std::uint64_t most_bytes) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     struct stat found {};
-    if (!file.open() || fstat(file.get(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
+    if (!file.is_open() || fstat(file.get(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
     if (static_cast<std::uint64_t>(found.st_size) > most_bytes) return std::nullopt;
     std::string text(static_cast<std::size_t>(found.st_size), '\0');
     std::size_t have = 0;
@@ -62,11 +62,11 @@ std::optional<std::string> read_whole(const std::string& path, std::uint64_t mos
 
 Cache::Cache(std::string folder, std::string program, std::uint64_t most_bytes)
     : folder_(std::move(folder)), program_(std::move(program)), share_(most_bytes / folders) {
-    if (!folder_.empty() && (program_.empty() || !usable(folder_))) folder_.clear();
+    if (!folder_.empty() && (program_.empty() || !is_usable_folder(folder_))) folder_.clear();
 }
 
 /// A digest of key, program and content. It shows that the entry belongs to this key and program and is complete.
-Digest Cache::seal(const Digest& key, std::string_view content) const {
+Digest Cache::compute_seal(const Digest& key, std::string_view content) const {
     Hasher hasher;
     hasher.add(program_);
     hasher.add(key);
@@ -90,24 +90,24 @@ std::optional<std::string> Cache::find(const Digest& key) {
     std::optional<std::string> text = read_whole(path, share_ / largest_part + sealed);
     if (!text) return std::nullopt;
     if (text->size() >= sealed) {
-        const Digest expected = seal(key, std::string_view(*text).substr(sealed));
+        const Digest expected = compute_seal(key, std::string_view(*text).substr(sealed));
         if (std::memcmp(text->data(), expected.data(), sealed) == 0) return text->substr(sealed);
     }
     unlink(path.c_str());
     return std::nullopt;
 }
 
-void Cache::keep(const Digest& key, std::string_view content) {
+void Cache::store_entry(const Digest& key, std::string_view content) {
     if (folder_.empty() || content.size() > share_ / largest_part) return;
-    const Digest sealed = seal(key, content);
+    const Digest sealed = compute_seal(key, content);
     std::string text(sealed.begin(), sealed.end());
     text += content;
     const std::string name = name_of(key);
-    if (write_below(folder_, name, text).empty()) trim(fmt::format("{}/{}", folder_, name.substr(0, 1)));
+    if (write_below(folder_, name, text).empty()) trim_folder(fmt::format("{}/{}", folder_, name.substr(0, 1)));
 }
 
 /// Removes the least recently used entries beyond the size limit, and incomplete files of processes that were killed.
-void Cache::trim(const std::string& folder) const {
+void Cache::trim_folder(const std::string& folder) const {
     struct Entry {
         fs::file_time_type used;
         std::uint64_t bytes;

@@ -25,12 +25,12 @@ public:
     [[nodiscard]] std::optional<std::string> find(const Digest& key);
     /// Stores an entry. It is not an error if it cannot be written, because the cache only saves time. An entry larger
     /// than a quarter of a folder's share is not stored.
-    void keep(const Digest& key, std::string_view content);
+    void store_entry(const Digest& key, std::string_view content);
 
 private:
-    [[nodiscard]] Digest seal(const Digest& key, std::string_view content) const;
+    [[nodiscard]] Digest compute_seal(const Digest& key, std::string_view content) const;
     [[nodiscard]] std::string name_of(const Digest& key) const;
-    void trim(const std::string& folder) const;
+    void trim_folder(const std::string& folder) const;
 
     std::string folder_;  ///< "": the cache is not used
     std::string program_;

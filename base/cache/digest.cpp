@@ -18,26 +18,26 @@ Hasher::Hasher() : state_(std::make_unique<State>()) {
 
 Hasher::~Hasher() = default;
 
-void Hasher::bytes(const void* first, std::size_t size) {
+void Hasher::add_bytes(const void* first, std::size_t size) {
     crypto_generichash_update(&state_->hash, static_cast<const unsigned char*>(first), size);
 }
 
 void Hasher::add(std::string_view text) {
     add(text.size());
-    bytes(text.data(), text.size());
+    add_bytes(text.data(), text.size());
 }
 
 void Hasher::add(std::uint64_t number) {
-    bytes(&number, sizeof number);
+    add_bytes(&number, sizeof number);
 }
 
 void Hasher::add(std::span<const std::uint32_t> numbers) {
     add(numbers.size());
-    bytes(numbers.data(), numbers.size_bytes());
+    add_bytes(numbers.data(), numbers.size_bytes());
 }
 
 void Hasher::add(const Digest& digest) {
-    bytes(digest.data(), digest.size());
+    add_bytes(digest.data(), digest.size());
 }
 
 Digest Hasher::finish() {

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] Digest finish();
 
 private:
-    void bytes(const void* first, std::size_t size);
+    void add_bytes(const void* first, std::size_t size);
 
     struct State;
     std::unique_ptr<State> state_;

@@ -80,10 +80,10 @@ Budget::Budget(Limits limits, std::string phase)
     : limits_(std::move(limits)), memory_checked_(0), phase_(std::move(phase)) {}
 
 void Budget::check() {
-    if (const std::string why = reached(); !why.empty()) throw LimitReached(why);
+    if (const std::string why = reached_limit(); !why.empty()) throw LimitReached(why);
 }
 
-std::string Budget::reached() {
+std::string Budget::reached_limit() {
     const Time now = std::chrono::steady_clock::now();
     std::string why;
     if (interrupted_.load() || (limits_.interrupted && limits_.interrupted()))
@@ -160,7 +160,7 @@ Budget::Held::~Held() {
         budget_->paths_.erase(budget_->paths_.find(path_));
 }
 
-void Budget::release() {
+void Budget::release_resources() {
     const std::lock_guard lock(mutex_);
     for (const pid_t group : groups_) kill(-group, SIGKILL);
     std::error_code ignored;

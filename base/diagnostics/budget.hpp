@@ -56,14 +56,14 @@ public:
     /// Checks the limits now. Throws LimitReached.
     void check();
     /// Checks the limits now. Returns the limit that is reached, with the active phase; "" if none is.
-    [[nodiscard]] std::string reached();
+    [[nodiscard]] std::string reached_limit();
     /// Interrupts the run.
     void interrupt();
-    [[nodiscard]] bool interrupted() const { return interrupted_.load(std::memory_order_relaxed); }
+    [[nodiscard]] bool is_interrupted() const { return interrupted_.load(std::memory_order_relaxed); }
 
     [[nodiscard]] const Limits& limits() const { return limits_; }
     /// The memory of the program and its children, as last measured.
-    [[nodiscard]] std::uint64_t resident() const { return resident_.load(std::memory_order_relaxed); }
+    [[nodiscard]] std::uint64_t resident_memory() const { return resident_.load(std::memory_order_relaxed); }
 
     /// Names the activity of the run while the object exists, such as "reading the model". Phases may be nested;
     /// messages name the innermost one.
@@ -79,8 +79,8 @@ public:
         std::string before_;
     };
 
-    /// Registers a temporary file or folder, or a process group started by the run, while the object exists. `release`
-    /// removes or ends it if the run cannot end normally.
+    /// Registers a temporary file or folder, or a process group started by the run, while the object exists.
+    /// `release_resources` removes or ends it if the run cannot end normally.
     class Held {
     public:
         Held(Budget* budget, std::string path);
@@ -96,7 +96,7 @@ public:
     };
     /// Ends all registered process groups and removes all registered files and folders. Must be called only at the end
     /// of the program.
-    void release();
+    void release_resources();
 
 private:
     using Time = std::chrono::steady_clock::time_point;

@@ -23,7 +23,7 @@ public:
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] int get() const { return number_; }
-    [[nodiscard]] bool open() const { return number_ >= 0; }
+    [[nodiscard]] bool is_open() const { return number_ >= 0; }
     /// Returns false and sets errno if the written data could not be stored.
     bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 

@@ -21,7 +21,7 @@ std::string Diagnostic::message() const {
 namespace {
 
 /// People read messages, so only the beginning of a very long name or expression is shown, cut between characters.
-void shorten(std::string& argument) {
+void shorten_argument(std::string& argument) {
     constexpr std::size_t max_shown = 1000;
     if (argument.size() <= max_shown) return;
     std::size_t end = max_shown;
@@ -33,7 +33,7 @@ void shorten(std::string& argument) {
 }  // namespace
 
 Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::string> arguments) {
-    std::ranges::for_each(arguments, shorten);
+    std::ranges::for_each(arguments, shorten_argument);
     Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
     if (rule.severity == Severity::warning && allowed_.contains(rule.code)) {
         overflow_ = std::move(finding);
@@ -41,7 +41,7 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
     }
     if (rule.severity == Severity::error) ++errors_;
     if (rule.severity == Severity::warning) ++warnings_;
-    if (rule.severity == Severity::error && span.known()) wrong_.insert(span.source);
+    if (rule.severity == Severity::error && span.is_known()) wrong_.insert(span.source);
     // Each severity has its own limit, so that many warnings never hide an error.
     const std::size_t like_this = rule.severity == Severity::error     ? errors_
                                   : rule.severity == Severity::warning ? warnings_
@@ -67,7 +67,7 @@ void Diagnostics::add(const Diagnostics& other) {
     wrong_.insert(other.wrong_.begin(), other.wrong_.end());
 }
 
-Diagnostics Diagnostics::about(const std::set<SourceId>& texts) const {
+Diagnostics Diagnostics::findings_in_texts(const std::set<SourceId>& texts) const {
     Diagnostics result;
     result.budget_ = budget_;
     result.allowed_ = allowed_;
@@ -77,7 +77,7 @@ Diagnostics Diagnostics::about(const std::set<SourceId>& texts) const {
     return result;
 }
 
-std::vector<Diagnostic> Diagnostics::sorted() const {
+std::vector<Diagnostic> Diagnostics::sorted_findings() const {
     std::vector<Diagnostic> result = items_;
     const auto key = [](const Diagnostic& d) {
         return std::make_tuple(d.span.source, d.span.begin, d.span.end, d.rule->code);

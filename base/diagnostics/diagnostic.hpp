@@ -58,7 +58,7 @@ public:
     Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
 
     /// Sets the budget of the run. Phases that report here poll it, so it must outlive them.
-    void within(Budget* budget) { budget_ = budget; }
+    void set_budget(Budget* budget) { budget_ = budget; }
     [[nodiscard]] Budget* budget() const { return budget_; }
     /// Must be called in every loop whose length depends on the input. Throws LimitReached.
     void poll() const {
@@ -66,21 +66,21 @@ public:
     }
 
     /// Later warnings with this code are neither kept nor counted; errors always are.
-    void allow(std::string code) { allowed_.insert(std::move(code)); }
+    void allow_code(std::string code) { allowed_.insert(std::move(code)); }
 
     /// Adds the findings of another collection.
     void add(const Diagnostics& other);
     /// The findings about these texts, with the same budget and allowed codes.
-    [[nodiscard]] Diagnostics about(const std::set<SourceId>& texts) const;
-    [[nodiscard]] std::vector<Diagnostic> sorted() const;
-    [[nodiscard]] std::size_t errors() const { return errors_; }
-    [[nodiscard]] std::size_t warnings() const { return warnings_; }
+    [[nodiscard]] Diagnostics findings_in_texts(const std::set<SourceId>& texts) const;
+    [[nodiscard]] std::vector<Diagnostic> sorted_findings() const;
+    [[nodiscard]] std::size_t error_count() const { return errors_; }
+    [[nodiscard]] std::size_t warning_count() const { return warnings_; }
     [[nodiscard]] bool ok() const { return errors_ == 0; }
     /// True if an error was found in this text.
     [[nodiscard]] bool has_errors_in(SourceId source) const { return wrong_.contains(source); }
     [[nodiscard]] bool empty() const { return items_.empty(); }
     /// The number of findings that were counted but not kept.
-    [[nodiscard]] std::size_t dropped() const { return dropped_; }
+    [[nodiscard]] std::size_t dropped_count() const { return dropped_; }
 
 private:
     Budget* budget_ = nullptr;

@@ -17,7 +17,7 @@ namespace {
 using Escape = std::string (*)(char);
 
 /// Escapes every byte separately.
-std::string each(const std::string& text, Escape escape) {
+std::string escape_bytes(const std::string& text, Escape escape) {
     std::string result;
     for (const char c : text) result += escape(c);
     return result;
@@ -33,7 +33,7 @@ std::string control_escape(char c) {
 }
 
 /// The code point of a well-formed UTF-8 sequence.
-unsigned decoded(std::string_view sequence) {
+unsigned decode_utf8(std::string_view sequence) {
     const unsigned lead = static_cast<unsigned char>(sequence.front());
     unsigned code = sequence.size() == 2 ? lead & 0x1FU : sequence.size() == 3 ? lead & 0x0FU : lead & 0x07U;
     for (const char c : sequence.substr(1)) code = (code << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
@@ -42,7 +42,7 @@ unsigned decoded(std::string_view sequence) {
 
 /// Characters with which a text can look like another: C1 controls, characters without width and characters that change
 /// the direction (Unicode 15, Default_Ignorable_Code_Point and Bidi_Control). Also line and paragraph separators.
-bool invisible(unsigned code) {
+bool is_invisible(unsigned code) {
     return (code >= 0x80U && code <= 0x9FU) || code == 0xADU || code == 0x61CU ||
            (code >= 0x200BU && code <= 0x200FU) || (code >= 0x2028U && code <= 0x202EU) ||
            (code >= 0x2060U && code <= 0x206FU) || code == 0xFEFFU || (code >= 0xFFF9U && code <= 0xFFFBU) ||
@@ -50,7 +50,7 @@ bool invisible(unsigned code) {
 }
 
 /// Escapes invisible characters; `ascii` converts the visible ones of ASCII.
-std::string visible(std::string_view text, Escape ascii, bool lines) {
+std::string escape_invisible(std::string_view text, Escape ascii, bool lines) {
     std::string result;
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
@@ -61,7 +61,7 @@ std::string visible(std::string_view text, Escape ascii, bool lines) {
             result += c;
         else if (length == 1)
             result += is_control(c) ? control_escape(c) : ascii(c);
-        else if (const unsigned code = decoded(text.substr(0, length)); invisible(code))
+        else if (const unsigned code = decode_utf8(text.substr(0, length)); is_invisible(code))
             result += fmt::format("\\u{:04x}", code);
         else
             result += text.substr(0, length);
@@ -94,18 +94,18 @@ std::string cspm_escaped(const std::string& text, char quote) {
 
 }  // namespace
 
-std::string shown(const ForeignText& text) {
-    return visible(text.unescaped(), as_it_is, false);
+std::string escape_for_display(const ForeignText& text) {
+    return escape_invisible(text.unescaped(), as_it_is, false);
 }
 
 std::string shown_lines(const ForeignText& text) {
-    return visible(text.unescaped(), as_it_is, true);
+    return escape_invisible(text.unescaped(), as_it_is, true);
 }
 
 /// A backslash at the end of a line, also after wrapping, continues a comment, and "??/" is a backslash (ISO C++14
 /// [lex.trigraph]).
 std::string comment_text(const ForeignText& text) {
-    std::string result = visible(
+    std::string result = escape_invisible(
         text.unescaped(), [](char c) { return c == '\\' ? "\\x5c" : std::string(1, c); }, false);
     replace_all(result, "??", "?\\x3f");
     return result;
@@ -113,12 +113,13 @@ std::string comment_text(const ForeignText& text) {
 
 std::string cpp_string(const ForeignText& text) {
     return '"' +
-           each(text.unescaped(),
-                [](char c) {
-                    const bool plain = c != '"' && c != '\\' && c != '?' && c >= 0x20 && c < 0x7F;
-                    return plain ? std::string(1, c)
-                                 : fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-                }) +
+           escape_bytes(text.unescaped(),
+                        [](char c) {
+                            const bool plain = c != '"' && c != '\\' && c != '?' && c >= 0x20 && c < 0x7F;
+                            return plain
+                                       ? std::string(1, c)
+                                       : fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+                        }) +
            '"';
 }
 
@@ -132,7 +133,7 @@ std::string cspm_character(char c) {
 
 /// "--" is not allowed in a comment.
 std::string xml_text(const ForeignText& text) {
-    std::string result = visible(
+    std::string result = escape_invisible(
         text.unescaped(),
         [](char c) -> std::string {
             switch (c) {
@@ -163,7 +164,7 @@ std::string xml_lines(const ForeignText& text) {
 }
 
 std::string label_text(const ForeignText& text) {
-    return visible(
+    return escape_invisible(
         text.unescaped(),
         [](char c) {
             return c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);

@@ -34,7 +34,7 @@ private:
 
 /// Text for a terminal or a report: control characters, invisible characters, line ends and bytes that are not UTF-8
 /// become escapes such as "\n", "\x1b" or "\u202e".
-[[nodiscard]] std::string shown(const ForeignText&);
+[[nodiscard]] std::string escape_for_display(const ForeignText&);
 /// Text of several lines for a terminal or a report: escaped as above, but line ends and tabulators are kept.
 [[nodiscard]] std::string shown_lines(const ForeignText&);
 

@@ -30,7 +30,7 @@ void add_cells(std::vector<Cell>& cells, std::string_view rest, std::size_t offs
         cells.push_back({replacement_character, offset});
     } else if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
         cells.push_back({" ", offset});
-    } else if (const std::string_view character = rest.substr(0, length); shown(character) != character) {
+    } else if (const std::string_view character = rest.substr(0, length); escape_for_display(character) != character) {
         cells.push_back({replacement_character, offset});  // invisible, or changes the direction of writing
     } else {
         cells.push_back({character, offset});
@@ -49,7 +49,7 @@ std::vector<Cell> split_cells(std::string_view line, std::size_t first, std::siz
 }
 
 /// The nearest beginning of a character at or before `offset`.
-std::size_t align(std::string_view line, std::size_t offset) {
+std::size_t align_to_character(std::string_view line, std::size_t offset) {
     for (std::size_t back = 0; back < 3 && offset > 0 && offset < line.size() && is_continuation(line[offset]); ++back)
         --offset;
     return offset;
@@ -68,8 +68,8 @@ Excerpt make_excerpt(std::string_view line, std::size_t begin, std::size_t end, 
     max_width = std::max<std::size_t>(max_width, 20);
     // A cell is at most four bytes long, so this window is large enough to fill the width.
     const std::size_t reach = 4 * max_width;
-    const std::size_t first = align(line, begin > reach ? begin - reach : 0);
-    const std::size_t last = align(line, std::min(line.size(), begin + reach));
+    const std::size_t first = align_to_character(line, begin > reach ? begin - reach : 0);
+    const std::size_t last = align_to_character(line, std::min(line.size(), begin + reach));
     std::vector<Cell> cells = split_cells(line, first, last);
 
     const std::size_t mark = cell_at(cells, begin);

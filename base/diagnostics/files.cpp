@@ -26,11 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string failure(const std::string& path, const std::string& cause) {
+std::string failure_message(const std::string& path, const std::string& cause) {
     return fmt::format("cannot write {}: {}", path, cause);
 }
-std::string failure(const std::string& path) {
-    return failure(path, std::strerror(errno));
+std::string failure_message(const std::string& path) {
+    return failure_message(path, std::strerror(errno));
 }
 
 constexpr std::string_view unfinished = ".robochart-";
@@ -63,7 +63,7 @@ Descriptor folder_of(const std::string& root, const fs::path& relative, std::str
     std::error_code code;
     fs::create_directories(root, code);
     Descriptor folder(::open(root.empty() ? "." : root.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!folder.open()) {
+    if (!folder.is_open()) {
         error = fmt::format("cannot create the folder {}: {}", root, code ? code.message() : std::strerror(errno));
         return folder;
     }
@@ -71,7 +71,7 @@ Descriptor folder_of(const std::string& root, const fs::path& relative, std::str
     for (const fs::path& part : relative.parent_path()) {
         at /= part;
         Descriptor next = folder_in(folder, part.string());
-        if (!next.open()) {
+        if (!next.is_open()) {
             const bool link = errno == ELOOP || (errno == ENOTDIR && fs::is_symlink(at, code));
             error = link ? fmt::format("refusing to write below {}: it is a symbolic link", at.string())
                          : fmt::format("cannot create the folder {}: {}", at.string(), std::strerror(errno));
@@ -98,18 +98,18 @@ Descriptor new_file(const Descriptor& folder, mode_t mode, std::string& name) {
         name = random_name();
         if (name.empty()) break;
         Descriptor file(openat(folder.get(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
-        if (file.open() || errno != EEXIST) return file;
+        if (file.is_open() || errno != EEXIST) return file;
     }
     return Descriptor();
 }
 
 /// Writes the file and moves it to its place. `before` is the file that is replaced, whose properties are kept; null
 /// for a new file.
-std::string put(const Descriptor& folder, const fs::path& path, std::string_view text, const struct stat* before,
-                Budget* budget) {
+std::string write_and_rename(const Descriptor& folder, const fs::path& path, std::string_view text,
+                             const struct stat* before, Budget* budget) {
     std::string name;
     Descriptor file = new_file(folder, before != nullptr ? 0600 : 0666, name);
-    if (!file.open()) return failure(path.string());
+    if (!file.is_open()) return failure_message(path.string());
     const fs::path parent = path.parent_path();
     const Budget::Held held(budget, (parent / name).string());
     bool good = write_whole(file.get(), text);
@@ -120,7 +120,7 @@ std::string put(const Descriptor& folder, const fs::path& path, std::string_view
     }
     good = good && file.close() && renameat(folder.get(), name.c_str(), folder.get(), path.filename().c_str()) == 0;
     if (good) return "";
-    std::string error = failure(path.string());
+    std::string error = failure_message(path.string());
     unlinkat(folder.get(), name.c_str(), 0);
     return error;
 }
@@ -135,24 +135,25 @@ bool is_unfinished(const std::string& name) {
 std::string write_below(const std::string& root, const std::string& relative, std::string_view text, Budget* budget) {
     std::string error;
     const Descriptor folder = folder_of(root, relative, error);
-    return folder.open() ? put(folder, fs::path(root) / relative, text, nullptr, budget) : error;
+    return folder.is_open() ? write_and_rename(folder, fs::path(root) / relative, text, nullptr, budget) : error;
 }
 
 std::string replace_file(const std::string& named, std::string_view text, Budget* budget) {
     std::error_code code;
     const bool there = fs::symlink_status(named, code).type() != fs::file_type::not_found;
     const fs::path path = there ? fs::canonical(named, code) : fs::absolute(named, code);
-    if (code) return failure(named, code.message());
+    if (code) return failure_message(named, code.message());
     const fs::path parent = path.parent_path();
     if (!there) fs::create_directories(parent, code);
     const Descriptor folder(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!folder.open()) return failure(named);
-    if (!there) return put(folder, path, text, nullptr, budget);
+    if (!folder.is_open()) return failure_message(named);
+    if (!there) return write_and_rename(folder, path, text, nullptr, budget);
     struct stat before {};
-    if (fstatat(folder.get(), path.filename().c_str(), &before, AT_SYMLINK_NOFOLLOW) != 0) return failure(named);
-    if (!S_ISREG(before.st_mode)) return failure(named, "it is not a regular file");
-    if (faccessat(folder.get(), path.filename().c_str(), W_OK, AT_EACCESS) != 0) return failure(named);
-    const std::string error = put(folder, path, text, &before, budget);
+    if (fstatat(folder.get(), path.filename().c_str(), &before, AT_SYMLINK_NOFOLLOW) != 0)
+        return failure_message(named);
+    if (!S_ISREG(before.st_mode)) return failure_message(named, "it is not a regular file");
+    if (faccessat(folder.get(), path.filename().c_str(), W_OK, AT_EACCESS) != 0) return failure_message(named);
+    const std::string error = write_and_rename(folder, path, text, &before, budget);
     if (error.empty()) (void)fsync(folder.get());
     return error;
 }
@@ -169,7 +170,7 @@ std::string shown_path(std::string path) {
     return path;
 }
 
-void gather(const fs::path& folder, bool deep, FilesBelow& result) {
+void gather_files(const fs::path& folder, bool deep, FilesBelow& result) {
     std::error_code code;
     fs::directory_iterator at(folder, code);
     for (; !code && at != fs::directory_iterator(); at.increment(code)) {
@@ -178,7 +179,7 @@ void gather(const fs::path& folder, bool deep, FilesBelow& result) {
         if (!at->is_directory(status))
             result.files.push_back(shown_path(at->path().string()));
         else if (deep && !at->is_symlink(status))
-            gather(at->path(), deep, result);
+            gather_files(at->path(), deep, result);
     }
     if (code) result.unreadable.emplace_back(folder.string(), code.message());
 }
@@ -187,7 +188,7 @@ void gather(const fs::path& folder, bool deep, FilesBelow& result) {
 
 FilesBelow files_below(const std::string& folder, bool deep) {
     FilesBelow result;
-    gather(folder, deep, result);
+    gather_files(folder, deep, result);
     std::ranges::sort(result.files,
                       [](const std::string& a, const std::string& b) { return fs::path(a) < fs::path(b); });
     return result;
@@ -242,23 +243,23 @@ std::string GrowingFile::append(std::string_view text) {
     Descriptor file;
     if (temporary_.empty()) {
         const Descriptor folder = folder_of(root_, relative_, error_);
-        if (!folder.open()) return error_;
+        if (!folder.is_open()) return error_;
         std::string name;
         file = new_file(folder, 0666, name);
-        if (!file.open()) return error_ = failure(path);
+        if (!file.is_open()) return error_ = failure_message(path);
         temporary_ = (fs::path(path).parent_path() / name).string();
         held_ = std::make_unique<Budget::Held>(budget_, temporary_);
     } else {
         file = Descriptor(::open(temporary_.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC));
     }
-    if (!file.open() || !write_whole(file.get(), text) || !file.close()) error_ = failure(path);
+    if (!file.is_open() || !write_whole(file.get(), text) || !file.close()) error_ = failure_message(path);
     return error_;
 }
 
 std::string GrowingFile::finish() {
     if (!error_.empty() || temporary_.empty()) return error_;
     const std::string path = (fs::path(root_) / relative_).string();
-    if (rename(temporary_.c_str(), path.c_str()) != 0) return error_ = failure(path);
+    if (rename(temporary_.c_str(), path.c_str()) != 0) return error_ = failure_message(path);
     temporary_.clear();
     held_.reset();
     return "";

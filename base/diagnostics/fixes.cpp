@@ -17,7 +17,7 @@ bool is_certain(const FixIt& fix) {
 
 std::vector<FixIt> certain_fixes(const Diagnostics& diagnostics, SourceId source) {
     std::vector<FixIt> all;
-    for (const Diagnostic& finding : diagnostics.sorted())
+    for (const Diagnostic& finding : diagnostics.sorted_findings())
         if (!finding.fixes.empty() && is_certain(finding.fixes.front()) && finding.fixes.front().span.source == source)
             all.push_back(finding.fixes.front());
     std::ranges::stable_sort(all, [](const FixIt& a, const FixIt& b) { return a.span.begin < b.span.begin; });

@@ -26,7 +26,7 @@ std::string_view severity_name(Severity severity) {
 
 /// Adds the place of a span, unless the place is unknown.
 void add_place(Json& json, const SourceManager& sources, Span span) {
-    if (!span.known()) return;
+    if (!span.is_known()) return;
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
     json["file"] = sources.path(span.source);
@@ -66,19 +66,19 @@ std::string json_text(const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-double rounded(double value, int places) {
+double round_to_places(double value, int places) {
     const double unit = std::pow(10.0, places);
     return std::round(value * unit) / unit;
 }
 
 std::string render_json(const SourceManager& sources, const Diagnostics& diagnostics, std::string_view limit) {
     Json json{{"schema", "robochart-verify/diagnostics/1"},
-              {"errors", diagnostics.errors()},
-              {"warnings", diagnostics.warnings()},
-              {"dropped", diagnostics.dropped()}};
+              {"errors", diagnostics.error_count()},
+              {"warnings", diagnostics.warning_count()},
+              {"dropped", diagnostics.dropped_count()}};
     if (!limit.empty()) json["limit"] = limit;
     Json& list = json["diagnostics"] = Json::array();
-    for (const Diagnostic& each : diagnostics.sorted()) list.push_back(diagnostic_json(sources, each));
+    for (const Diagnostic& each : diagnostics.sorted_findings()) list.push_back(diagnostic_json(sources, each));
     return json_text(json) + "\n";
 }
 

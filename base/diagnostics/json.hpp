@@ -12,6 +12,6 @@ using Json = nlohmann::ordered_json;
 /// The value as text: on one line, or with `indent` blanks per level. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const Json& value, int indent = -1);
 /// A value rounded to `places` decimal places, for times and rates.
-[[nodiscard]] double rounded(double value, int places);
+[[nodiscard]] double round_to_places(double value, int places);
 
 }  // namespace robochart::diagnostics

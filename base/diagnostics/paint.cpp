@@ -29,7 +29,7 @@ fmt::text_style style_of(Paint paint) {
 
 }  // namespace
 
-std::string painted(std::string_view text, Paint paint, bool color) {
+std::string paint_text(std::string_view text, Paint paint, bool color) {
     return color ? fmt::format(style_of(paint), "{}", text) : std::string(text);
 }
 

@@ -20,6 +20,6 @@ enum class Paint : unsigned char {
 };
 
 /// The text with the colour of its role; unchanged without `color`.
-[[nodiscard]] std::string painted(std::string_view text, Paint paint, bool color);
+[[nodiscard]] std::string paint_text(std::string_view text, Paint paint, bool color);
 
 }  // namespace robochart::diagnostics

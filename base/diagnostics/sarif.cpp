@@ -20,56 +20,57 @@ Json span_of_lines(Position begin, Position end) {
     return {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
 }
 
-std::string_view level(Severity severity) {
+std::string_view level_of_severity(Severity severity) {
     if (severity == Severity::error) return "error";
     return severity == Severity::warning ? "warning" : "note";
 }
 
-Json region(const SourceManager& sources, Span span) {
+Json text_region(const SourceManager& sources, Span span) {
     return span_of_lines(sources.position(span.source, span.begin), sources.position(span.source, span.end));
 }
 
-Json artifact(const SourceManager& sources, Span span) {
+Json artifact_location(const SourceManager& sources, Span span) {
     return sarif_file(sources.path(span.source));
 }
 
-Json physical(const SourceManager& sources, Span span) {
+Json physical_location(const SourceManager& sources, Span span) {
     return sarif_place(sources.path(span.source), sources.position(span.source, span.begin),
                        sources.position(span.source, span.end));
 }
 
 Json fix_object(const SourceManager& sources, const FixIt& fix) {
-    const Json replacement{{"deletedRegion", region(sources, fix.span)},
+    const Json replacement{{"deletedRegion", text_region(sources, fix.span)},
                            {"insertedContent", sarif_text(fix.replacement)}};
-    const Json change{{"artifactLocation", artifact(sources, fix.span)}, {"replacements", Json::array({replacement})}};
+    const Json change{{"artifactLocation", artifact_location(sources, fix.span)},
+                      {"replacements", Json::array({replacement})}};
     return {{"description", sarif_text(fix.title)}, {"artifactChanges", Json::array({change})}};
 }
 
 /// The first line of a finding without surrounding blanks. It does not change when lines are added above it.
 std::string_view line_of(const SourceManager& sources, Span span) {
-    std::string_view line = sources.line(span.source, sources.position(span.source, span.begin).line);
+    std::string_view line = sources.line_text(span.source, sources.position(span.source, span.begin).line);
     constexpr std::string_view space = " \t\r";
     line.remove_prefix(std::min(line.find_first_not_of(space), line.size()));
     return line.substr(0, line.find_last_not_of(space) + 1);
 }
 
 /// Notes with a place become related locations; the others become part of the message.
-Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
+Json sarif_result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
     std::string message = diagnostic.message();
     Json related = Json::array();
     for (const Note& note : diagnostic.notes) {
-        if (note.span.known())
+        if (note.span.is_known())
             related.push_back({{"id", related.size() + 1},
-                               {"physicalLocation", physical(sources, note.span)},
+                               {"physicalLocation", physical_location(sources, note.span)},
                                {"message", sarif_text(note.message)}});
         else
             message += "; " + note.message;
     }
     Json json{{"ruleId", diagnostic.rule->code},
               {"ruleIndex", rule},
-              {"level", level(diagnostic.rule->severity)},
+              {"level", level_of_severity(diagnostic.rule->severity)},
               {"message", sarif_text(message)}};
-    json["locations"] = Json::array({Json{{"physicalLocation", physical(sources, diagnostic.span)}}});
+    json["locations"] = Json::array({Json{{"physicalLocation", physical_location(sources, diagnostic.span)}}});
     json["partialFingerprints"] = sarif_fingerprint(diagnostic.rule->code, line_of(sources, diagnostic.span));
     if (!related.empty()) json["relatedLocations"] = related;
     for (const FixIt& fix : diagnostic.fixes) json["fixes"].push_back(fix_object(sources, fix));
@@ -78,7 +79,7 @@ Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::siz
 
 /// SARIF 2.1.0, 3.20: an invocation states that the results are incomplete if the run was cut short. It also contains
 /// the findings that are not results.
-Json invocation(const SarifRun& run) {
+Json sarif_invocation(const SarifRun& run) {
     Json notifications = Json::array();
     if (!run.limit.empty()) notifications.push_back({{"level", "error"}, {"message", sarif_text(run.limit)}});
     bool failed = !run.limit.empty();
@@ -90,7 +91,7 @@ Json invocation(const SarifRun& run) {
 }
 
 /// "A state is never reached" becomes `AStateIsNeverReached`.
-std::string identifier(std::string_view title) {
+std::string identifier_of_title(std::string_view title) {
     std::string name;
     bool begins = true;
     for (const char c : title) {
@@ -106,11 +107,11 @@ std::string identifier(std::string_view title) {
 }
 
 /// The text with a full stop at its end.
-std::string sentence(std::string_view text) {
+std::string with_full_stop(std::string_view text) {
     return std::string(text) + (text.ends_with('.') ? "" : ".");
 }
 
-std::string capital(std::string_view text) {
+std::string capitalize_first(std::string_view text) {
     std::string result(text);
     if (!result.empty()) result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
     return result;
@@ -119,7 +120,7 @@ std::string capital(std::string_view text) {
 }  // namespace
 
 std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, const SarifRules& about) {
-    const std::vector<Diagnostic> findings = diagnostics.sorted();
+    const std::vector<Diagnostic> findings = diagnostics.sorted_findings();
     // Rows that share a code are one rule in SARIF; the first row by place describes it.
     std::vector<const Rule*> rules;
     const auto index = [&](const Diagnostic& d) {
@@ -132,16 +133,18 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     run.what = about.what;
     run.limit = about.limit;
     for (const Diagnostic& each : findings) {
-        if (each.span.known())
-            run.results.push_back(result(sources, each, index(each)));
+        if (each.span.is_known())
+            run.results.push_back(sarif_result(sources, each, index(each)));
         else
             run.notifications.push_back(
-                sarif_notification(each.rule->code, level(each.rule->severity), each.message()));
+                sarif_notification(each.rule->code, level_of_severity(each.rule->severity), each.message()));
     }
     for (const Rule* rule : rules)
-        run.rules.push_back(sarif_rule(rule->code, about.title(*rule), rule->explanation, level(rule->severity)));
-    run.properties = {
-        {"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}};
+        run.rules.push_back(
+            sarif_rule(rule->code, about.title(*rule), rule->explanation, level_of_severity(rule->severity)));
+    run.properties = {{"errors", diagnostics.error_count()},
+                      {"warnings", diagnostics.warning_count()},
+                      {"dropped", diagnostics.dropped_count()}};
     return sarif_log(run);
 }
 
@@ -166,10 +169,10 @@ Json sarif_place(std::string_view path, Position begin, Position end) {
 }
 
 Json sarif_rule(std::string_view id, std::string_view title, std::string_view text, std::string_view level) {
-    const std::string full = sentence(capital(text.empty() ? title : text));
+    const std::string full = with_full_stop(capitalize_first(text.empty() ? title : text));
     return {{"id", id},
-            {"name", identifier(title)},
-            {"shortDescription", sarif_text(sentence(capital(title)))},
+            {"name", identifier_of_title(title)},
+            {"shortDescription", sarif_text(with_full_stop(capitalize_first(title)))},
             {"fullDescription", sarif_text(full)},
             {"help", sarif_text(full)},
             {"defaultConfiguration", {{"level", level}}}};
@@ -199,7 +202,7 @@ std::string sarif_log(const SarifRun& run) {
                       {"informationUri", "https://robostar.cs.york.ac.uk/"},
                       {"rules", run.rules}};
     Json json{{"tool", {{"driver", driver}}}, {"automationDetails", {{"id", run.what + "/"}}}};
-    if (!run.limit.empty() || !run.notifications.empty()) json["invocations"] = Json::array({invocation(run)});
+    if (!run.limit.empty() || !run.notifications.empty()) json["invocations"] = Json::array({sarif_invocation(run)});
     json["columnKind"] = "unicodeCodePoints";
     json["results"] = run.results;
     json["properties"] = run.properties;

@@ -35,7 +35,7 @@ std::string too_large(std::uintmax_t bytes) {
 
 /// The reason why an open file is rejected; "" if it can be read. Something other than a regular file may have no end,
 /// or may block forever.
-std::string refuse(const struct stat& status) {
+std::string rejection_reason(const struct stat& status) {
     if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
     if (S_ISFIFO(status.st_mode)) return "is a pipe, not a regular file";
     if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) return "is a device, not a regular file";
@@ -53,9 +53,9 @@ std::string cause_of_failure() {
 
 }  // namespace
 
-Span join(Span a, Span b) {
-    if (!a.known()) return b;
-    if (!b.known() || a.source != b.source) return a;
+Span join_spans(Span a, Span b) {
+    if (!a.is_known()) return b;
+    if (!b.is_known() || a.source != b.source) return a;
     return {a.source, std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
@@ -67,7 +67,7 @@ SourceId SourceManager::add(std::string path, std::string text) {
     return id;
 }
 
-std::optional<SourceId> SourceManager::load(const std::string& path, std::string& error) {
+std::optional<SourceId> SourceManager::load_file(const std::string& path, std::string& error) {
     // Opens without waiting; opening a pipe would otherwise wait for a writer.
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     struct stat status {};
@@ -75,7 +75,7 @@ std::optional<SourceId> SourceManager::load(const std::string& path, std::string
         error = cause_of_failure();
         return std::nullopt;
     }
-    error = refuse(status);
+    error = rejection_reason(status);
     if (!error.empty()) return std::nullopt;
     std::string text;
     std::vector<char> buffer(1U << 16U);
@@ -100,7 +100,7 @@ void SourceManager::replace(SourceId id, std::string text) {
     file.text = std::move(text);
 }
 
-std::string_view SourceManager::text(SourceId id) const {
+std::string_view SourceManager::source_text(SourceId id) const {
     return files_.at(static_cast<std::size_t>(id)).text;
 }
 
@@ -119,7 +119,7 @@ Position SourceManager::position(SourceId id, std::uint32_t offset) const {
     return {line, static_cast<std::uint32_t>(before.size() - static_cast<std::size_t>(continuations)) + 1};
 }
 
-std::string_view SourceManager::line(SourceId id, std::uint32_t line) const {
+std::string_view SourceManager::line_text(SourceId id, std::uint32_t line) const {
     const File& file = files_.at(static_cast<std::size_t>(id));
     if (line == 0 || line > file.line_starts.size()) return {};
     const std::size_t begin = file.line_starts[line - 1];
@@ -129,8 +129,8 @@ std::string_view SourceManager::line(SourceId id, std::uint32_t line) const {
     return text;
 }
 
-std::string SourceManager::place(Span span) const {
-    if (!span.known()) return {};
+std::string SourceManager::path_and_line(Span span) const {
+    if (!span.is_known()) return {};
     return fmt::format("{}:{}", path(span.source), position(span.source, span.begin).line);
 }
 

@@ -22,11 +22,11 @@ struct Span {
     std::uint32_t end = 0;
 
     friend bool operator==(const Span&, const Span&) = default;
-    [[nodiscard]] bool known() const { return source != SourceId::none; }
+    [[nodiscard]] bool is_known() const { return source != SourceId::none; }
 };
 
 /// The smallest span that contains both; either may be unknown.
-[[nodiscard]] Span join(Span a, Span b);
+[[nodiscard]] Span join_spans(Span a, Span b);
 
 /// Line and column from 1; columns count Unicode code points.
 struct Position {
@@ -37,26 +37,26 @@ struct Position {
 /// Owns source texts during a run. References and views that it returns are valid until the text is replaced.
 class SourceManager {
 public:
-    /// The largest accepted text, in bytes; `load` rejects larger files.
+    /// The largest accepted text, in bytes; `load_file` rejects larger files.
     static constexpr std::size_t max_bytes = 256U << 20U;
 
     /// Adds a text with a path for display; the path is not opened.
     SourceId add(std::string path, std::string text);
     /// Reads a file. On failure returns no value and sets `error` to the cause in words (missing, not a regular file,
     /// unreadable, too large). All bytes are accepted; readers check them.
-    std::optional<SourceId> load(const std::string& path, std::string& error);
+    std::optional<SourceId> load_file(const std::string& path, std::string& error);
     /// Replaces the text of an id; views of the old text become invalid. For editors.
     void replace(SourceId id, std::string text);
 
-    [[nodiscard]] std::string_view text(SourceId id) const;
+    [[nodiscard]] std::string_view source_text(SourceId id) const;
     [[nodiscard]] const std::string& path(SourceId id) const;
     [[nodiscard]] std::size_t size() const { return files_.size(); }
     /// Line and column of a byte offset (clamped to the text's end).
     [[nodiscard]] Position position(SourceId id, std::uint32_t offset) const;
     /// The text of a line (from 1) without its line end.
-    [[nodiscard]] std::string_view line(SourceId id, std::uint32_t line) const;
+    [[nodiscard]] std::string_view line_text(SourceId id, std::uint32_t line) const;
     /// `path:line` of the beginning of a span; "" if it is unknown.
-    [[nodiscard]] std::string place(Span span) const;
+    [[nodiscard]] std::string path_and_line(Span span) const;
 
 private:
     struct File {

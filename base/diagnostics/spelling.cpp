@@ -12,7 +12,7 @@ namespace robochart::diagnostics {
 namespace {
 
 /// Edit distance with transpositions of neighbours (optimal string alignment).
-std::size_t distance(std::string_view a, std::string_view b) {
+std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);
     std::iota(last.begin(), last.end(), 0U);
@@ -32,7 +32,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
+std::string nearest_spelling(std::string_view name, const std::vector<std::string>& candidates) {
     if (name.size() > 100) return {};
     std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
     std::string result;
@@ -40,7 +40,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
         const std::size_t difference =
             candidate.size() > name.size() ? candidate.size() - name.size() : name.size() - candidate.size();
         if (candidate == name || difference >= best) continue;
-        const std::size_t d = distance(name, candidate);
+        const std::size_t d = edit_distance(name, candidate);
         if (d < best && d < name.size()) {
             best = d;
             result = candidate;
@@ -50,14 +50,14 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
 }
 
 bool is_certain(std::string_view name, std::string_view meant, const std::vector<std::string>& candidates) {
-    const std::size_t best = distance(name, meant);
+    const std::size_t best = edit_distance(name, meant);
     if (meant.empty() || best > 2 || best * 2 >= name.size()) return false;
     return std::ranges::none_of(candidates, [&](const std::string& other) {
-        return other != meant && other.size() <= name.size() + best && distance(name, other) <= best;
+        return other != meant && other.size() <= name.size() + best && edit_distance(name, other) <= best;
     });
 }
 
-std::string suggested(bool certain) {
+std::string suggestion_verb(bool certain) {
     return certain ? "write" : std::string(suggestion_title);
 }
 

@@ -17,7 +17,7 @@ std::string on_one_line(std::string_view text) {
     return line;
 }
 
-std::string filled(const std::string& text, const std::map<std::string, std::string>& keys) {
+std::string fill_template(const std::string& text, const std::map<std::string, std::string>& keys) {
     std::string result;
     std::size_t from = 0;
     for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + 1)) {

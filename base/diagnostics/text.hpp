@@ -12,6 +12,6 @@ namespace robochart::diagnostics {
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
 /// Replaces every @KEY@ in the text; replacements are not searched again.
-[[nodiscard]] std::string filled(const std::string& text, const std::map<std::string, std::string>& keys);
+[[nodiscard]] std::string fill_template(const std::string& text, const std::map<std::string, std::string>& keys);
 
 }  // namespace robochart::diagnostics

@@ -33,7 +33,9 @@ struct Faults {
     std::array<std::multiset<Said>, levels.size()> found;
     std::size_t dropped = 0;
 
-    [[nodiscard]] const std::multiset<Said>& at(Level level) const { return found.at(static_cast<std::size_t>(level)); }
+    [[nodiscard]] const std::multiset<Said>& at_level(Level level) const {
+        return found.at(static_cast<std::size_t>(level));
+    }
     [[nodiscard]] std::size_t count() const {
         std::size_t sum = dropped;
         for (const auto& each : found) sum += each.size();
@@ -43,17 +45,17 @@ struct Faults {
 
 Faults faults_of(const TextReading& reading, const IsSyntax& is_syntax) {
     Faults result;
-    for (const Diagnostic& finding : reading.findings.sorted()) {
+    for (const Diagnostic& finding : reading.findings.sorted_findings()) {
         if (finding.rule->severity == Severity::note) continue;
-        const std::string path = finding.span.known() ? reading.sources.path(finding.span.source) : std::string();
+        const std::string path = finding.span.is_known() ? reading.sources.path(finding.span.source) : std::string();
         result.found.at(static_cast<std::size_t>(level_of(*finding.rule, is_syntax)))
             .emplace(path, std::string(finding.rule->code), finding.message());
     }
-    result.dropped = reading.findings.dropped();
+    result.dropped = reading.findings.dropped_count();
     return result;
 }
 
-bool includes(const std::multiset<Said>& all, const std::multiset<Said>& some) {
+bool includes_all(const std::multiset<Said>& all, const std::multiset<Said>& some) {
     return std::ranges::includes(all, some);
 }
 
@@ -73,12 +75,13 @@ SourceId first_of_path(const SourceManager& sources, SourceId source) {
     return source;
 }
 
-std::vector<Candidate> candidates(const TextReading& reading, const Texts& texts, Level level,
-                                  const IsSyntax& is_syntax) {
+std::vector<Candidate> collect_candidates(const TextReading& reading, const Texts& texts, Level level,
+                                          const IsSyntax& is_syntax) {
     Diagnostics wanted;
     std::set<SourceId> sources;
-    for (Diagnostic finding : reading.findings.sorted()) {
-        if (level_of(*finding.rule, is_syntax) != level || finding.fixes.empty() || !finding.fixes.front().span.known())
+    for (Diagnostic finding : reading.findings.sorted_findings()) {
+        if (level_of(*finding.rule, is_syntax) != level || finding.fixes.empty() ||
+            !finding.fixes.front().span.is_known())
             continue;
         SourceId& source = finding.fixes.front().span.source;
         source = first_of_path(reading.sources, source);
@@ -91,8 +94,8 @@ std::vector<Candidate> candidates(const TextReading& reading, const Texts& texts
     for (const SourceId source : sources)
         for (FixIt& fix : certain_fixes(wanted, source)) {
             const Span place{source, fix.span.begin, fix.span.end};
-            RefusedFix otherwise{reading.sources.place(place), {}, fix.replacement};
-            for (const Diagnostic& finding : wanted.sorted())
+            RefusedFix otherwise{reading.sources.path_and_line(place), {}, fix.replacement};
+            for (const Diagnostic& finding : wanted.sorted_findings())
                 if (!finding.fixes.empty() && finding.fixes.front().span == fix.span &&
                     finding.fixes.front().replacement == fix.replacement)
                     otherwise.code = finding.rule->code;
@@ -101,7 +104,7 @@ std::vector<Candidate> candidates(const TextReading& reading, const Texts& texts
     return result;
 }
 
-Texts applied(const Texts& texts, const std::vector<Candidate>& all) {
+Texts apply_candidates(const Texts& texts, const std::vector<Candidate>& all) {
     std::map<std::string, std::vector<FixIt>> fixes;
     for (const Candidate& each : all) fixes[each.path].push_back(each.fix);
     Texts result = texts;
@@ -120,7 +123,7 @@ public:
 
     void run(Repaired& result) {
         for (bool again = true; again && ++rounds_ <= most_rounds;) {
-            again = round() || with_what_follows();
+            again = apply_round() || with_what_follows();
             result.made += made_.size();
             made_.clear();
         }
@@ -131,21 +134,21 @@ private:
     static constexpr int most_rounds = 20;
 
     /// Applies the fixes of the current findings. Returns true if any was applied.
-    bool round() {
+    bool apply_round() {
         before_ = texts_;
         refused_.clear();
         const std::unique_ptr<TextReading> reading = read_(texts_);
         now_ = faults_of(*reading, is_syntax_);
-        const std::vector<Candidate> all = candidates(*reading, texts_, level_, is_syntax_);
-        attempt(all);
+        const std::vector<Candidate> all = collect_candidates(*reading, texts_, level_, is_syntax_);
+        try_fixes(all);
         return !made_.empty();
     }
 
-    void attempt(std::span<const Candidate> group) {
+    void try_fixes(std::span<const Candidate> group) {
         if (group.empty()) return;
         Texts with = texts_with(group);
         Faults then = faults_of(*read_(with), is_syntax_);
-        if (better(then, group.size())) {
+        if (is_better(then, group.size())) {
             made_.insert(made_.end(), group.begin(), group.end());
             texts_ = std::move(with);
             now_ = std::move(then);
@@ -153,8 +156,8 @@ private:
             refused_.push_back(group.front());
         } else {
             const std::size_t half = group.size() / 2;
-            attempt(group.first(half));
-            attempt(group.subspan(half));
+            try_fixes(group.first(half));
+            try_fixes(group.subspan(half));
         }
     }
 
@@ -168,14 +171,14 @@ private:
             for (int step = 0; step < most_steps; ++step) {
                 const std::unique_ptr<TextReading> reading = read_(with);
                 Faults then = faults_of(*reading, is_syntax_);
-                if (better(then, 1)) {
+                if (is_better(then, 1)) {
                     texts_ = std::move(with);
                     made_ = std::move(done);
                     return true;
                 }
-                const std::vector<Candidate> next = candidates(*reading, with, level_, is_syntax_);
+                const std::vector<Candidate> next = collect_candidates(*reading, with, level_, is_syntax_);
                 if (next.empty()) break;
-                with = applied(with, next);
+                with = apply_candidates(with, next);
                 done.insert(done.end(), next.begin(), next.end());
             }
         }
@@ -186,17 +189,17 @@ private:
     [[nodiscard]] Texts texts_with(std::span<const Candidate> group) const {
         std::vector<Candidate> all = made_;
         all.insert(all.end(), group.begin(), group.end());
-        return applied(before_, all);
+        return apply_candidates(before_, all);
     }
 
     /// If there are hundreds of findings, not all are kept, so only their numbers are compared.
-    [[nodiscard]] bool better(const Faults& then, std::size_t fixes) const {
+    [[nodiscard]] bool is_better(const Faults& then, std::size_t fixes) const {
         if (now_.dropped > 0 || then.dropped > 0) return then.count() + fixes <= now_.count();
         for (const Level level : levels) {
-            if (!includes(now_.at(level), then.at(level))) return false;
+            if (!includes_all(now_.at_level(level), then.at_level(level))) return false;
             if (level == level_) break;
         }
-        return then.at(level_).size() + fixes <= now_.at(level_).size();
+        return then.at_level(level_).size() + fixes <= now_.at_level(level_).size();
     }
 
     Texts& texts_;

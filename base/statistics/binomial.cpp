@@ -17,20 +17,20 @@ long double log_factorial(std::uint64_t n) {
 namespace {
 
 /// P(X = k), for a probability strictly between 0 and 1.
-long double term(std::uint64_t k, std::uint64_t n, long double p) {
+long double binomial_term(std::uint64_t k, std::uint64_t n, long double p) {
     return std::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) +
                     static_cast<long double>(k) * std::log(p) + static_cast<long double>(n - k) * std::log1p(-p));
 }
 
 /// The sum of P(X = i) for i from `low` to `high`. The terms increase up to the mode and decrease after it, so each
 /// omitted term is smaller than the last one added at its end.
-long double sum(std::uint64_t low, std::uint64_t high, std::uint64_t n, double probability) {
+long double sum_of_terms(std::uint64_t low, std::uint64_t high, std::uint64_t n, double probability) {
     constexpr long double negligible = 1e-13L;
     const long double p = probability;
     const long double odds = p / (1 - p);
     const auto mode = static_cast<std::uint64_t>((static_cast<long double>(n) + 1) * p);
     const std::uint64_t start = mode < low ? low : mode > high ? high : mode;
-    const long double first = term(start, n, p);
+    const long double first = binomial_term(start, n, p);
     const auto over = static_cast<long double>(n);
     long double total = first;
     long double next = first;
@@ -48,7 +48,7 @@ long double sum(std::uint64_t low, std::uint64_t high, std::uint64_t n, double p
 
 }  // namespace
 
-double rounding(std::uint64_t trials) {
+double rounding_error(std::uint64_t trials) {
     // A term is the exponential of a sum of logarithms of about n ln n, each with a relative error of 2^-63.
     return 1e-8 * std::max(1.0, static_cast<double>(trials) / 1e8);
 }
@@ -56,13 +56,13 @@ double rounding(std::uint64_t trials) {
 double at_least(std::uint64_t successes, std::uint64_t trials, double probability) {
     if (successes == 0) return 1;
     if (successes > trials || probability <= 0) return 0;
-    return probability >= 1 ? 1 : static_cast<double>(sum(successes, trials, trials, probability));
+    return probability >= 1 ? 1 : static_cast<double>(sum_of_terms(successes, trials, trials, probability));
 }
 
 double at_most(std::uint64_t successes, std::uint64_t trials, double probability) {
     if (successes >= trials) return 1;
     if (probability >= 1) return 0;
-    return probability <= 0 ? 1 : static_cast<double>(sum(0, successes, trials, probability));
+    return probability <= 0 ? 1 : static_cast<double>(sum_of_terms(0, successes, trials, probability));
 }
 
 double lower_bound(std::uint64_t successes, std::uint64_t trials, double error) {
@@ -71,7 +71,7 @@ double lower_bound(std::uint64_t successes, std::uint64_t trials, double error) 
     double low = 0;
     double high = static_cast<double>(successes) / static_cast<double>(trials);
     for (double middle = high / 2; low < middle && middle < high; middle = low + (high - low) / 2)
-        (at_least(successes, trials, middle) * (1 + rounding(trials)) <= error ? low : high) = middle;
+        (at_least(successes, trials, middle) * (1 + rounding_error(trials)) <= error ? low : high) = middle;
     return low;
 }
 
@@ -80,7 +80,7 @@ double upper_bound(std::uint64_t successes, std::uint64_t trials, double error) 
     double high = 1;
     double low = static_cast<double>(successes) / static_cast<double>(trials);
     for (double middle = low + (high - low) / 2; low < middle && middle < high; middle = low + (high - low) / 2)
-        (at_most(successes, trials, middle) * (1 + rounding(trials)) <= error ? high : low) = middle;
+        (at_most(successes, trials, middle) * (1 + rounding_error(trials)) <= error ? high : low) = middle;
     return high;
 }
 

@@ -9,7 +9,7 @@ namespace robochart::statistics {
 
 /// An upper bound on the relative error of a tail: 1e-8 for up to 10^8 trials, then proportional to the number of
 /// trials.
-[[nodiscard]] double rounding(std::uint64_t trials);
+[[nodiscard]] double rounding_error(std::uint64_t trials);
 
 /// An interval of probabilities, including both ends.
 struct Interval {

@@ -12,7 +12,7 @@
 
 namespace robochart::statistics {
 
-std::vector<double> ranks(const Block& costs) {
+std::vector<double> mean_ranks(const Block& costs) {
     std::vector<std::size_t> order(costs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
@@ -26,14 +26,14 @@ std::vector<double> ranks(const Block& costs) {
     return result;
 }
 
-Friedman friedman(const std::vector<Block>& blocks) {
+Friedman friedman_test(const std::vector<Block>& blocks) {
     const auto n = static_cast<double>(blocks.size());
     const auto k = static_cast<double>(blocks.front().size());
     Friedman found;
     found.sums.resize(blocks.front().size());
     double squares = 0;
     for (const Block& block : blocks) {
-        const std::vector<double> places = ranks(block);
+        const std::vector<double> places = mean_ranks(block);
         for (std::size_t t = 0; t < places.size(); ++t) {
             found.sums[t] += places[t];
             squares += places[t] * places[t];
@@ -52,7 +52,7 @@ Friedman friedman(const std::vector<Block>& blocks) {
     return found;
 }
 
-double Friedman::difference(double error) const {
+double Friedman::critical_difference(double error) const {
     if (freedom == 0) return std::numeric_limits<double>::infinity();
     return student_quantile(error / 2, freedom) * std::sqrt(spread / static_cast<double>(freedom));
 }
@@ -68,7 +68,7 @@ double signed_rank(const std::vector<double>& differences) {
     if (sizes.empty()) return 1;
     // Shared ranks are multiples of one half, so doubled ranks are whole numbers.
     std::vector<std::size_t> doubled;
-    for (const double place : ranks(sizes)) doubled.push_back(static_cast<std::size_t>(std::llround(2 * place)));
+    for (const double place : mean_ranks(sizes)) doubled.push_back(static_cast<std::size_t>(std::llround(2 * place)));
     const std::size_t all = std::accumulate(doubled.begin(), doubled.end(), std::size_t{0});
     std::size_t seen = 0;
     for (std::size_t i = 0; i < doubled.size(); ++i) seen += positive[i] ? doubled[i] : 0;

@@ -12,22 +12,22 @@ namespace robochart::statistics {
 using Block = std::vector<double>;
 
 /// The ranks of the costs of a block, from 1 for the lowest. Equal costs share the mean of their ranks.
-[[nodiscard]] std::vector<double> ranks(const Block&);
+[[nodiscard]] std::vector<double> mean_ranks(const Block&);
 
 /// Friedman's test of at least two treatments, and comparisons after it.
 struct Friedman {
     std::vector<double> sums;  ///< the sum of each treatment's ranks over all blocks
     double chance = 1;  ///< the p-value: the chance of such or larger differences of ranks if no treatment is better
-    double spread = 0;  ///< see `difference`
+    double spread = 0;  ///< see `critical_difference`
     std::uint64_t freedom = 0;
 
     /// Two treatments differ at this error if their rank sums differ by more than this value.
-    [[nodiscard]] double difference(double error) const;
+    [[nodiscard]] double critical_difference(double error) const;
 };
 /// The statistic with its correction for ties, compared with the chi-squared distribution. Differences of rank sums are
 /// then compared with Student's t (Conover, Practical Nonparametric Statistics, 3rd ed., 1999, 5.8). Needs at least one
 /// block.
-[[nodiscard]] Friedman friedman(const std::vector<Block>&);
+[[nodiscard]] Friedman friedman_test(const std::vector<Block>&);
 
 /// The signed-rank test of two treatments (Wilcoxon, "Individual comparisons by ranking methods", Biometrics Bulletin
 /// 1, 1945), two-sided and exact. The result is the fraction of all assignments of signs to the ranks of the nonzero

@@ -16,7 +16,7 @@ TransitionCounts::TransitionCounts(std::size_t states)
       looked_(states * states),
       visits_(states),
       looked_visits_(states),
-      next_(states, looks(1).next(0).value()) {}
+      next_(states, looks_for_error(1).trials_of_next_look(0).value()) {}
 
 void TransitionCounts::add(const StateSequence& sequence) {
     for (std::size_t at = 0; at + 1 < sequence.size(); ++at) {
@@ -26,7 +26,7 @@ void TransitionCounts::add(const StateSequence& sequence) {
         const auto row = static_cast<std::ptrdiff_t>(from * states_);
         std::copy_n(counts_.begin() + row, states_, looked_.begin() + row);
         looked_visits_[from] = visits_[from];
-        next_[from] = looks(1).next(visits_[from]).value();
+        next_[from] = looks_for_error(1).trials_of_next_look(visits_[from]).value();
     }
 }
 
@@ -48,23 +48,26 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
     std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known;  // many transitions have the same counts
     for (const std::vector<bool>& row : permitted)
         if (permitted_of(row) > 1) open += permitted_of(row);
-    const Looks looks = TransitionCounts::looks(error / static_cast<double>(std::max<std::size_t>(open, 1)));
+    const Looks looks = TransitionCounts::looks_for_error(error / static_cast<double>(std::max<std::size_t>(open, 1)));
     const auto interval = [&](std::uint64_t successes, std::uint64_t trials) {
         const auto [found, added] = known.try_emplace({successes, trials});
-        if (added) found->second = looks.at(successes, trials).value_or(Interval{0, 1});
+        if (added) found->second = looks.interval_after(successes, trials).value_or(Interval{0, 1});
         return found->second;
     };
-    std::vector<std::vector<Interval>> result(counts.states(), std::vector<Interval>(counts.states(), Interval{0, 0}));
-    for (std::size_t from = 0; from < counts.states(); ++from) {
+    std::vector<std::vector<Interval>> result(counts.state_count(),
+                                              std::vector<Interval>(counts.state_count(), Interval{0, 0}));
+    for (std::size_t from = 0; from < counts.state_count(); ++from) {
         const std::size_t choices = permitted_of(permitted[from]);
         if (choices == 0) throw std::invalid_argument("no transition of a state is permitted");
-        for (std::size_t to = 0; to < counts.states(); ++to) {
+        for (std::size_t to = 0; to < counts.state_count(); ++to) {
             if (!permitted[from][to]) {
                 if (counts.count(from, to) > 0)
                     throw std::invalid_argument("a transition that is not permitted was seen");
                 continue;
             }
-            result[from][to] = choices == 1 ? Interval{1, 1} : interval(counts.looked(from, to), counts.looked(from));
+            result[from][to] = choices == 1
+                                   ? Interval{1, 1}
+                                   : interval(counts.count_at_last_look(from, to), counts.count_at_last_look(from));
         }
     }
     return result;
@@ -75,7 +78,7 @@ namespace {
 /// Visits of a state after a given state: the counts of next states, now and at the last look.
 struct PairVisits {
     std::uint64_t visits = 0, looked_visits = 0;
-    std::uint64_t next = TransitionCounts::looks(1).next(0).value();
+    std::uint64_t next = TransitionCounts::looks_for_error(1).trials_of_next_look(0).value();
     std::map<std::size_t, std::uint64_t> counts, looked;
 
     void add(std::size_t to) {
@@ -83,7 +86,7 @@ struct PairVisits {
         if (++visits < next) return;
         looked = counts;
         looked_visits = visits;
-        next = TransitionCounts::looks(1).next(visits).value();
+        next = TransitionCounts::looks_for_error(1).trials_of_next_look(visits).value();
     }
 };
 
@@ -99,9 +102,9 @@ std::set<std::size_t> seen_next(const std::map<std::size_t, PairVisits>& befores
 class KnownIntervals {
 public:
     explicit KnownIntervals(Looks looks) : looks_(looks) {}
-    const Interval& at(std::uint64_t successes, std::uint64_t visits) {
+    const Interval& interval_at(std::uint64_t successes, std::uint64_t visits) {
         const auto [found, added] = known_.try_emplace({successes, visits});
-        if (added) found->second = looks_.at(successes, visits).value();
+        if (added) found->second = looks_.interval_after(successes, visits).value();
         return found->second;
     }
 
@@ -117,7 +120,8 @@ OrderContradiction farthest_apart(std::size_t state, std::size_t next, const std
     for (const auto& [before, visits] : befores) {
         if (visits.looked_visits == 0) continue;
         const auto seen = visits.looked.find(next);
-        const Interval& here = intervals.at(seen == visits.looked.end() ? 0 : seen->second, visits.looked_visits);
+        const Interval& here =
+            intervals.interval_at(seen == visits.looked.end() ? 0 : seen->second, visits.looked_visits);
         if (here.high < both.after_less.high) both.less = before, both.after_less = here;
         if (here.low > both.after_more.low) both.more = before, both.after_more = here;
     }
@@ -143,7 +147,7 @@ std::optional<OrderContradiction> order_contradiction(const std::vector<StateSeq
     std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by middle state, then by the state before it
     for (const StateSequence& each : sequences)
         for (std::size_t at = 2; at < each.size(); ++at) pairs[each[at - 1]][each[at - 2]].add(each[at]);
-    KnownIntervals intervals(TransitionCounts::looks(error / order_triples(permitted)));
+    KnownIntervals intervals(TransitionCounts::looks_for_error(error / order_triples(permitted)));
     std::optional<OrderContradiction> worst;
     for (const auto& [state, befores] : pairs) {
         if (befores.size() < 2) continue;
@@ -170,7 +174,7 @@ double weissman_radius(std::size_t values, std::uint64_t draws, double error) {
     return std::min(2.0, radius * (1 + 1e-12));
 }
 
-bool contradicts(std::uint64_t successes, std::uint64_t trials, double error, const Interval& predicted) {
+bool contradicts_prediction(std::uint64_t successes, std::uint64_t trials, double error, const Interval& predicted) {
     const Interval seen = clopper_pearson(successes, trials, error);
     return seen.low > predicted.high || predicted.low > seen.high;
 }

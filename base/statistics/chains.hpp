@@ -26,16 +26,18 @@ public:
     explicit TransitionCounts(std::size_t states);
     /// Each state must be less than the number of states. The last state of a sequence has no successor.
     void add(const StateSequence& sequence);
-    [[nodiscard]] std::size_t states() const { return states_; }
+    [[nodiscard]] std::size_t state_count() const { return states_; }
     [[nodiscard]] std::uint64_t count(std::size_t from, std::size_t to) const { return counts_[from * states_ + to]; }
     /// The number of visits with a successor.
-    [[nodiscard]] std::uint64_t visits(std::size_t from) const { return visits_[from]; }
+    [[nodiscard]] std::uint64_t visit_count(std::size_t from) const { return visits_[from]; }
     /// The count of this transition at the last look.
-    [[nodiscard]] std::uint64_t looked(std::size_t from, std::size_t to) const { return looked_[from * states_ + to]; }
-    /// The number of visits at the last look of `looks()`; 0 before the first look.
-    [[nodiscard]] std::uint64_t looked(std::size_t from) const { return looked_visits_[from]; }
+    [[nodiscard]] std::uint64_t count_at_last_look(std::size_t from, std::size_t to) const {
+        return looked_[from * states_ + to];
+    }
+    /// The number of visits at the last look of `looks_for_error()`; 0 before the first look.
+    [[nodiscard]] std::uint64_t count_at_last_look(std::size_t from) const { return looked_visits_[from]; }
     /// The looks at a state; together they use this error.
-    [[nodiscard]] static Looks looks(double error) { return {~std::uint64_t{0}, error}; }
+    [[nodiscard]] static Looks looks_for_error(double error) { return {~std::uint64_t{0}, error}; }
 
 private:
     std::size_t states_;
@@ -86,6 +88,7 @@ struct OrderContradiction {
 
 /// True if fresh trials contradict a prediction: the interval of their success probability at this error is disjoint
 /// from the predicted interval.
-[[nodiscard]] bool contradicts(std::uint64_t successes, std::uint64_t trials, double error, const Interval& predicted);
+[[nodiscard]] bool contradicts_prediction(std::uint64_t successes, std::uint64_t trials, double error,
+                                          const Interval& predicted);
 
 }  // namespace robochart::statistics

@@ -10,7 +10,7 @@
 namespace robochart::statistics {
 namespace {
 
-boost::math::students_t_distribution<double> student(std::uint64_t freedom) {
+boost::math::students_t_distribution<double> student_distribution(std::uint64_t freedom) {
     return boost::math::students_t_distribution<double>(static_cast<double>(freedom));
 }
 
@@ -21,7 +21,7 @@ double normal_quantile(double tail) {
 }
 
 double student_quantile(double tail, std::uint64_t freedom) {
-    return boost::math::quantile(boost::math::complement(student(freedom), tail));
+    return boost::math::quantile(boost::math::complement(student_distribution(freedom), tail));
 }
 
 double normal_tail(double value) {
@@ -29,7 +29,7 @@ double normal_tail(double value) {
 }
 
 double student_tail(double value, std::uint64_t freedom) {
-    return boost::math::cdf(boost::math::complement(student(freedom), value));
+    return boost::math::cdf(boost::math::complement(student_distribution(freedom), value));
 }
 
 double hoeffding_samples(double epsilon, double delta) {

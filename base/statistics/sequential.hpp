@@ -38,11 +38,11 @@ public:
     Looks(std::uint64_t most, double error) : most_(most), error_(error) {}
 
     /// The number of trials at the first look after `trials` trials; no value after the last look.
-    [[nodiscard]] std::optional<std::uint64_t> next(std::uint64_t trials) const;
+    [[nodiscard]] std::optional<std::uint64_t> trials_of_next_look(std::uint64_t trials) const;
     /// The interval of the look after exactly `trials` trials; no value if there is no look.
-    [[nodiscard]] std::optional<Interval> at(std::uint64_t successes, std::uint64_t trials) const;
+    [[nodiscard]] std::optional<Interval> interval_after(std::uint64_t successes, std::uint64_t trials) const;
     /// The part of the error that the look after `trials` trials uses; 0 if there is no look.
-    [[nodiscard]] double share(std::uint64_t trials) const;
+    [[nodiscard]] double error_share(std::uint64_t trials) const;
 
 private:
     struct Look {
@@ -50,7 +50,7 @@ private:
         std::uint64_t trials = 0;
     };
     /// The first look after at least `trials` trials; if there is none, the last look.
-    [[nodiscard]] Look first(std::uint64_t trials) const;
+    [[nodiscard]] Look look_from(std::uint64_t trials) const;
 
     std::uint64_t most_;
     double error_;

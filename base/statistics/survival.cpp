@@ -9,7 +9,7 @@
 
 namespace robochart::statistics {
 
-std::vector<SurvivalStep> survival(std::vector<Duration> durations, double error) {
+std::vector<SurvivalStep> survival_curve(std::vector<Duration> durations, double error) {
     std::ranges::sort(durations, [](const Duration& a, const Duration& b) { return a.time < b.time; });
     const double deviations = normal_quantile(error / 2);
     std::vector<SurvivalStep> steps;
@@ -36,7 +36,7 @@ std::vector<SurvivalStep> survival(std::vector<Duration> durations, double error
     return steps;
 }
 
-std::optional<double> median(const std::vector<SurvivalStep>& steps) {
+std::optional<double> median_time(const std::vector<SurvivalStep>& steps) {
     const auto half = std::ranges::find_if(steps, [](const SurvivalStep& step) { return step.share <= 0.5; });
     return half == steps.end() ? std::nullopt : std::optional(half->time);
 }

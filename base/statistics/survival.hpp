@@ -27,8 +27,8 @@ struct SurvivalStep {
 };
 
 /// One step for each time at which an event occurred, ascending. `error`: the error of each band.
-[[nodiscard]] std::vector<SurvivalStep> survival(std::vector<Duration>, double error);
+[[nodiscard]] std::vector<SurvivalStep> survival_curve(std::vector<Duration>, double error);
 /// The time by which the event has occurred in half of the trials; no value if this was not observed.
-[[nodiscard]] std::optional<double> median(const std::vector<SurvivalStep>&);
+[[nodiscard]] std::optional<double> median_time(const std::vector<SurvivalStep>&);
 
 }  // namespace robochart::statistics

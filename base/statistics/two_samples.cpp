@@ -29,7 +29,7 @@ double fisher_exact(Sample one, Sample other) {
     return static_cast<double>(std::min(total, 1.0L));
 }
 
-std::vector<double> holm(const std::vector<double>& chances) {
+std::vector<double> holm_correction(const std::vector<double>& chances) {
     std::vector<std::size_t> order(chances.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return chances[a] < chances[b]; });

@@ -22,6 +22,6 @@ struct Sample {
 /// The p-values of several tests, adjusted so that all those of at most `error` may be rejected together. The chance
 /// that any rejection is wrong is then at most `error` (Holm, "A simple sequentially rejective multiple test
 /// procedure", Scandinavian Journal of Statistics 6, 1979).
-[[nodiscard]] std::vector<double> holm(const std::vector<double>& chances);
+[[nodiscard]] std::vector<double> holm_correction(const std::vector<double>& chances);
 
 }  // namespace robochart::statistics

@@ -25,14 +25,14 @@ Threads::Threads(unsigned size, std::function<void(unsigned number)> work, std::
                 const std::lock_guard lock(mutex_);
                 ++working_;
             }
-            threads_.emplace_back([this, number] { be(number); });
+            threads_.emplace_back([this, number] { run_worker(number); });
         }
     } catch (const std::system_error& error) {
-        this->stop();
+        this->request_stop();
         join_all();
         throw LimitReached(fmt::format("{} threads cannot be started: {}", size, error.what()));
     } catch (...) {
-        this->stop();
+        this->request_stop();
         join_all();
         throw;
     }
@@ -40,23 +40,23 @@ Threads::Threads(unsigned size, std::function<void(unsigned number)> work, std::
 
 Threads::~Threads() {
     if (threads_.empty()) return;
-    stop();
+    request_stop();
     join_all();
 }
 
-void Threads::be(unsigned number) {
+void Threads::run_worker(unsigned number) {
     try {
         work_(number);
     } catch (...) {
         errors_[number] = std::current_exception();
-        stop();
+        request_stop();
     }
     const std::lock_guard lock(mutex_);
     --working_;
     changed_.notify_all();
 }
 
-void Threads::stop() const {
+void Threads::request_stop() const {
     if (stop_) stop_();
 }
 

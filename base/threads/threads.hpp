@@ -38,8 +38,8 @@ public:
     void join();
 
 private:
-    void be(unsigned number);
-    void stop() const;
+    void run_worker(unsigned number);
+    void request_stop() const;
     void join_all();
 
     std::function<void(unsigned)> work_;

@@ -22,8 +22,8 @@ constexpr std::size_t most_specification_states = 20'000;
 struct GivesUp {};
 
 /// The whole graph of a system that runs as terms; no value if it is large or cannot be evaluated as a whole.
-std::optional<lts::Graph> whole(lts::TransitionSystem& system, const std::function<void()>& poll,
-                                const std::optional<std::chrono::milliseconds>& longest) {
+std::optional<lts::Graph> explore_whole(lts::TransitionSystem& system, const std::function<void()>& poll,
+                                        const std::optional<std::chrono::milliseconds>& longest) {
     const auto start = std::chrono::steady_clock::now();
     try {
         return lts::explore(system,
@@ -46,7 +46,7 @@ const machine::Supercombinator* compiled(const lts::TransitionSystem& system) {
     return found == nullptr ? nullptr : &found->combined();
 }
 
-machine::EventPlaces places(process::EventSet events) {
+machine::EventPlaces make_event_places(process::EventSet events) {
     std::ranges::sort(events);
     events.erase(std::unique(events.begin(), events.end()), events.end());
     return machine::EventPlaces(std::move(events));
@@ -62,33 +62,33 @@ std::optional<QuestionKey> key_of(const Question& question, const std::function<
     std::optional<lts::Graph> graph;
     if (question.specification != nullptr) {
         specification = compiled(*question.specification);
-        if (specification == nullptr) graph = whole(*question.specification, poll, longest);
+        if (specification == nullptr) graph = explore_whole(*question.specification, poll, longest);
         if (specification == nullptr && !graph) return std::nullopt;
     }
     process::EventSet events;
     machine::add_events(*process, events);
     if (specification != nullptr) machine::add_events(*specification, events);
     if (graph) machine::add_events(*graph, events);
-    const machine::EventPlaces named = places(std::move(events));
+    const machine::EventPlaces named = make_event_places(std::move(events));
 
     diagnostics::Hasher hasher;
     for (const std::uint64_t part :
          {static_cast<std::uint64_t>(question.kind), static_cast<std::uint64_t>(question.model), question.max_states,
           std::uint64_t{question.reduction ? 1U : 0U}})
         hasher.add(part);
-    for (const process::Event event : named.named()) hasher.add(question.process->events().name(event));
+    for (const process::Event event : named.named_events()) hasher.add(question.process->events().name(event));
     machine::add_content(*process, named, hasher);
     hasher.add(std::string_view(specification != nullptr ? "compiled" : graph ? "graph" : ""));
     if (specification != nullptr) machine::add_content(*specification, named, hasher);
     if (graph) machine::add_content(*graph, named, hasher);
-    return QuestionKey{hasher.finish(), named.named()};
+    return QuestionKey{hasher.finish(), named.named_events()};
 }
 
 QuestionKey key_of_packed(const Question& question, const Script& script, const Decl& assertion,
                           const process::EventSet& events) {
     process::EventSet all = events;
     all.insert(all.end(), {process::tau, process::tick});
-    const machine::EventPlaces named = places(std::move(all));
+    const machine::EventPlaces named = make_event_places(std::move(all));
     diagnostics::Hasher hasher;
     hasher.add(std::string_view("packed states"));
     for (const std::uint64_t part :
@@ -97,13 +97,14 @@ QuestionKey key_of_packed(const Question& question, const Script& script, const 
         hasher.add(part);
     hasher.add(std::string_view(print(script)));
     hasher.add(std::string_view(print(assertion)));
-    for (const process::Event event : named.named()) hasher.add(question.process->events().name(event));
-    return {hasher.finish(), named.named()};
+    for (const process::Event event : named.named_events()) hasher.add(question.process->events().name(event));
+    return {hasher.finish(), named.named_events()};
 }
 
 namespace {
 
-/// Whether all events of the findings are among these events. Events of linked processes belong to no channel.
+/// Whether all events of the findings are among these events. The events of linked processes are not, because they
+/// belong to no channel.
 bool all_named(const refine::Findings& findings, const process::EventSet& named) {
     if (!findings.violation) return true;
     const auto known = [&](process::Event event) { return std::ranges::binary_search(named, event); };
@@ -115,8 +116,8 @@ bool all_named(const refine::Findings& findings, const process::EventSet& named)
 
 }  // namespace
 
-refine::Verdict answer(const Question& question, const QuestionKey& key, const Memory& memory,
-                       const std::function<refine::Verdict(refine::Earlier)>& ask) {
+refine::Verdict check_with_memory(const Question& question, const QuestionKey& key, const Memory& memory,
+                                  const std::function<refine::Verdict(refine::Earlier)>& ask) {
     std::optional<refine::Findings> findings;
     if (const auto bytes = memory.cache->find(key.digest))
         findings = refine::decode(*bytes, key.named, question.process->width());
@@ -130,7 +131,7 @@ refine::Verdict answer(const Question& question, const QuestionKey& key, const M
     }
     refine::Verdict verdict = ask(&findings);
     if (findings && findings->statistics.states >= memory.fewest_states && all_named(*findings, key.named))
-        memory.cache->keep(key.digest, refine::encode(*findings, key.named));
+        memory.cache->store_entry(key.digest, refine::encode(*findings, key.named));
     return verdict;
 }
 
@@ -140,8 +141,8 @@ refine::Verdict answer_of_width(const Question& question, const QuestionKey& key
     hasher.add(key.digest);
     hasher.add(std::uint64_t{question.process->width()});
     const QuestionKey of_width{hasher.finish(), key.named};
-    refine::Verdict verdict = answer(question, of_width, memory, ask);
-    if (const auto bytes = memory.cache->find(of_width.digest)) memory.cache->keep(key.digest, *bytes);
+    refine::Verdict verdict = check_with_memory(question, of_width, memory, ask);
+    if (const auto bytes = memory.cache->find(of_width.digest)) memory.cache->store_entry(key.digest, *bytes);
     return verdict;
 }
 

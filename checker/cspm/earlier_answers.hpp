@@ -8,10 +8,10 @@
 #include <functional>
 #include <optional>
 
+#include "base/cache/cache.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/refine/verdict/check.hpp"
-#include "base/cache/cache.hpp"
 
 namespace robochart::cspm {
 
@@ -55,8 +55,8 @@ struct Memory {
 /// Runs the check and uses the findings of an earlier run if the memory contains them. Stores the findings if the
 /// search was large enough. `ask` decides the check (check.hpp) with the known findings. Findings that are not
 /// confirmed are not used.
-[[nodiscard]] refine::Verdict answer(const Question&, const QuestionKey&, const Memory&,
-                                     const std::function<refine::Verdict(refine::Earlier)>& ask);
+[[nodiscard]] refine::Verdict check_with_memory(const Question&, const QuestionKey&, const Memory&,
+                                                const std::function<refine::Verdict(refine::Earlier)>& ask);
 /// The same for packed states. If rows are widened, the check runs again, and its findings are those of states of the
 /// new width. They are also stored under the key of the check itself when it has been answered.
 [[nodiscard]] refine::Verdict answer_of_width(const Question&, const QuestionKey&, const Memory&,

@@ -10,6 +10,8 @@
 #include <limits>
 #include <new>
 
+#include "base/diagnostics/ending.hpp"
+#include "base/diagnostics/utf8.hpp"
 #include "checker/cspm/earlier_answers.hpp"
 #include "checker/cspm/packed/loaded_script.hpp"
 #include "checker/cspm/packed/not_packed.hpp"
@@ -23,8 +25,6 @@
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
-#include "base/diagnostics/ending.hpp"
-#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 
@@ -41,7 +41,7 @@ public:
         : loaded_(loaded), system_(loaded.semantics, term), term_(term), span_(span) {}
 
     /// Counts created terms in `made`, and throws ManyTerms when there are `most` of them.
-    void count(std::size_t& made, std::size_t most) {
+    void limit_terms(std::size_t& made, std::size_t most) {
         made_ = &made;
         most_made_ = most;
     }
@@ -61,7 +61,7 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return system_.describe(state); }
-    void watch(const std::function<void()>& poll) override { system_.watch(poll); }
+    void set_poll(const std::function<void()>& poll) override { system_.set_poll(poll); }
 
 private:
     LoadedScript& loaded_;
@@ -73,7 +73,7 @@ private:
 };
 
 /// Truncates a description to one line, without splitting characters.
-std::string brief(std::string text) {
+std::string truncate_description(std::string text) {
     constexpr std::size_t longest = 80;
     if (text.size() <= longest) return text;
     std::size_t end = longest;
@@ -81,7 +81,7 @@ std::string brief(std::string text) {
     return text.substr(0, end) + "…";
 }
 
-std::string written(const Decl& assertion) {
+std::string assertion_text(const Decl& assertion) {
     std::string text = print(Script{{std::make_shared<const Decl>(assertion)}});
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text;
@@ -102,7 +102,7 @@ struct Session::Impl {
           whole_states(whole),
           loaded(script, &compressor, budget, whole_states),
           compiler(loaded.semantics) {
-        compressor.use(compiler);
+        compressor.set_compiler(compiler);
     }
 
     std::unique_ptr<SessionSystem> term_system(process::TermId term, Span span) {
@@ -128,9 +128,9 @@ struct Session::Impl {
         return term_system(term, span);
     }
 
-    std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,
-                                                const std::function<void()>& poll) {
-        return system(loaded.term_of(loaded.side(expr, assertion)), expr->span, poll);
+    std::unique_ptr<lts::TransitionSystem> compile_side(const ExprPtr& expr, const Decl& assertion,
+                                                        const std::function<void()>& poll) {
+        return system(loaded.term_of(loaded.compile_side(expr, assertion)), expr->span, poll);
     }
 
     /// Adds the omitted values to the run's descriptions; returns the run of terms in `whole`.
@@ -152,7 +152,7 @@ struct Session::Impl {
         const Assertion& asked = assertion.assertion;
         const bool refinement = asked.kind == AssertionKind::refinement;
         const process::TermId process = whole->loaded.term_of(
-            whole->loaded.side(refinement ? asked.implementation : asked.specification, assertion));
+            whole->loaded.compile_side(refinement ? asked.implementation : asked.specification, assertion));
         if (!shown.accepting.empty()) (void)with_values(process, shown.accepting_initial, shown.accepting);
         const std::optional<WholeRun> run = with_values(process, shown.initial, shown.steps);
         if (!run) return std::nullopt;
@@ -181,8 +181,8 @@ struct Session::Impl {
         Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
             // The evaluator polls rarely, because its steps are small.
             constexpr std::uint64_t at_once = 1024;
-            impl_.loaded.evaluator.watch([&budget] { budget.charge(at_once); });
-            impl_.loaded.semantics.watch([this, &budget] {
+            impl_.loaded.evaluator.set_poll([&budget] { budget.charge(at_once); });
+            impl_.loaded.semantics.set_poll([this, &budget] {
                 budget.states(impl_.loaded.semantics.states_explored());
                 budget.charge();
             });
@@ -190,8 +190,8 @@ struct Session::Impl {
         Polling(const Polling&) = delete;
         Polling& operator=(const Polling&) = delete;
         ~Polling() {
-            impl_.loaded.evaluator.watch({});
-            impl_.loaded.semantics.watch({});
+            impl_.loaded.evaluator.set_poll({});
+            impl_.loaded.semantics.set_poll({});
         }
 
     private:
@@ -199,8 +199,8 @@ struct Session::Impl {
     };
 
     void tell_stage(refine::Progress& progress) const {
-        const machine::Compiler::Stage& stage = compiler.stage();
-        if (stage.component) progress.part = brief(process::describe(loaded.terms, *stage.component));
+        const machine::Compiler::Stage& stage = compiler.current_stage();
+        if (stage.component) progress.part = truncate_description(process::describe(loaded.terms, *stage.component));
         progress.component = stage.number;
         progress.components = stage.of;
         progress.states = stage.states;
@@ -211,7 +211,7 @@ struct Session::Impl {
     std::function<void()> polling_within(refine::Budget& budget, const refine::Limits& limits) const {
         return [this, &budget, most = limits.max_states] {
             budget.charge();
-            if (compiler.stage().states > most) throw machine::NotCompiled("a component has too many states");
+            if (compiler.current_stage().states > most) throw machine::NotCompiled("a component has too many states");
         };
     }
 
@@ -219,24 +219,24 @@ struct Session::Impl {
         std::unique_ptr<lts::TransitionSystem> first, second;  ///< `second`: only for a refinement
     };
 
-    Sides sides(const Decl& assertion, const refine::Limits& limits) {
+    Sides compile_sides(const Decl& assertion, const refine::Limits& limits) {
         refine::Budget budget(limits, refine::Progress::Phase::compiling);
         budget.report_by([this](refine::Progress& progress) { tell_stage(progress); });
         const Polling polling(*this, budget);
         const std::function<void()> poll = polling_within(budget, limits);
         Sides result;
-        result.first = side(assertion.assertion.specification, assertion, poll);
+        result.first = compile_side(assertion.assertion.specification, assertion, poll);
         if (assertion.assertion.kind == AssertionKind::refinement)
-            result.second = side(assertion.assertion.implementation, assertion, poll);
+            result.second = compile_side(assertion.assertion.implementation, assertion, poll);
         return result;
     }
 
     /// Describes the stage of the compilation at which it was stopped.
     std::string stage_reached() const {
-        const machine::Compiler::Stage& stage = compiler.stage();
+        const machine::Compiler::Stage& stage = compiler.current_stage();
         if (!stage.component) return "";
-        std::string text =
-            fmt::format("; {} states of {}", stage.states, brief(process::describe(loaded.terms, *stage.component)));
+        std::string text = fmt::format("; {} states of {}", stage.states,
+                                       truncate_description(process::describe(loaded.terms, *stage.component)));
         if (stage.of > 0) text += fmt::format(", component {} of {}", stage.number, stage.of);
         return text;
     }
@@ -245,7 +245,7 @@ struct Session::Impl {
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         refine::LevelStrategy* const strategy = limits.by_levels;
         if (strategy == nullptr) return decide_begun(assertion, limits, result);
-        strategy->begin_question(written(assertion));
+        strategy->begin_question(assertion_text(assertion));
         refine::Verdict verdict;
         try {
             verdict = decide_begun(assertion, limits, result);
@@ -261,7 +261,7 @@ struct Session::Impl {
         (void)model(assertion);
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t work = std::clock();
-        Sides both = sides(assertion, limits);
+        Sides both = compile_sides(assertion, limits);
         result.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         result.compile_cpu_seconds = static_cast<double>(std::clock() - work) / CLOCKS_PER_SEC;
         refine::Limits quiet = limits;
@@ -282,7 +282,7 @@ struct Session::Impl {
         const Question question = question_of(both, assertion, limits);
         const auto key = key_of(
             question, [&evaluation] { evaluation.charge(); }, longest_look);
-        return key ? answer(question, *key, memory, ask) : ask(nullptr);
+        return key ? check_with_memory(question, *key, memory, ask) : ask(nullptr);
     }
 
     Question question_of(const Sides& both, const Decl& assertion, const refine::Limits& limits) const {
@@ -315,7 +315,7 @@ struct Session::Impl {
         strategy.identify_question(key ? std::optional(key->digest) : std::nullopt);
         const Memory kept{strategy.answers(), 0};
         if (!key || kept.cache == nullptr) return ask(nullptr);
-        if (process == nullptr) return answer(question, *key, kept, ask);
+        if (process == nullptr) return check_with_memory(question, *key, kept, ask);
         return answer_of_width(question, *key, kept, ask);
     }
 
@@ -363,7 +363,7 @@ struct Session::Impl {
 
     void count_terms(Sides& both, std::size_t most) {
         for (auto* const side : {&both.first, &both.second})
-            if (SessionSystem* const terms = terms_side(*side)) terms->count(terms_made, most);
+            if (SessionSystem* const terms = terms_side(*side)) terms->limit_terms(terms_made, most);
     }
 
     /// Replaces each process that stays a term by packed states. The terms become the reference for replays.
@@ -405,7 +405,7 @@ struct Session::Impl {
 
     static void widen_sides(const Sides& both) {
         for (const auto* const side : {&both.first, &both.second})
-            if (PackedSystem* const packed = packed_side(*side)) packed->widen();
+            if (PackedSystem* const packed = packed_side(*side)) packed->widen_rows();
     }
 
     void unpack_sides(Sides& both) {
@@ -446,7 +446,8 @@ struct Session::Impl {
             case AssertionKind::deterministic:
                 return refine::deterministic(first, in, limits, earlier);
             case AssertionKind::has_trace: {
-                const LoadedScript::Ready trace = loaded.ready(assertion.assertion.implementation, &assertion);
+                const LoadedScript::Ready trace =
+                    loaded.compile_expression(assertion.assertion.implementation, &assertion);
                 return refine::has_trace(first, loaded.evaluator.trace(*trace.code, *trace.unit), in, limits);
             }
         }
@@ -481,23 +482,23 @@ std::vector<DeclPtr> Session::assertions() const {
     return assertions_in(impl_->script.decls);
 }
 
-void Session::observe(CallObserver observer) {
+void Session::set_observer(CallObserver observer) {
     impl_->observed = true;
-    impl_->loaded.evaluator.observe(std::move(observer));
+    impl_->loaded.evaluator.set_observer(std::move(observer));
 }
 
-void Session::pack(const Packing& packing) {
+void Session::set_packing(const Packing& packing) {
     impl_->packing = packing;
     impl_->packed_processes.reset();
 }
 
-void Session::remember(diagnostics::Cache& cache, std::uint64_t fewest_states) {
+void Session::set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states) {
     impl_->memory = {&cache, fewest_states};
 }
 
 AssertionResult Session::check(const Decl& assertion, const refine::Limits& limits) {
     AssertionResult result;
-    result.text = written(assertion);
+    result.text = assertion_text(assertion);
     result.span = assertion.span;
     result.negated = assertion.assertion.negated;
     try {
@@ -540,12 +541,13 @@ std::vector<process::Transition> Session::transitions(process::TermId term) {
     });
 }
 
-std::vector<process::Move> Session::moves(process::TermId term, const process::Transition& step) {
-    return impl_->loaded.evaluated_at({}, [&] { return process::moves(impl_->loaded.semantics, term, step); });
+std::vector<process::Move> Session::split_transition(process::TermId term, const process::Transition& step) {
+    return impl_->loaded.evaluated_at({},
+                                      [&] { return process::split_transition(impl_->loaded.semantics, term, step); });
 }
 
 process::TermId Session::process(const ExprPtr& expr) {
-    const LoadedScript::Ready ready = impl_->loaded.ready(expr);
+    const LoadedScript::Ready ready = impl_->loaded.compile_expression(expr);
     return impl_->loaded.evaluated_at(expr->span,
                                       [&] { return impl_->loaded.evaluator.process(*ready.code, *ready.unit); });
 }
@@ -570,7 +572,7 @@ std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {
-    const LoadedScript::Ready ready = impl_->loaded.ready(expr);
+    const LoadedScript::Ready ready = impl_->loaded.compile_expression(expr);
     return impl_->loaded.evaluator.event_set(*ready.code, *ready.unit);
 }
 
@@ -612,7 +614,7 @@ std::string Session::evaluate(const ExprPtr& expr, const refine::Limits& limits)
 }
 
 std::string Session::evaluate(const ExprPtr& expr) {
-    const LoadedScript::Ready ready = impl_->loaded.ready(expr);
+    const LoadedScript::Ready ready = impl_->loaded.compile_expression(expr);
     return impl_->loaded.evaluator.print(*ready.code, *ready.unit);
 }
 

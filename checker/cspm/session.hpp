@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/cache/cache.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/cspm/syntax/observed_call.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
@@ -14,8 +16,6 @@
 #include "checker/process/behaviour.hpp"
 #include "checker/process/term.hpp"
 #include "checker/refine/verdict/check.hpp"
-#include "base/cache/cache.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
 
@@ -57,14 +57,14 @@ public:
 
     /// Uses answers of earlier runs from this cache, and stores those of this run whose search had at least this many
     /// states; repeating a smaller search is faster than a look-up. The cache must outlive the session.
-    void remember(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
+    void set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
 
     /// Sets when processes are packed; call it before the first check.
-    void pack(const Packing& packing);
+    void set_packing(const Packing& packing);
 
     /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, for the
     /// first assertion that evaluates it, so this must be called before the first check.
-    void observe(CallObserver observer);
+    void set_observer(CallObserver observer);
 
     /// The run of a counterexample taken apart into components; the loop of a divergence follows the trace. No value if
     /// its states are not terms. Without `offers`, no state after the run is computed.
@@ -80,7 +80,7 @@ public:
     /// evaluated.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
     /// Splits one of these transitions into the moves of the components.
-    [[nodiscard]] std::vector<process::Move> moves(process::TermId term, const process::Transition& step);
+    [[nodiscard]] std::vector<process::Move> split_transition(process::TermId term, const process::Transition& step);
 
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);

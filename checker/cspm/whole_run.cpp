@@ -32,7 +32,7 @@ bool leaves_values_out(std::string_view description) {
 
 // The texts between the omitted values must occur in the same order. The first one must be at the beginning and the
 // last one at the end.
-bool describes(std::string_view with_places, std::string_view with_values) {
+bool matches_description(std::string_view with_places, std::string_view with_values) {
     std::size_t begin = 0;
     std::size_t at = 0;
     for (std::size_t place = next_place(with_places, 0); place != std::string_view::npos;
@@ -54,7 +54,7 @@ std::optional<WholeRun> whole_run(process::OperationalSemantics& semantics, cons
                                   const std::vector<refine::Step>& run, const process::EventTable& events_of_run) {
     constexpr std::size_t most_at_once = 200;
     const process::TermStore& terms = semantics.terms();
-    if (!describes(description, process::describe(terms, initial))) return std::nullopt;
+    if (!matches_description(description, process::describe(terms, initial))) return std::nullopt;
     std::vector<std::vector<Reached>> layers{{{{process::tau, process::tau, initial}, 0}}};
     for (const refine::Step& step : run) {
         std::vector<Reached> next;
@@ -64,7 +64,7 @@ std::optional<WholeRun> whole_run(process::OperationalSemantics& semantics, cons
                     std::ranges::any_of(next, [&](const Reached& other) { return other.step.target == each.target; });
                 if (!known && events.name(each.event) == events_of_run.name(step.event) &&
                     events.name(each.revealed) == events_of_run.name(step.revealed) &&
-                    describes(step.state, process::describe(terms, each.target)))
+                    matches_description(step.state, process::describe(terms, each.target)))
                     next.push_back({each, from});
             }
         if (next.empty()) return std::nullopt;

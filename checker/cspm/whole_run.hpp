@@ -17,7 +17,7 @@ namespace robochart::cspm {
 /// Whether a description contains an omitted value: `Done(_,1)`.
 [[nodiscard]] bool leaves_values_out(std::string_view description);
 /// Whether the first description could be the second one with some values omitted.
-[[nodiscard]] bool describes(std::string_view with_places, std::string_view with_values);
+[[nodiscard]] bool matches_description(std::string_view with_places, std::string_view with_values);
 
 /// A run of terms.
 struct WholeRun {

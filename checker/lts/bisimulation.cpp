@@ -38,12 +38,12 @@ private:
     using States = std::vector<StateIndex>;
 
     void reverse_edges();
-    void mark(StateIndex state);
+    void mark_dirty(StateIndex state);
     void refine(Block block);
     Signature signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const;
     void split(Block block, std::map<Signature, States>& groups, bool clean_states);
-    void move(const States& states, Block to);
-    void leave(StateIndex state);
+    void move_states(const States& states, Block to);
+    void leave_block(StateIndex state);
     States take_dirty(Block block);
 
     const Graph& graph_;
@@ -91,7 +91,7 @@ void Refinement::run() {
 }
 
 /// Marks a state whose signature may have changed, and the states that lead to it by inert taus.
-void Refinement::mark(StateIndex state) {
+void Refinement::mark_dirty(StateIndex state) {
     States pending{state};
     while (!pending.empty()) {
         const StateIndex next = pending.back();
@@ -179,17 +179,18 @@ void Refinement::split(Block block, std::map<Signature, States>& groups, bool cl
         members_.emplace_back();
         dirty_.emplace_back();
         signatures_.push_back(group->first);
-        move(group->second, to);
+        move_states(group->second, to);
         moved.push_back(&group->second);
     }
     for (const States* states : moved)
         for (StateIndex state : *states) {
-            if (branching_) mark(state);
-            for (std::uint64_t i = first_source_[state]; i < first_source_[state + 1U]; ++i) mark(sources_[i].first);
+            if (branching_) mark_dirty(state);
+            for (std::uint64_t i = first_source_[state]; i < first_source_[state + 1U]; ++i)
+                mark_dirty(sources_[i].first);
         }
 }
 
-void Refinement::leave(StateIndex state) {
+void Refinement::leave_block(StateIndex state) {
     States& from = members_[block_[state]];
     const StateIndex last = from.back();
     from[place_[state]] = last;
@@ -197,9 +198,9 @@ void Refinement::leave(StateIndex state) {
     from.pop_back();
 }
 
-void Refinement::move(const States& states, Block to) {
+void Refinement::move_states(const States& states, Block to) {
     for (StateIndex state : states) {
-        leave(state);
+        leave_block(state);
         block_[state] = to;
         place_[state] = members_[to].size();
         members_[to].push_back(state);
@@ -210,7 +211,7 @@ void Refinement::move(const States& states, Block to) {
 class QuotientBuilder {
 public:
     QuotientBuilder(const Refinement& refinement, StateIndex initial) : refinement_(refinement) {
-        number(refinement.block(initial));
+        number_block(refinement.block(initial));
         for (std::size_t next = 0; next < order_.size(); ++next) add_edges(order_[next]);
     }
     Graph graph;
@@ -221,7 +222,7 @@ public:
     [[nodiscard]] std::size_t size() const { return order_.size(); }
 
 private:
-    StateIndex number(Block block) {
+    StateIndex number_block(Block block) {
         const auto [entry, fresh] = numbers_.emplace(block, static_cast<StateIndex>(order_.size()));
         if (fresh) order_.push_back(block);
         return entry->second;
@@ -229,7 +230,7 @@ private:
     void add_edges(Block block) {
         std::vector<Edge> edges;
         for (const Edge& edge : refinement_.signature(block))
-            edges.push_back({edge.event, number(edge.target == endless ? block : edge.target)});
+            edges.push_back({edge.event, number_block(edge.target == endless ? block : edge.target)});
         std::ranges::sort(edges);
         for (const Edge& edge : edges) graph.add_edge(edge);
         graph.finish_state();
@@ -246,7 +247,7 @@ Quotient minimise(const Graph& graph, Equivalence equivalence, const std::functi
     // others keep their taus and are numbered so that a tau leads to a lower number.
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
-    const Graph contracted = branching ? contract(graph, components) : graph;
+    const Graph contracted = branching ? contract_components(graph, components) : graph;
     Refinement refinement(contracted, equivalence, poll);
     refinement.run();
     const QuotientBuilder builder(refinement, components.component[0]);

@@ -3,12 +3,12 @@
 
 namespace robochart::lts {
 
-void ByteWriter::number(std::uint64_t value) {
+void ByteWriter::write_number(std::uint64_t value) {
     for (; value >= 0x80; value >>= 7U) bytes_.push_back(static_cast<char>(value | 0x80U));
     bytes_.push_back(static_cast<char>(value));
 }
 
-std::uint64_t ByteReader::number() {
+std::uint64_t ByteReader::read_number() {
     std::uint64_t value = 0;
     for (unsigned shift = 0; !bytes_.empty(); shift += 7) {
         const auto byte = static_cast<std::uint8_t>(bytes_.front());
@@ -20,19 +20,19 @@ std::uint64_t ByteReader::number() {
     throw BadBytes("a number is cut off or too large");
 }
 
-std::uint32_t ByteReader::below(std::uint64_t end) {
-    const std::uint64_t value = number();
+std::uint32_t ByteReader::read_below(std::uint64_t end) {
+    const std::uint64_t value = read_number();
     if (value >= end) throw BadBytes("a number is out of its range");
     return static_cast<std::uint32_t>(value);
 }
 
-std::size_t ByteReader::count() {
-    const std::uint64_t value = number();
+std::size_t ByteReader::read_count() {
+    const std::uint64_t value = read_number();
     if (value > bytes_.size()) throw BadBytes("more is announced than there is");
     return value;
 }
 
-void ByteReader::finish() const {
+void ByteReader::expect_end() const {
     if (!bytes_.empty()) throw BadBytes("something follows the end");
 }
 

@@ -11,7 +11,7 @@ namespace robochart::lts {
 
 class ByteWriter {
 public:
-    void number(std::uint64_t value);
+    void write_number(std::uint64_t value);
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
 private:
@@ -29,14 +29,14 @@ class ByteReader {
 public:
     /// The bytes must outlive the reader.
     explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
-    std::uint64_t number();
+    std::uint64_t read_number();
     /// A number below `end`, which is at most 2^32.
-    std::uint32_t below(std::uint64_t end);
+    std::uint32_t read_below(std::uint64_t end);
     /// Any number of 32 bits.
-    std::uint32_t word() { return below(std::uint64_t{1} << 32U); }
+    std::uint32_t read_word() { return read_below(std::uint64_t{1} << 32U); }
     /// The number of following items, each of at least one byte.
-    std::size_t count();
-    void finish() const;
+    std::size_t read_count();
+    void expect_end() const;
 
 private:
     std::string_view bytes_;

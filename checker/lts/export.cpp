@@ -6,8 +6,8 @@
 #include <string>
 #include <unordered_set>
 
-#include "checker/lts/graph.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "checker/lts/graph.hpp"
 
 namespace robochart::lts {
 namespace {
@@ -19,7 +19,7 @@ public:
     explicit Labels(const EventTable& events) : events_(events) {
         for (Event event = tick + 1; event < events.size(); ++event) names_.insert(events.name(event));
     }
-    [[nodiscard]] std::string of(Event event) const {
+    [[nodiscard]] std::string label_of(Event event) const {
         if (event == tau) return "tau";
         if (event == tick) return "tick";
         std::string name = events_.name(event);
@@ -41,7 +41,7 @@ void write_aut(const Graph& graph, const EventTable& events, std::ostream& out) 
     const Labels labels(events);
     for (StateIndex state = 0; state < graph.size(); ++state)
         for (const Edge& edge : graph.edges(state))
-            fmt::print(out, "({},\"{}\",{})\n", state, labels.of(edge.event), edge.target);
+            fmt::print(out, "({},\"{}\",{})\n", state, labels.label_of(edge.event), edge.target);
 }
 
 namespace {
@@ -61,7 +61,7 @@ std::string expression(const std::string& event) {
 }
 
 /// The offers of a state: STOP, SKIP, or a choice of prefixes.
-std::string offer(std::span<const Edge> edges, const EventTable& events, const std::string& name) {
+std::string offer_text(std::span<const Edge> edges, const EventTable& events, const std::string& name) {
     std::string text;
     for (const Edge& edge : edges) {
         if (edge.event == tau) continue;
@@ -79,7 +79,7 @@ std::string offer(std::span<const Edge> edges, const EventTable& events, const s
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out) {
     fmt::print(out, "{0} = {0}0\n", name);
     for (StateIndex state = 0; state < graph.size(); ++state) {
-        const std::string visible = offer(graph.edges(state), events, name);
+        const std::string visible = offer_text(graph.edges(state), events, name);
         std::string hidden;
         std::size_t taus = 0;
         for (const Edge& edge : graph.edges(state)) {
@@ -102,7 +102,7 @@ void write_dot(const Graph& graph, const EventTable& events, std::ostream& out) 
     for (StateIndex state = 0; state < graph.size(); ++state) {
         fmt::print(out, "  {};\n", state);
         for (const Edge& edge : graph.edges(state))
-            fmt::print(out, "  {} -> {} [label=\"{}\"];\n", state, edge.target, labels.of(edge.event));
+            fmt::print(out, "  {} -> {} [label=\"{}\"];\n", state, edge.target, labels.label_of(edge.event));
     }
     fmt::print(out, "}}\n");
 }

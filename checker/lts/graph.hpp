@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::size_t width() const override { return 1; }
     void initial(std::span<Word> state) override { state[0] = 0; }
     void successors(StateView state, SuccessorSink& sink) override;
-    [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override {
+    [[nodiscard]] std::unique_ptr<TransitionSystem> clone_for_thread() const override {
         return std::make_unique<GraphSystem>(graph_, events_);
     }
     [[nodiscard]] const EventTable& events() const override { return events_; }

@@ -6,7 +6,7 @@
 
 namespace robochart::lts {
 
-void IndexTable::grow(std::uint64_t numbers) {
+void IndexTable::reset_for_capacity(std::uint64_t numbers) {
     std::uint64_t wanted = bucket_count_;
     while (wanted * bucket_size * 4 / 5 < numbers) wanted = std::max(wanted + 1, wanted * 3 / 2);
     if (wanted > no_state - 64) throw std::length_error("more than 2^32 states");

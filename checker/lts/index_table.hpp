@@ -24,7 +24,7 @@ public:
     /// The slot of a number, or a free slot for it.
     class Slot {
     public:
-        [[nodiscard]] bool taken() const { return taken_; }
+        [[nodiscard]] bool is_taken() const { return taken_; }
         [[nodiscard]] StateIndex get() const { return index().load(std::memory_order_acquire); }
         void set(StateIndex number) const { index().store(number, std::memory_order_relaxed); }
         void prefetch() const { __builtin_prefetch(bucket_, 1); }
@@ -54,7 +54,7 @@ public:
         for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {
             Bucket& bucket = buckets()[home];
             const std::uint32_t used = bucket.used & ~locked;
-            if (seek(slot, bucket, 0, used, same)) return slot;
+            if (find_match(slot, bucket, 0, used, same)) return slot;
             if (used < bucket_size) {
                 slot.bucket_ = &bucket;
                 slot.place_ = used;
@@ -66,9 +66,9 @@ public:
     }
     [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
     /// Stores a number in a free slot. No other number may be added between finding the slot and this call.
-    static void put(const Slot& slot, StateIndex index) {
+    static void put_number(const Slot& slot, StateIndex index) {
         slot.set(index);
-        slot.bucket_->tag(slot.place_, slot.tag_);
+        slot.bucket_->set_tag(slot.place_, slot.tag_);
         ++slot.bucket_->used;
     }
     /// Adds a number that is not in the table. Returns false if there is no free slot.
@@ -78,7 +78,7 @@ public:
             Bucket& bucket = buckets()[home];
             if (bucket.used < bucket_size) {
                 bucket.index[bucket.used] = index;
-                bucket.tag(bucket.used++, static_cast<std::uint8_t>(hash));
+                bucket.set_tag(bucket.used++, static_cast<std::uint8_t>(hash));
                 return true;
             }
             if (++home == bucket_count_) home = 0;
@@ -96,15 +96,15 @@ public:
         for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {
             Bucket& bucket = buckets()[home];
             for (std::uint32_t known = 0;;) {
-                const std::uint32_t used = bucket.settled();
-                if (seek(slot, bucket, known, used, same)) return slot;
+                const std::uint32_t used = bucket.await_used_count();
+                if (find_match(slot, bucket, known, used, same)) return slot;
                 if (used == bucket_size) break;
                 known = used;
                 if (!bucket.lock(used)) continue;
                 slot.bucket_ = &bucket;
                 slot.place_ = used;
                 slot.set(own());
-                bucket.tag(used, slot.tag_);
+                bucket.set_tag(used, slot.tag_);
                 bucket.unlock(used + 1);
                 return slot;
             }
@@ -119,7 +119,7 @@ public:
     /// The maximal number of entries; look-ups become slow beyond it.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
     /// Removes all entries and allocates space for at least this many numbers.
-    void grow(std::uint64_t numbers);
+    void reset_for_capacity(std::uint64_t numbers);
 
 private:
     static constexpr std::uint32_t bucket_size = 12;
@@ -133,14 +133,14 @@ private:
         std::uint32_t used;
 
         /// Returns one bit for each matching tag in the places from `first` on.
-        [[nodiscard]] std::uint64_t matches(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
-        [[nodiscard]] static std::uint32_t place(std::uint64_t matches) {
+        [[nodiscard]] std::uint64_t matching_tags(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
+        [[nodiscard]] static std::uint32_t lowest_match(std::uint64_t matches) {
             return static_cast<std::uint32_t>(std::countr_zero(matches));
         }
         /// The caller must have exclusive access.
-        void tag(std::uint32_t place, std::uint8_t tag);
+        void set_tag(std::uint32_t place, std::uint8_t tag);
         /// Waits for threads that are adding a number, and returns the number of used places.
-        [[nodiscard]] std::uint32_t settled() {
+        [[nodiscard]] std::uint32_t await_used_count() {
             for (;;) {
                 const std::uint32_t now = std::atomic_ref(used).load(std::memory_order_acquire);
                 if ((now & locked) == 0) return now;
@@ -155,11 +155,12 @@ private:
 
     /// Searches the places [first, end) of a bucket for the number.
     template <class Same>
-    [[nodiscard]] static bool seek(Slot& slot, Bucket& bucket, std::uint32_t first, std::uint32_t end,
-                                   const Same& same) {
-        for (std::uint64_t matches = bucket.matches(slot.tag_, first, end); matches != 0; matches &= matches - 1) {
+    [[nodiscard]] static bool find_match(Slot& slot, Bucket& bucket, std::uint32_t first, std::uint32_t end,
+                                         const Same& same) {
+        for (std::uint64_t matches = bucket.matching_tags(slot.tag_, first, end); matches != 0;
+             matches &= matches - 1) {
             slot.bucket_ = &bucket;
-            slot.place_ = Bucket::place(matches);
+            slot.place_ = Bucket::lowest_match(matches);
             slot.taken_ = same(slot.get());
             if (slot.taken_) return true;
         }
@@ -177,7 +178,7 @@ private:
     std::uint32_t bucket_count_ = 0;
 };
 
-inline void IndexTable::Bucket::tag(std::uint32_t place, std::uint8_t tag) {
+inline void IndexTable::Bucket::set_tag(std::uint32_t place, std::uint8_t tag) {
     constexpr std::uint32_t first_places = sizeof first_tags;
     if (place < first_places)
         std::atomic_ref(first_tags).store(first_tags | std::uint64_t{tag} << (8 * place), std::memory_order_relaxed);
@@ -186,7 +187,7 @@ inline void IndexTable::Bucket::tag(std::uint32_t place, std::uint8_t tag) {
                                          std::memory_order_relaxed);
 }
 
-inline std::uint64_t IndexTable::Bucket::matches(std::uint8_t wanted, std::uint32_t first, std::uint32_t end) {
+inline std::uint64_t IndexTable::Bucket::matching_tags(std::uint8_t wanted, std::uint32_t first, std::uint32_t end) {
     constexpr std::uint64_t ones = 0x0101010101010101ULL;
     constexpr std::uint64_t tops = ones << 7U;
     const auto agreeing = [wanted](std::uint64_t tags) {

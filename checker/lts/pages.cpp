@@ -17,7 +17,7 @@ constexpr std::size_t cache_line = 64;
 constexpr std::size_t large = std::size_t{1} << 17U;
 
 /// The page size depends on the machine.
-std::size_t rounded(std::size_t bytes) {
+std::size_t round_to_pages(std::size_t bytes) {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     return (bytes + page - 1) & ~(page - 1);
 }
@@ -25,7 +25,7 @@ std::size_t rounded(std::size_t bytes) {
 /// Maps one huge page more than needed and unmaps the excess at both ends. Huge pages are used only for ranges that
 /// fill them, so that no more memory is taken than needed.
 void* map(std::size_t bytes) {
-    const std::size_t length = rounded(bytes);
+    const std::size_t length = round_to_pages(bytes);
     void* const mapped =
         mmap(nullptr, length + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();
@@ -44,7 +44,7 @@ void* map(std::size_t bytes) {
 
 void FreePages::operator()(void* memory) const {
     if (bytes >= large)
-        munmap(memory, rounded(bytes));
+        munmap(memory, round_to_pages(bytes));
     else
         ::operator delete (memory, std::align_val_t{cache_line});
 }

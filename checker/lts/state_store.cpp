@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/lts/state_store.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <stdexcept>
@@ -40,7 +41,7 @@ bool StateStore::add_states(StateIndex first, StateIndex end, const Add& add) co
 }
 
 /// Rebuilds the table from the states in order, so that old and new table never coexist.
-void StateStore::grow(std::uint64_t states, const Sharing& share) {
+void StateStore::rebuild_table(std::uint64_t states, const Sharing& share) {
     constexpr std::uint64_t piece = 1U << 16U;
     const auto all = static_cast<StateIndex>(size_);
     const auto add_alone = [this](std::uint64_t hash, StateIndex index) { return table_.add(hash, index); };
@@ -49,7 +50,7 @@ void StateStore::grow(std::uint64_t states, const Sharing& share) {
             hash, [](StateIndex) { return false; }, [index] { return index; }));
     };
     for (std::uint64_t wanted = states;; wanted += wanted / 2) {
-        table_.grow(wanted);
+        table_.reset_for_capacity(wanted);
         if (!share || size_ < 2 * piece) {
             if (add_states(0, all, add_alone)) return;
             continue;
@@ -74,18 +75,18 @@ void StateStore::make_chunks(std::uint64_t states) {
 }
 
 StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
-    const auto same = [&](StateIndex index) { return equal(index, state); };
+    const auto same = [&](StateIndex index) { return equals_state(index, state); };
     IndexTable::Slot slot = table_.find(hash, same);
-    if (slot.taken()) return {slot.get(), false};
+    if (slot.is_taken()) return {slot.get(), false};
     if (size_ >= table_.capacity() || !IndexTable::has_space(slot)) {
-        grow(size_ + 1, {});
+        rebuild_table(size_ + 1, {});
         slot = table_.find(hash, same);
         if (!IndexTable::has_space(slot)) throw std::bad_alloc();
     }
     make_chunks(size_ + 1);
     const auto index = static_cast<StateIndex>(size_);
     std::ranges::copy(state, row(index));
-    IndexTable::put(slot, index);
+    IndexTable::put_number(slot, index);
     ++size_;
     return {index, true};
 }
@@ -95,19 +96,19 @@ void StateStore::make_space(std::uint64_t states) {
     size_ = states;
 }
 
-void StateStore::publish(const IndexTable::Slot& slot, StateIndex index, StateView state) {
+void StateStore::publish_state(const IndexTable::Slot& slot, StateIndex index, StateView state) {
     slot.set(index);
     std::ranges::copy(state, row(index));
 }
 
 StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
-    const IndexTable::Slot slot = table_.find(hash, [&](StateIndex index) { return equal(index, state); });
-    return slot.taken() ? slot.get() : no_state;
+    const IndexTable::Slot slot = table_.find(hash, [&](StateIndex index) { return equals_state(index, state); });
+    return slot.is_taken() ? slot.get() : no_state;
 }
 
 /// The table takes 64 bytes for twelve places and is at most four fifths full.
 std::uint64_t StateStore::bytes() const {
-    return size_ * width_ * sizeof(Word) + (size_ + space()) * 5 / 4 * 64 / 12;
+    return size_ * width_ * sizeof(Word) + (size_ + free_state_count()) * 5 / 4 * 64 / 12;
 }
 
 /// Each state has a place in a table that is two thirds full. A new chunk is as large as all chunks before it, and is

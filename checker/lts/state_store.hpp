@@ -54,41 +54,43 @@ public:
             no_state;  ///< the state's number, or its smallest provisional number; no_state: the table is full
         IndexTable::Slot slot;
     };
-    /// `claims.row(number)` returns the state of a claim, `claims.keep(state)` stores the state and is called before
-    /// the claim is made, and `claims.lose(number)` reports that another claim has replaced it.
+    /// `claims.row(number)` returns the state of a claim, `claims.keep_state(state)` stores the state and is called
+    /// before the claim is made, and `claims.lose_claim(number)` reports that another claim has replaced it.
     template <class Claims>
     Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
         const auto same = [&](StateIndex index) {
-            if (index < size_) return equal(row(index), state);
-            return index != no_state && equal(claims.row(index), state);
+            if (index < size_) return equals_state(row(index), state);
+            return index != no_state && equals_state(claims.row(index), state);
         };
         const auto own = [&] {
-            claims.keep(state);
+            claims.keep_state(state);
             return number;
         };
         const IndexTable::Slot slot = table_.find_or_add(hash, same, own);
         if (!IndexTable::has_space(slot)) return {};
-        if (!slot.taken()) return {number, slot};
+        if (!slot.is_taken()) return {number, slot};
         StateIndex index = slot.get();
-        if (index > number) claims.keep(state);
+        if (index > number) claims.keep_state(state);
         while (index > number) {
             if (!slot.replace(index, number)) continue;
-            claims.lose(index);
+            claims.lose_claim(index);
             return {number, slot};
         }
         return {index, slot};
     }
     /// Sets the number of states. The added states must then be published.
     void make_space(std::uint64_t states);
-    void publish(const IndexTable::Slot& slot, StateIndex index, StateView state);
+    void publish_state(const IndexTable::Slot& slot, StateIndex index, StateView state);
     static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }
 
     /// Calls `piece` with 0, 1, ... count-1, in any order and concurrently.
     using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
     /// The number of further states that fit into the current table.
-    [[nodiscard]] std::uint64_t space() const { return table_.capacity() - std::min(table_.capacity(), size_); }
+    [[nodiscard]] std::uint64_t free_state_count() const {
+        return table_.capacity() - std::min(table_.capacity(), size_);
+    }
     void reserve(std::uint64_t states, const Sharing& share) {
-        if (states > table_.capacity()) grow(states, share);
+        if (states > table_.capacity()) rebuild_table(states, share);
     }
 
 private:
@@ -102,14 +104,14 @@ private:
         return static_cast<Word*>(chunks_[chunk].get()) + (place - (first_chunk << chunk)) * width_;
     }
     void make_chunks(std::uint64_t states);
-    void grow(std::uint64_t states, const Sharing& share);
+    void rebuild_table(std::uint64_t states, const Sharing& share);
     template <class Add>
     bool add_states(StateIndex first, StateIndex end, const Add& add) const;
     /// A dropped state has no number.
-    [[nodiscard]] bool equal(StateIndex index, StateView state) const {
-        return index < size_ && equal(row(index), state);
+    [[nodiscard]] bool equals_state(StateIndex index, StateView state) const {
+        return index < size_ && equals_state(row(index), state);
     }
-    [[nodiscard]] bool equal(const Word* words, StateView state) const {
+    [[nodiscard]] bool equals_state(const Word* words, StateView state) const {
         for (std::size_t i = 0; i < width_; ++i)
             if (words[i] != state[i]) return false;
         return true;

@@ -6,7 +6,7 @@
 namespace robochart::lts {
 namespace {
 
-/// Only edges to vertices that have not been entered are stored, and only while their source is on the path.
+/// Stores only edges to vertices that have not been entered, and only while their source is on the path.
 class Tarjan {
 public:
     Tarjan(const GraphView& graph, const OnComponent& report)
@@ -14,15 +14,15 @@ public:
 
     void explore(StateIndex root) {
         if (number_[root] != 0) return;
-        enter(root);
+        enter_vertex(root);
         while (!path_.empty()) {
             if (ahead_.size() == path_.back().first) {
-                leave();
+                leave_vertex();
                 continue;
             }
             const StateIndex target = ahead_.back();
             ahead_.pop_back();
-            if (!known(target)) enter(target);
+            if (!process_if_entered(target)) enter_vertex(target);
         }
     }
 
@@ -33,7 +33,7 @@ private:
         std::size_t first;  // first of its targets in ahead_
     };
 
-    void enter(StateIndex vertex) {
+    void enter_vertex(StateIndex vertex) {
         number_[vertex] = low_[vertex] = ++count_;
         path_.push_back({vertex, false, ahead_.size()});
         open_.push_back(vertex);
@@ -41,11 +41,11 @@ private:
         graph_.successors(vertex, targets_);
         // Targets are taken from the end.
         for (auto target = targets_.rbegin(); target != targets_.rend(); ++target)
-            if (!known(*target)) ahead_.push_back(*target);
+            if (!process_if_entered(*target)) ahead_.push_back(*target);
     }
 
     /// If the target of an edge of the path's last vertex has been entered before, processes the edge and returns true.
-    bool known(StateIndex to) {
+    bool process_if_entered(StateIndex to) {
         if (number_[to] == 0) return false;
         Frame& from = path_.back();
         if (low_[to] != closed) low_[from.vertex] = std::min(low_[from.vertex], number_[to]);
@@ -53,7 +53,7 @@ private:
         return true;
     }
 
-    void leave() {
+    void leave_vertex() {
         const Frame left = path_.back();
         path_.pop_back();
         const std::uint32_t low = low_[left.vertex];

@@ -12,24 +12,24 @@ SymmetricSystem::SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symme
 
 void SymmetricSystem::initial(std::span<Word> state) {
     system_->initial(state);
-    symmetry_.fold(state);
+    symmetry_.replace_by_representative(state);
 }
 
-std::unique_ptr<TransitionSystem> SymmetricSystem::another() const {
-    std::unique_ptr<TransitionSystem> system = system_->another();
+std::unique_ptr<TransitionSystem> SymmetricSystem::clone_for_thread() const {
+    std::unique_ptr<TransitionSystem> system = system_->clone_for_thread();
     return system ? std::make_unique<SymmetricSystem>(std::move(system), symmetry_) : nullptr;
 }
 
-void SymmetricSystem::watch(const std::function<void()>& poll) {
+void SymmetricSystem::set_poll(const std::function<void()>& poll) {
     poll_ = poll;
-    system_->watch(poll);
+    system_->set_poll(poll);
 }
 
 void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
     // The sink may ask for successors while it receives some.
     if (sink_ != nullptr) {
-        const auto other = another();
-        other->watch(poll_);
+        const auto other = clone_for_thread();
+        other->set_poll(poll_);
         return other->successors(state, sink);
     }
     const SinkInUse in_use(sink_, sink);
@@ -38,7 +38,7 @@ void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
 
 void SymmetricSystem::add(Event event, StateView target, Event revealed) {
     std::ranges::copy(target, target_.begin());
-    symmetry_.fold(target_);
+    symmetry_.replace_by_representative(target_);
     sink_->add(event, target_, revealed);
 }
 

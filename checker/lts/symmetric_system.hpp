@@ -22,13 +22,13 @@ public:
     void initial(std::span<Word> state) override;
     void successors(StateView state, SuccessorSink& sink) override;
     /// Null if the original system cannot be copied.
-    [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override;
+    [[nodiscard]] std::unique_ptr<TransitionSystem> clone_for_thread() const override;
     [[nodiscard]] const EventTable& events() const override { return system_->events(); }
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
-    void watch(const std::function<void()>& poll) override;
-    [[nodiscard]] std::uint64_t chased() const override { return system_->chased(); }
+    void set_poll(const std::function<void()>& poll) override;
+    [[nodiscard]] std::uint64_t chased_state_count() const override { return system_->chased_state_count(); }
     /// The original system.
-    [[nodiscard]] const TransitionSystem& unfolded() const { return *system_; }
+    [[nodiscard]] const TransitionSystem& original_system() const { return *system_; }
     [[nodiscard]] const Symmetry& symmetry() const { return symmetry_; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replicas are converted to numbers that are common to a set, so permuting replicas is permuting rows of numbers; in
-// the representative of a state these rows are in ascending order.
+// Replicas are converted to numbers that are common to a set, so that permuting replicas is permuting rows of numbers.
+// In the representative of a state these rows are in ascending order.
 #include "checker/lts/symmetry.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::size_t Symmetry::replicas() const {
     return most;
 }
 
-Event Symmetry::orbit(Event event) const {
+Event Symmetry::orbit_representative(Event event) const {
     const auto known = orbits_.find(event);
     return known == orbits_.end() ? event : known->second;
 }
@@ -52,7 +52,7 @@ void Symmetry::write(const ReplicaSet& set, const Numbers& numbers, const std::v
     }
 }
 
-void Symmetry::fold(std::span<std::uint32_t> state) {
+void Symmetry::replace_by_representative(std::span<std::uint32_t> state) {
     for (const ReplicaSet& set : sets_) {
         read(set, state, numbers_);
         const auto width = static_cast<std::ptrdiff_t>(set.front().parts.size());
@@ -69,7 +69,8 @@ void Symmetry::fold(std::span<std::uint32_t> state) {
     }
 }
 
-Symmetry::Permutation Symmetry::between(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to) const {
+Symmetry::Permutation Symmetry::find_permutation(std::span<const std::uint32_t> from,
+                                                 std::span<const std::uint32_t> to) const {
     Permutation result;
     Numbers before;
     Numbers after;

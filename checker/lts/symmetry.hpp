@@ -49,12 +49,13 @@ public:
     [[nodiscard]] std::size_t replicas() const;
     /// Returns the least event to which automorphisms map the event. The results for two events are equal if and only
     /// if one event is an image of the other.
-    [[nodiscard]] Event orbit(Event event) const;
+    [[nodiscard]] Event orbit_representative(Event event) const;
     /// Replaces a state by the representative of its images.
-    void fold(std::span<std::uint32_t> state);
+    void replace_by_representative(std::span<std::uint32_t> state);
     /// Returns an automorphism that maps one state to the other. Both must have the same representative; throws
     /// std::logic_error otherwise.
-    [[nodiscard]] Permutation between(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to) const;
+    [[nodiscard]] Permutation find_permutation(std::span<const std::uint32_t> from,
+                                               std::span<const std::uint32_t> to) const;
     /// Replaces a state by its image.
     void apply(const Permutation& permutation, std::span<std::uint32_t> state) const;
 

@@ -30,7 +30,7 @@ TauComponents every_state_alone(const Graph& graph) {
     return result;
 }
 
-Graph contract(const Graph& graph, const TauComponents& components) {
+Graph contract_components(const Graph& graph, const TauComponents& components) {
     std::vector<std::vector<StateIndex>> members(components.cyclic.size());
     for (StateIndex state = 0; state < graph.size(); ++state) members[components.component[state]].push_back(state);
     Graph result;

@@ -17,6 +17,6 @@ struct TauComponents {
 [[nodiscard]] TauComponents every_state_alone(const Graph& graph);
 /// Returns a graph with one state for each component, and a tau loop if the component is cyclic. The numbers of states
 /// are those of components, so the initial state is component[0], not 0.
-[[nodiscard]] Graph contract(const Graph& graph, const TauComponents& components);
+[[nodiscard]] Graph contract_components(const Graph& graph, const TauComponents& components);
 
 }  // namespace robochart::lts

@@ -38,13 +38,14 @@ public:
     virtual void initial(std::span<Word> state) = 0;
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
     /// Returns another instance of the same system for use in another thread; its states are the same words. Returns
-    /// null if this is not possible. Several threads may call this function at the same time, but no other function.
-    [[nodiscard]] virtual std::unique_ptr<TransitionSystem> another() const { return nullptr; }
+    /// null if this is not possible. Several threads may call this function at the same time; meanwhile no other
+    /// function may be called.
+    [[nodiscard]] virtual std::unique_ptr<TransitionSystem> clone_for_thread() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const EventTable& events() const = 0;
     /// Sets a function that is called regularly during long work inside the system. It may throw to stop the work. It
     /// may be empty.
-    virtual void watch(const std::function<void()>& /*poll*/) {}
+    virtual void set_poll(const std::function<void()>& /*poll*/) {}
     /// The same process with a slower semantics that shares only the definitions with this one. Results of a search are
     /// replayed there before they are reported. Null if there is none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
@@ -52,12 +53,13 @@ public:
     /// Returns the same process with fewer states. Its initial state is branching bisimilar with explicit divergence to
     /// that of this system, which preserves every model. The result may outlive this system. Null if no reduction is
     /// known. `poll` may throw to stop.
-    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> reduced(const std::function<void()>& /*poll*/) const;
+    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(
+        const std::function<void()>& /*poll*/) const;
     /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system
     /// (docs/search.md, "Symmetry"). Empty if none are known. `poll` may throw to stop.
     [[nodiscard]] virtual std::vector<ReplicaSet> replicas(const std::function<void()>& /*poll*/) const { return {}; }
     /// The number of states left out so far because a chain of taus leads on from them.
-    [[nodiscard]] virtual std::uint64_t chased() const { return 0; }
+    [[nodiscard]] virtual std::uint64_t chased_state_count() const { return 0; }
     /// Whether a state is one word, a process::TermId.
     [[nodiscard]] virtual bool states_are_terms() const { return false; }
     /// A readable description of the state: for processes the definition of each component, with arguments.
@@ -72,10 +74,11 @@ private:
 class ReducedSystem : public TransitionSystem {
 public:
     /// Returns the states on the path of taus from `state` to its representative. Empty if the state represents itself.
-    [[nodiscard]] virtual std::vector<std::vector<Word>> chase(StateView state) = 0;
+    [[nodiscard]] virtual std::vector<std::vector<Word>> tau_path(StateView state) = 0;
 };
 
-inline std::unique_ptr<ReducedSystem> TransitionSystem::reduced(const std::function<void()>& /*poll*/) const {
+inline std::unique_ptr<ReducedSystem> TransitionSystem::make_reduced_system(
+    const std::function<void()>& /*poll*/) const {
     return nullptr;
 }
 

@@ -5,15 +5,15 @@
 
 namespace robochart::machine {
 
-void AnswerTable::keep(std::uint32_t asked, std::uint64_t key, std::uint32_t answer) {
-    Entry& entry = entries_[place(asked, key)];
+void AnswerTable::store_answer(std::uint32_t asked, std::uint64_t key, std::uint32_t answer) {
+    Entry& entry = entries_[entry_index(asked, key)];
     const bool fresh = entry.asked == none;
     entry = {key, asked, answer};
     if (!fresh || ++size_ <= entries_.size() / 4 * 3) return;
     std::vector<Entry> before(entries_.size() * 2);
     std::swap(before, entries_);
     for (const Entry& each : before)
-        if (each.asked != none) entries_[place(each.asked, each.key)] = each;
+        if (each.asked != none) entries_[entry_index(each.asked, each.key)] = each;
 }
 
 void AnswerTable::clear() {

@@ -16,12 +16,12 @@ public:
 
     /// `asked` must not be `none`.
     [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t asked, std::uint64_t key) const {
-        const Entry& entry = entries_[place(asked, key)];
+        const Entry& entry = entries_[entry_index(asked, key)];
         if (entry.asked == none) return std::nullopt;
         return entry.answer;
     }
     /// Replaces an earlier answer, if there is one.
-    void keep(std::uint32_t asked, std::uint64_t key, std::uint32_t answer);
+    void store_answer(std::uint32_t asked, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
 
@@ -36,7 +36,7 @@ private:
     static constexpr std::size_t least = 1024;  ///< number of entries; always a power of two
 
     /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
-    [[nodiscard]] std::size_t place(std::uint32_t asked, std::uint64_t key) const {
+    [[nodiscard]] std::size_t entry_index(std::uint32_t asked, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
         std::size_t at = hash(asked, key) & mask;
         while (entries_[at].asked != none && (entries_[at].key != key || entries_[at].asked != asked))

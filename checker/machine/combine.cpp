@@ -49,41 +49,42 @@ public:
     Supercombinator combine() {
         const Node& root = skeleton_.nodes.front();
         const bool priorities = root.op == Op::prioritise;
-        region(priorities ? root.children.front() : 0, priorities ? levels(root) : std::vector<std::uint32_t>());
+        region(priorities ? root.children.front() : 0,
+               priorities ? priority_levels(root) : std::vector<std::uint32_t>());
         result_.initial.assign(skeleton_.slots.size(), 0);
-        for (const Assignment& each : assignments({{0, true}})) result_.initial[each.slot] = each.value;
+        for (const Assignment& each : assignments_of({{0, true}})) result_.initial[each.slot] = each.value;
         list_operands();
-        pack();
+        pack_components();
         return std::move(result_);
     }
 
 private:
     std::uint32_t region(NodeId top, const std::vector<std::uint32_t>& level);
-    Vectors vectors(NodeId id, Region& region);
+    Vectors make_vectors(NodeId id, Region& region);
     Vectors operator_vectors(const Node& node, Region& region);
-    Vectors participant(Region& region, Participant who, const EventSet& alphabet);
-    Vectors parallel(const Node& node, std::vector<Vectors> operands);
-    Vectors alphabetised(const Node& node, std::vector<Vectors> operands);
-    Vectors hidden(const Node& node, Vectors operand);
-    Vectors renamed(const Node& node, const Vectors& operand);
-    Vectors interruptible(const Node& node, std::vector<Vectors> operands);
-    Vectors gated(const Node& node, std::vector<Vectors> operands);
-    Vectors handed_over(const Node& node, std::vector<Vectors> operands);
-    void together(std::vector<const Vectors*> who, Event event, Vectors& out);
+    Vectors add_participant(Region& region, Participant who, const EventSet& alphabet);
+    Vectors combine_parallel(const Node& node, std::vector<Vectors> operands);
+    Vectors combine_alphabetised(const Node& node, std::vector<Vectors> operands);
+    Vectors apply_hiding(const Node& node, Vectors operand);
+    Vectors apply_renaming(const Node& node, const Vectors& operand);
+    Vectors combine_interruptible(const Node& node, std::vector<Vectors> operands);
+    Vectors combine_gated(const Node& node, std::vector<Vectors> operands);
+    Vectors combine_sequence(const Node& node, std::vector<Vectors> operands);
+    void synchronise_vectors(std::vector<const Vectors*> who, Event event, Vectors& out);
     void charge(std::size_t vectors);
     void charge_work(std::size_t steps) const;
-    static void prepend(Vector& vector, const Actions& first);
+    static void prepend_actions(Vector& vector, const Actions& first);
 
-    [[nodiscard]] std::vector<std::uint32_t> levels(const Node& prioritise) const;
-    [[nodiscard]] std::vector<Assignment> assignments(const Actions& actions) const;
-    void initialise(NodeId id, std::vector<Assignment>& made) const;
+    [[nodiscard]] std::vector<std::uint32_t> priority_levels(const Node& prioritise) const;
+    [[nodiscard]] std::vector<Assignment> assignments_of(const Actions& actions) const;
+    void start_operands(NodeId id, std::vector<Assignment>& made) const;
     void turn_off(NodeId id, std::vector<Assignment>& made) const;
-    [[nodiscard]] std::vector<std::vector<double>> chances(const Region& region) const;
-    void finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const;
+    [[nodiscard]] std::vector<std::vector<double>> estimate_chances(const Region& region) const;
+    void finish_region(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const;
     void add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level,
                   AssignmentRanges& ranges) const;
     void list_operands();
-    void pack();
+    void pack_components();
 
     const process::TermStore& terms_;
     const Skeleton& skeleton_;
@@ -112,18 +113,18 @@ void Combiner::charge_work(std::size_t steps) const {
 }
 
 /// The actions come first, because a later action of the vector may restart components that they turn off.
-void Combiner::prepend(Vector& vector, const Actions& first) {
+void Combiner::prepend_actions(Vector& vector, const Actions& first) {
     vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
 
 std::uint32_t Combiner::region(NodeId top, const std::vector<std::uint32_t>& level) {
     Region made;
-    finish(made, vectors(top, made), level);
+    finish_region(made, make_vectors(top, made), level);
     result_.regions.push_back(std::move(made));
     return static_cast<std::uint32_t>(result_.regions.size() - 1);
 }
 
-Vectors Combiner::participant(Region& region, Participant who, const EventSet& alphabet) {
+Vectors Combiner::add_participant(Region& region, Participant who, const EventSet& alphabet) {
     const auto number = static_cast<std::uint32_t>(region.participants.size());
     region.participants.push_back(who);
     region.alphabets.push_back(alphabet);
@@ -133,51 +134,51 @@ Vectors Combiner::participant(Region& region, Participant who, const EventSet& a
     return result;
 }
 
-Vectors Combiner::vectors(NodeId id, Region& region) {
+Vectors Combiner::make_vectors(NodeId id, Region& region) {
     const Node& node = skeleton_.nodes[id];
     switch (node.kind) {
         case Node::Kind::again:
             return {};
         case Node::Kind::leaf:
         case Node::Kind::gate:
-            return participant(region, {false, node.first_slot}, result_.components[node.first_slot]->alphabet());
+            return add_participant(region, {false, node.first_slot}, result_.components[node.first_slot]->alphabet());
         case Node::Kind::operation:
             break;
     }
     if (node.op != Op::prioritise) return operator_vectors(node, region);
-    const std::uint32_t inner = this->region(node.children.front(), levels(node));
-    return participant(region, {true, inner}, result_.regions[inner].alphabet);
+    const std::uint32_t inner = this->region(node.children.front(), priority_levels(node));
+    return add_participant(region, {true, inner}, result_.regions[inner].alphabet);
 }
 
 Vectors Combiner::operator_vectors(const Node& node, Region& region) {
     std::vector<Vectors> operands;
-    for (NodeId child : node.children) operands.push_back(vectors(child, region));
+    for (NodeId child : node.children) operands.push_back(make_vectors(child, region));
     switch (node.op) {
         case Op::parallel:
-            return parallel(node, std::move(operands));
+            return combine_parallel(node, std::move(operands));
         case Op::alphabetised:
-            return alphabetised(node, std::move(operands));
+            return combine_alphabetised(node, std::move(operands));
         case Op::hide:
-            return hidden(node, std::move(operands.front()));
+            return apply_hiding(node, std::move(operands.front()));
         case Op::rename:
-            return renamed(node, operands.front());
+            return apply_renaming(node, operands.front());
         case Op::sequential:
         case Op::exception:
-            return handed_over(node, std::move(operands));
+            return combine_sequence(node, std::move(operands));
         case Op::interrupt:
         case Op::external_choice:
-            return interruptible(node, std::move(operands));
+            return combine_interruptible(node, std::move(operands));
         case Op::sliding:
         case Op::internal_choice:
         case Op::prefix:
-            return gated(node, std::move(operands));
+            return combine_gated(node, std::move(operands));
         default:
             throw std::logic_error("an operator that is no part of a skeleton");
     }
 }
 
 /// Adds all combinations of vectors with this event, one vector of each operand.
-void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& out) {
+void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event, Vectors& out) {
     Vectors open{Vector{event, event, {}, {}}};
     for (const Vectors* each : who) {
         Vectors longer;
@@ -207,7 +208,7 @@ EventSet events_of(const Vectors& vectors) {
 }
 
 // P [|A|] Q: all operands together perform an event of A or tick. One operand performs any other event.
-Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
+Vectors Combiner::combine_parallel(const Node& node, std::vector<Vectors> operands) {
     const process::SetId set{terms_[node.term].payload};
     const auto joint = [&](Event event) { return event == tick || (event != tau && terms_.contains(set, event)); };
     Vectors result;
@@ -226,14 +227,14 @@ Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
             const auto found = table.find(entry.first);
             if (found != table.end()) who.push_back(&found->second);
         }
-        if (who.size() == tables.size()) together(std::move(who), entry.first, result);
+        if (who.size() == tables.size()) synchronise_vectors(std::move(who), entry.first, result);
     }
     return result;
 }
 
 // Alphabetised parallel: all operands whose alphabet contains an event perform it together. One operand performs a tau,
 // and all operands perform tick.
-Vectors Combiner::alphabetised(const Node& node, std::vector<Vectors> operands) {
+Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> operands) {
     const Term& term = terms_[node.term];
     Vectors result;
     std::map<Event, std::vector<Vectors>> shared;  // by event, for each operand
@@ -251,13 +252,13 @@ Vectors Combiner::alphabetised(const Node& node, std::vector<Vectors> operands) 
         std::vector<const Vectors*> who;
         for (std::size_t i = 0; i < row.size(); ++i)
             if (event == tick || terms_.contains(term.sets[i], event)) who.push_back(&row[i]);
-        together(std::move(who), event, result);
+        synchronise_vectors(std::move(who), event, result);
     }
     return result;
 }
 
 // P \ A: an event of A becomes tau.
-Vectors Combiner::hidden(const Node& node, Vectors operand) {
+Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
     const process::SetId set{terms_[node.term].payload};
     for (Vector& each : operand)
         if (each.event != tau && each.event != tick && terms_.contains(set, each.event)) each.event = tau;
@@ -265,7 +266,7 @@ Vectors Combiner::hidden(const Node& node, Vectors operand) {
 }
 
 // P[[R]]: an event becomes each of its images under R, or stays unchanged if it has none.
-Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
+Vectors Combiner::apply_renaming(const Node& node, const Vectors& operand) {
     const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
     Vectors result;
     for (const Vector& each : operand) {
@@ -283,7 +284,7 @@ Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
 }
 
 // P ; Q: P's tick becomes a tau that starts Q.   P [|A|> Q: an event of A starts Q.
-Vectors Combiner::handed_over(const Node& node, std::vector<Vectors> operands) {
+Vectors Combiner::combine_sequence(const Node& node, std::vector<Vectors> operands) {
     const bool sequence = node.op == Op::sequential;
     const process::SetId set{terms_[node.term].payload};
     for (Vector& each : operands[0]) {
@@ -299,7 +300,7 @@ Vectors Combiner::handed_over(const Node& node, std::vector<Vectors> operands) {
 }
 
 // P /\ Q: a visible event of Q ends P, and a tick of P ends Q.   P [] Q: a visible event or tick ends the others.
-Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands) {
+Vectors Combiner::combine_interruptible(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
     for (std::size_t i = 0; i < operands.size(); ++i)
         for (Vector& each : operands[i]) {
@@ -309,7 +310,7 @@ Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands)
             for (std::size_t other = 0; resolves && other < operands.size(); ++other)
                 if (other != i) others.push_back({node.children[other], false});
             charge_work(1 + others.size() + (others.empty() ? 0 : each.actions.size()));
-            prepend(each, others);
+            prepend_actions(each, others);
             result.push_back(std::move(each));
         }
     return result;
@@ -318,7 +319,7 @@ Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands)
 // The gate, child 0, offers the operator's own events until one of them happens or an operand resolves the choice.
 //   P [> Q: a tau that ends P and starts Q; a visible event or tick of P ends the gate.
 //   P |~| Q: one tau for each operand, which starts it.      e -> P: each event starts its continuation.
-Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
+Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
     const NodeId gate = node.children.front();
     const auto open = [&](Vector by, NodeId starts) {
@@ -329,7 +330,7 @@ Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
     };
     if (node.op == Op::sliding) {
         for (Vector& each : operands[1])
-            if (each.event != tau) prepend(each, {{gate, false}});
+            if (each.event != tau) prepend_actions(each, {{gate, false}});
         open(operands[0].front(), node.children[2]);
     } else if (node.op == Op::internal_choice) {
         for (std::size_t i = 1; i < node.children.size(); ++i) open(operands[0].front(), node.children[i]);
@@ -344,7 +345,7 @@ Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
     return result;
 }
 
-std::vector<std::uint32_t> Combiner::levels(const Node& prioritise) const {
+std::vector<std::uint32_t> Combiner::priority_levels(const Node& prioritise) const {
     return process::levels_of(terms_[process::OrderId{terms_[prioritise.term].payload}]);
 }
 
@@ -356,10 +357,10 @@ void Combiner::turn_off(NodeId id, std::vector<Assignment>& made) const {
 }
 
 /// Puts the components below a node into their first states. Operands that start later are off.
-void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
+void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
     const Node& node = skeleton_.nodes[id];
     charge_work(1);
-    if (node.kind == Node::Kind::again) return initialise(node.again, made);
+    if (node.kind == Node::Kind::again) return start_operands(node.again, made);
     if (node.kind != Node::Kind::operation) {
         made.push_back({node.first_slot, 0});
         return;
@@ -369,13 +370,13 @@ void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
     if (node.op == Op::internal_choice || node.op == Op::prefix) running = 1;
     if (node.op == Op::sliding) running = 2;
     for (std::size_t i = 0; i < node.children.size(); ++i)
-        i < running ? initialise(node.children[i], made) : turn_off(node.children[i], made);
+        i < running ? start_operands(node.children[i], made) : turn_off(node.children[i], made);
 }
 
 /// Returns the assignments, sorted by slot. If several actions assign to one slot, the last one counts.
-std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
+std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     std::vector<Assignment> made;
-    for (const Action& action : actions) action.start ? initialise(action.node, made) : turn_off(action.node, made);
+    for (const Action& action : actions) action.start ? start_operands(action.node, made) : turn_off(action.node, made);
     std::ranges::reverse(made);
     std::ranges::stable_sort(made, [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
     const auto same = [](const Assignment& a, const Assignment& b) { return a.slot == b.slot; };
@@ -385,7 +386,7 @@ std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
 
 /// Returns, for each participant and event, the fraction of the participant's states in which it can perform the event.
 /// For inner regions it is an estimate.
-std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
+std::vector<std::vector<double>> Combiner::estimate_chances(const Region& region) const {
     std::vector<std::vector<double>> result;
     for (std::size_t who = 0; who < region.participants.size(); ++who) {
         const Participant& participant = region.participants[who];
@@ -419,7 +420,7 @@ void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<
     rule.end_requirement = static_cast<std::uint32_t>(region.requirements.size());
     const auto [range, added] = ranges.try_emplace(&vector.actions);
     if (added) {
-        const std::vector<Assignment> made = assignments(vector.actions);
+        const std::vector<Assignment> made = assignments_of(vector.actions);
         const std::size_t first = region.assignments.size();
         region.assignments.insert(region.assignments.end(), made.begin(), made.end());
         range->second = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + made.size())};
@@ -429,8 +430,8 @@ void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<
     region.rules.push_back(rule);
 }
 
-void Combiner::finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const {
-    const std::vector<std::vector<double>> chance = chances(region);
+void Combiner::finish_region(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const {
+    const std::vector<std::vector<double>> chance = estimate_chances(region);
     const auto chance_of = [&](const Requirement& part) { return chance[part.participant][part.event]; };
     for (Vector& each : vectors)
         std::ranges::sort(each.parts, [&](const Requirement& a, const Requirement& b) {
@@ -469,7 +470,7 @@ void Combiner::list_operands() {
 }
 
 /// Places components next to each other in words of 32 bits. No component crosses a word boundary.
-void Combiner::pack() {
+void Combiner::pack_components() {
     std::vector<bool> may_be_off(result_.components.size(), false);
     const auto note = [&](std::uint32_t slot, Local value) {
         if (value == result_.components[slot]->size()) may_be_off[slot] = true;
@@ -493,8 +494,8 @@ void Combiner::pack() {
     result_.words = word + 1;
 }
 
-Leading leading(const Supercombinator& combined, const Region& region, std::uint32_t participant,
-                const std::function<void()>& poll) {
+Leading leading_edges(const Supercombinator& combined, const Region& region, std::uint32_t participant,
+                      const std::function<void()>& poll) {
     Leading result;
     if (region.participants[participant].is_region) return result;
     const Component& component = *combined.components[region.participants[participant].index];
@@ -514,7 +515,7 @@ Leading leading(const Supercombinator& combined, const Region& region, std::uint
 void list_leading(Supercombinator& combined, const std::function<void()>& poll) {
     for (Region& region : combined.regions)
         for (std::uint32_t who = 0; who < region.participants.size(); ++who)
-            region.leading.push_back(leading(combined, region, who, poll));
+            region.leading.push_back(leading_edges(combined, region, who, poll));
 }
 
 Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,

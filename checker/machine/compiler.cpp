@@ -21,19 +21,19 @@ public:
         : semantics_(semantics), most_states_(most_states) {}
 
     void run(TermId initial, const std::function<void()>& poll) {
-        number(initial);
+        number_term(initial);
         for (std::size_t state = 0; state < found.meaning.size(); ++state) {
             if (poll) poll();
             auto& row = found.rows.emplace_back();
             for (const process::Transition& step : semantics_.successors(found.meaning[state]))
-                row.push_back({step.event, step.revealed, number(step.target)});
+                row.push_back({step.event, step.revealed, number_term(step.target)});
         }
     }
 
     ExplicitMachine found;
 
 private:
-    Local number(TermId term) {
+    Local number_term(TermId term) {
         const auto [entry, fresh] = numbers_.emplace(static_cast<std::uint32_t>(term), found.meaning.size());
         if (fresh) found.meaning.push_back(term);
         if (found.meaning.size() > most_states_) throw NotCompiled("a component has too many states");
@@ -45,7 +45,7 @@ private:
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
-/// The states of a compiled process in breadth-first order, with the names of hidden events.
+/// Collects the states of a compiled process in breadth-first order, with the names of hidden events.
 class RowCollector final : private lts::SuccessorSink {
 public:
     RowCollector(lts::TransitionSystem& system, TermId meaning, std::size_t most_states)
@@ -118,29 +118,29 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
 Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bounds)
     : semantics_(semantics), bounds_(bounds) {}
 
-ComponentPtr Compiler::explored(TermId term, const std::function<void()>& poll) {
+ComponentPtr Compiler::explore_component(TermId term, const std::function<void()>& poll) {
     Exploration exploration(semantics_, bounds_.component_states);
     stage_.component = term;
     exploration.run(term, [&] {
         stage_.states = exploration.found.meaning.size();
         if (poll) poll();
     });
-    return reduced(std::move(exploration.found), poll);
+    return minimise_component(std::move(exploration.found), poll);
 }
 
-ComponentPtr Compiler::reduced(ExplicitMachine machine, const std::function<void()>& poll) const {
+ComponentPtr Compiler::minimise_component(ExplicitMachine machine, const std::function<void()>& poll) const {
     if (machine.rows.size() <= bounds_.minimised_states) minimise(machine, poll);
     return std::make_shared<const Component>(machine.rows, std::move(machine.meaning));
 }
 
 /// Removes edges of components that no rule uses. Returns whether a component has become smaller.
-bool Compiler::prune(const Supercombinator& combined, std::vector<ComponentPtr>& components,
-                     const std::function<void()>& poll) const {
+bool Compiler::prune_unused_edges(const Supercombinator& combined, std::vector<ComponentPtr>& components,
+                                  const std::function<void()>& poll) const {
     const std::vector<std::vector<bool>> used = used_events(combined);
     bool smaller = false;
     for (std::size_t slot = 0; slot < components.size(); ++slot) {
         if (std::ranges::find(used[slot], false) == used[slot].end()) continue;
-        components[slot] = reduced(without_unused(*components[slot], used[slot]), poll);
+        components[slot] = minimise_component(without_unused(*components[slot], used[slot]), poll);
         smaller = true;
     }
     return smaller;
@@ -149,7 +149,7 @@ bool Compiler::prune(const Supercombinator& combined, std::vector<ComponentPtr>&
 ComponentPtr Compiler::component(TermId term, const std::function<void()>& poll) {
     const auto known = components_.find(term);
     if (known != components_.end()) return known->second;
-    return components_[term] = explored(term, poll);
+    return components_[term] = explore_component(term, poll);
 }
 
 /// Whether the process as a term has few states. The transitions computed here are cached.
@@ -163,7 +163,7 @@ bool Compiler::is_small(TermId term, const std::function<void()>& poll) {
 }
 
 /// Returns a component with one state and a loop for every first event of the operator (see gates in combine.cpp).
-ComponentPtr Compiler::gate(const Node& node) const {
+ComponentPtr Compiler::make_gate(const Node& node) const {
     process::TermStore& terms = semantics_.terms();
     std::vector<Component::RawEdge> row;
     if (node.op == Op::prefix) {
@@ -185,7 +185,7 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, const s
     for (NodeId id : skeleton.slots) {
         const Node& node = skeleton.nodes[id];
         stage_ = {node.term, result.size() + 1, skeleton.slots.size(), 0};
-        result.push_back(node.kind == Node::Kind::gate ? gate(node) : component(node.term, poll));
+        result.push_back(node.kind == Node::Kind::gate ? make_gate(node) : component(node.term, poll));
     }
     return result;
 }
@@ -205,7 +205,7 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
         if (result) {
             for (NodeId id : result->slots) attempt(result->nodes[id].term);
         } else {
-            attempt(terms.unfolded(term, deepest_call));
+            attempt(terms.unfold_calls(term, deepest_call));
         }
         if (semantics_.left_out().size() == before) return result;
     }
@@ -230,7 +230,8 @@ ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
     const auto system = compile(term, poll);
     if (!system) return component(term, poll);
-    return components_[term] = reduced(RowCollector(*system, term, bounds_.compressed_states).run(poll), poll);
+    return components_[term] =
+               minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(poll), poll);
 }
 
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
@@ -247,7 +248,8 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
             components = this->components(*skeleton, poll);
         }
         Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules, poll);
-        while (prune(combined, components, poll)) combined = combine(terms, *skeleton, components, bounds_.rules, poll);
+        while (prune_unused_edges(combined, components, poll))
+            combined = combine(terms, *skeleton, components, bounds_.rules, poll);
         list_leading(combined, poll);
         return std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(combined)),
                                                        terms);
@@ -266,7 +268,7 @@ std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence 
                                                   const std::function<void()>& poll) {
     const auto system = compile(term, poll);
     if (!system) return std::nullopt;
-    const auto reduced = up_to == lts::Equivalence::strong ? nullptr : system->reduced(poll);
+    const auto reduced = up_to == lts::Equivalence::strong ? nullptr : system->make_reduced_system(poll);
     lts::TransitionSystem& explored = reduced ? static_cast<lts::TransitionSystem&>(*reduced) : *system;
     return without_names(RowCollector(explored, term, bounds_.compressed_states).run(poll));
 }

@@ -50,7 +50,7 @@ public:
         std::size_t number = 0, of = 0;  ///< counted from 1
         std::size_t states = 0;          ///< states of this component so far
     };
-    [[nodiscard]] const Stage& stage() const { return stage_; }
+    [[nodiscard]] const Stage& current_stage() const { return stage_; }
     /// Returns a machine that is equal to the compiled process up to the equivalence. It has all states, or only those
     /// that remain after confluent taus (reduced_system.hpp). No value if the process cannot be compiled. Throws
     /// process::TooManyStates.
@@ -60,15 +60,15 @@ public:
 private:
     bool is_small(TermId term, const std::function<void()>& poll);
     ComponentPtr component(TermId term, const std::function<void()>& poll);
-    ComponentPtr explored(TermId term, const std::function<void()>& poll);
-    ComponentPtr gate(const Node& node) const;
+    ComponentPtr explore_component(TermId term, const std::function<void()>& poll);
+    ComponentPtr make_gate(const Node& node) const;
     std::optional<Skeleton> skeleton(TermId term, const std::set<TermId>& leaves, const std::function<void()>& poll);
     std::vector<ComponentPtr> components(const Skeleton& skeleton, const std::function<void()>& poll);
     std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
     ComponentPtr region(TermId term, const std::function<void()>& poll);
-    ComponentPtr reduced(ExplicitMachine machine, const std::function<void()>& poll) const;
-    bool prune(const Supercombinator& combined, std::vector<ComponentPtr>& components,
-               const std::function<void()>& poll) const;
+    ComponentPtr minimise_component(ExplicitMachine machine, const std::function<void()>& poll) const;
+    bool prune_unused_edges(const Supercombinator& combined, std::vector<ComponentPtr>& components,
+                            const std::function<void()>& poll) const;
 
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
@@ -80,7 +80,7 @@ private:
 /// the semantics, so the compiler is set afterwards.
 class MachineCompressor final : public process::Compressor {
 public:
-    void use(Compiler& compiler) { compiler_ = &compiler; }
+    void set_compiler(Compiler& compiler) { compiler_ = &compiler; }
     std::optional<process::Machine> explore(TermId operand, process::Compression kind,
                                             const std::function<void()>& poll) override;
     process::Machine compress(const process::Machine& explored, process::Compression kind,

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }
     /// All events on edges, ascending, including tau and tick.
     [[nodiscard]] const EventSet& alphabet() const { return alphabet_; }
-    [[nodiscard]] TermId meaning(Local state) const { return meaning_[state]; }
+    [[nodiscard]] TermId term_of(Local state) const { return meaning_[state]; }
     /// All edges of a state, ordered by event. Empty if the component is off.
     [[nodiscard]] Edges edges(Local state) const {
         if (state >= meaning_.size()) return {};

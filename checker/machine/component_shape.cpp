@@ -14,11 +14,11 @@ using Colour = std::uint64_t;
 
 constexpr std::size_t most_work = 50'000'000;  // number of edges visited in all rounds
 
-Colour joined(Colour a, Colour b) {
+Colour combine_colours(Colour a, Colour b) {
     return splitmix64_mixed(splitmix64_mixed(a) + b);
 }
 
-std::size_t distinct(std::vector<Colour> colours) {
+std::size_t count_distinct(std::vector<Colour> colours) {
     std::ranges::sort(colours);
     return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
 }
@@ -36,10 +36,10 @@ public:
         std::size_t edges = 1;
         for (Local state = 0; state < component_.size(); ++state) edges += component_.edges(state).size();
         for (std::size_t work = 0, known = 0; work < most_work; work += edges) {
-            const std::size_t now = distinct(states_) + distinct(events_);
+            const std::size_t now = count_distinct(states_) + count_distinct(events_);
             if (now == known) return;
             known = now;
-            round();
+            refine_colours();
         }
     }
 
@@ -49,16 +49,16 @@ public:
 private:
     /// The new colour of a state depends on its old colour and on the colours of all adjacent edges, independently of
     /// their order.
-    void round() {
+    void refine_colours() {
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;
         for (Local from = 0; from < component_.size(); ++from) {
             if (poll_) poll_();
             for (const Component::Edge& edge : component_.edges(from)) {
                 const Colour by = events_[edge.event];
-                events[edge.event] += joined(states_[from], joined(3, states_[edge.target]));
-                states[from] += joined(by, joined(4, states_[edge.target]));
-                states[edge.target] += joined(by, joined(5, states_[from]));
+                events[edge.event] += combine_colours(states_[from], combine_colours(3, states_[edge.target]));
+                states[from] += combine_colours(by, combine_colours(4, states_[edge.target]));
+                states[edge.target] += combine_colours(by, combine_colours(5, states_[from]));
             }
         }
         for (Colour& colour : states) colour = splitmix64_mixed(colour);
@@ -72,9 +72,10 @@ private:
     const std::function<void()>& poll_;
 };
 
-/// States in the order of a breadth-first search that takes edges by the rank of their event, then by colour.
-std::vector<Local> searched(const Component& component, const std::vector<std::uint32_t>& rank,
-                            const std::vector<Colour>& colour) {
+/// Returns the states in the order of a breadth-first search that takes edges by the rank of their event, then by
+/// colour.
+std::vector<Local> search_order(const Component& component, const std::vector<std::uint32_t>& rank,
+                                const std::vector<Colour>& colour) {
     std::vector<Local> order{0};
     std::vector<bool> seen(component.size(), false);
     seen[0] = true;
@@ -98,7 +99,7 @@ std::uint64_t hash_of(std::vector<Colour> states, std::vector<Colour> events) {
     std::ranges::sort(events);
     std::uint64_t hash = states.size();
     for (const std::vector<Colour>* all : {&states, &events})
-        for (const Colour colour : *all) hash = joined(hash, colour);
+        for (const Colour colour : *all) hash = combine_colours(hash, colour);
     return hash;
 }
 
@@ -119,7 +120,7 @@ ComponentShape shape_of(const Component& component, const std::vector<std::uint6
     });
     std::vector<std::uint32_t> rank(alphabet.size());
     for (std::uint32_t i = 0; i < rank.size(); ++i) rank[shape.event[i]] = i;
-    shape.state = searched(component, rank, refinement.states());
+    shape.state = search_order(component, rank, refinement.states());
     if (shape.state.size() < component.size()) return {};
     shape.state.push_back(static_cast<Local>(component.size()));
     shape.number.resize(shape.state.size());

@@ -20,7 +20,7 @@ constexpr std::size_t most_beside = 4;
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
-bool shared(const std::vector<std::uint32_t>& some, const std::vector<Passage>& others) {
+bool shares_region(const std::vector<std::uint32_t>& some, const std::vector<Passage>& others) {
     return std::ranges::any_of(
         others, [&](const Passage& passage) { return std::ranges::find(some, passage.region) != some.end(); });
 }
@@ -62,17 +62,17 @@ void Confluence::list_tau_rules() {
         for (const Part& part : rule.parts)
             if (part.event && (lead == nullptr || share(part) < share(*lead))) lead = &part;
         if (lead == nullptr) continue;
-        first_[number] = tracking(number, parts_of(number));
+        first_[number] = find_tracked_set(number, parts_of(number));
         if (first_[number] != no) leading_[lead->slot][*lead->event].push_back(number);
     }
 }
 
-bool Confluence::follow(std::span<Local> state) {
+bool Confluence::follow_tau(std::span<Local> state) {
     ++states_asked_;
     for (std::uint32_t slot = 0; slot < state.size(); ++slot) {
         if (state[slot] >= known_[slot].size()) continue;  // off
         for (const RuleNumber number : candidates(slot, state[slot])) {
-            if (!confluent(number, state)) continue;
+            if (!is_confluent(number, state)) continue;
             for (const Part& part : rules_->rules[number].parts)
                 state[part.slot] = part.assigned
                                        ? *part.assigned
@@ -86,38 +86,38 @@ bool Confluence::follow(std::span<Local> state) {
 const std::vector<Confluence::RuleNumber>& Confluence::candidates(std::uint32_t slot, Local local) {
     std::uint32_t& known = known_[slot][local];
     if (known == 0) {
-        lists_.push_back(made(slot, local));
+        lists_.push_back(make_entry(slot, local));
         known = static_cast<std::uint32_t>(lists_.size());
     }
     return lists_[known - 1U];
 }
 
-std::vector<Confluence::RuleNumber> Confluence::made(std::uint32_t slot, Local local) const {
+std::vector<Confluence::RuleNumber> Confluence::make_entry(std::uint32_t slot, Local local) const {
     std::vector<RuleNumber> result;
     std::optional<std::uint32_t> before;
     for (const Component::Edge& edge : component(slot).edges(local)) {
         if (before == edge.event) continue;
         before = edge.event;
         for (const RuleNumber number : leading_[slot][edge.event])
-            if (!hopeless(number, slot, local)) result.push_back(number);
+            if (!never_commutes(number, slot, local)) result.push_back(number);
     }
     return result;
 }
 
 /// Whether condition 3 fails for all states of the other parts.
-bool Confluence::hopeless(RuleNumber number, std::uint32_t slot, Local local) const {
+bool Confluence::never_commutes(RuleNumber number, std::uint32_t slot, Local local) const {
     const WholeRule& rule = rules_->rules[number];
     for (const Component::Edge& edge : component(slot).edges(local))
         for (const RuleNumber by : rules_->asking[slot][edge.event]) {
             const WholeRule& other = rules_->rules[by];
-            if (by == number || shared(rule.preventing, other.prevented)) continue;
+            if (by == number || shares_region(rule.preventing, other.prevented)) continue;
             const bool alone = other.parts.size() == 1 && !other.parts.front().assigned;
-            if (alone && !commutes(*rule.part(slot), *other.part(slot), local)) return true;
+            if (alone && !commutes_with(*rule.find_part(slot), *other.find_part(slot), local)) return true;
         }
     return false;
 }
 
-std::uint64_t Confluence::key(const Tracked& tracked, Locals state) {
+std::uint64_t Confluence::state_key(const Tracked& tracked, Locals state) {
     std::uint64_t result = 0;
     for (std::size_t i = 0; i < tracked.slots.size(); ++i) result += tracked.weights[i] * state[tracked.slots[i]];
     return result;
@@ -125,18 +125,18 @@ std::uint64_t Confluence::key(const Tracked& tracked, Locals state) {
 
 /// Returns the number of the set that tracks these components for the rule, or of its replacement in the plan. Returns
 /// `no` if there is none, or if the states are too many for keys.
-std::uint32_t Confluence::tracking(RuleNumber rule, Slots slots) {
+std::uint32_t Confluence::find_tracked_set(RuleNumber rule, Slots slots) {
     const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
     if (!fresh) return known->second;
     const auto planned = plan_.find({parts_of(rule), known->first.second});
     if (planned == plan_.end())
-        known->second = made(rule, known->first.second);
+        known->second = make_entry(rule, known->first.second);
     else if (!planned->second.empty())
-        known->second = tracking(rule, planned->second);
+        known->second = find_tracked_set(rule, planned->second);
     return known->second;
 }
 
-std::uint32_t Confluence::made(RuleNumber rule, Slots slots) {
+std::uint32_t Confluence::make_entry(RuleNumber rule, Slots slots) {
     std::vector<std::uint64_t> weights;
     std::uint64_t states = 1;
     for (const std::uint32_t slot : slots) {
@@ -200,7 +200,7 @@ bool ProofRecord::leads_to_proofs(const Key& key, double work_of_a_state) const 
 
 void Confluence::add_to(ProofRecord& record) const {
     for (const Tracked& tracked : tracked_) {
-        ProofRecord::Sum& sum = record.of(parts_of(tracked.rule), tracked.slots);
+        ProofRecord::Sum& sum = record.sum_of(parts_of(tracked.rule), tracked.slots);
         sum.proofs += tracked.proofs;
         sum.looked += tracked.looked;
         sum.rules += tracked.rules;
@@ -209,7 +209,7 @@ void Confluence::add_to(ProofRecord& record) const {
     }
 }
 
-double Confluence::work() const {
+double Confluence::total_work() const {
     constexpr double of_an_answer = 0.7;  // cost of a cached answer
     ProofRecord::Sum all;
     for (const Tracked& tracked : tracked_) {
@@ -227,7 +227,7 @@ Slots Confluence::parts_of(RuleNumber rule) const {
 
 /// Returns, among the selected components that perform an event in the rule, the one that can perform it in the fewest
 /// of its states.
-std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<char>& has) const {
+std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vector<char>& has) const {
     const Part* rarest = nullptr;
     for (const Part& part : rule.parts) {
         if (!part.event || has[part.slot] == 0) continue;
@@ -237,7 +237,7 @@ std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<cha
 }
 
 /// Returns the rules in which tracked components perform an event.
-const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
+const Confluence::Asking& Confluence::rules_by_event(const Tracked& tracked) {
     const auto [known, fresh] = asking_.try_emplace(tracked.slots);
     Asking& made = known->second;
     if (!fresh) return made;
@@ -246,7 +246,7 @@ const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
         for (std::uint32_t event = 0; event < component(slot).alphabet().size(); ++event) {
             std::vector<RuleNumber> rules;
             for (const RuleNumber each : rules_->asking[slot][event])
-                if (listed_at(rules_->rules[each], tracked.has) == slot) rules.push_back(each);
+                if (rarest_component(rules_->rules[each], tracked.has) == slot) rules.push_back(each);
             if (!rules.empty()) listed.push_back({event, std::move(rules)});
         }
     }
@@ -255,7 +255,7 @@ const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
 
 /// Returns the set that also tracks the parts of one of the other rules: of the first one that has some untracked
 /// parts, but not too many.
-Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
+Confluence::Next Confluence::find_larger_tracked_set(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
     const Slots& before = tracked_[number].slots;
     const std::size_t most = rules_->rules[rule].parts.size() + most_beside;
@@ -265,14 +265,14 @@ Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vect
             if (part.event && !std::ranges::binary_search(before, part.slot)) slots.push_back(part.slot);
         if (slots.size() == before.size() || slots.size() > most) continue;
         std::ranges::sort(slots);
-        if (const std::uint32_t more = tracking(rule, std::move(slots)); more != no) return {more, i + 1};
+        if (const std::uint32_t more = find_tracked_set(rule, std::move(slots)); more != no) return {more, i + 1};
     }
     return {no, 0};
 }
 
-void Confluence::keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer) {
+void Confluence::store_answer(std::uint32_t number, std::uint64_t key, std::uint32_t answer) {
     if (answers_.size() >= most_answers) answers_.clear();
-    answers_.keep(number, key, answer);
+    answers_.store_answer(number, key, answer);
 }
 
 /// The states of the tracked components that other rules can reach while the rule can fire. The rule is confluent
@@ -290,19 +290,19 @@ public:
             next_.by.clear();
             const Locals found = Locals(found_).subspan(i * width_, width_);
             state_.assign(found.begin(), found.end());
-            if (!all_.holds_now(tracked, state_, next_, disturbing)) return blame(disturbing, i), false;
+            if (!all_.holds_now(tracked, state_, next_, disturbing)) return record_blame(disturbing, i), false;
             for (std::size_t j = 0; j < next_.by.size(); ++j)
                 add(Locals(next_.states).subspan(j * width_, width_), i, next_.by[j]);
             if (keys_.size() > most_together) return false;
         }
         return true;
     }
-    [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
+    [[nodiscard]] const std::vector<std::uint64_t>& state_keys() const { return keys_; }
     /// Number of rules examined by the last proof.
     [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
     /// After a failed proof: the rule that disturbs it, and the rules on the path to the state in which it does, last
     /// first.
-    [[nodiscard]] const std::vector<RuleNumber>& blamed() const { return blamed_; }
+    [[nodiscard]] const std::vector<RuleNumber>& blamed_rules() const { return blamed_; }
     /// After a failed proof: the keys of the states on the path from that state back to the first. The rules on the
     /// path from the n-th state are the first n - 1 of the rules above.
     [[nodiscard]] const std::vector<std::uint64_t>& led_on() const { return led_on_; }
@@ -323,7 +323,7 @@ private:
         next_.rules = 0;
     }
     void add(Locals state, std::size_t from, RuleNumber by) {
-        const std::uint64_t here = key(*tracked_, state);
+        const std::uint64_t here = state_key(*tracked_, state);
         if (!is_new(here)) return;
         found_.insert(found_.end(), state.begin(), state.end());
         keys_.push_back(here);
@@ -334,7 +334,7 @@ private:
         if (known_.empty()) known_.insert(keys_.begin(), keys_.end());
         return known_.insert(key).second;
     }
-    void blame(const std::optional<RuleNumber>& disturbing, std::size_t at) {
+    void record_blame(const std::optional<RuleNumber>& disturbing, std::size_t at) {
         led_on_.push_back(keys_[at]);
         if (disturbing) blamed_.push_back(*disturbing);
         for (; at != 0; at = led_[at].first) {
@@ -358,45 +358,45 @@ private:
 
 Confluence::~Confluence() = default;
 
-bool Confluence::confluent(RuleNumber rule, Locals state) {
+bool Confluence::is_confluent(RuleNumber rule, Locals state) {
     std::uint32_t found = first_[rule];
     std::uint32_t asked = no;
     while (found < yes) {
         asked = found;
-        found = answer(asked, state);
+        found = find_answer(asked, state);
     }
     if (found == yes) ++tracked_[asked].used;
     return found == yes;
 }
 
-std::uint32_t Confluence::answer(std::uint32_t number, Locals state) {
+std::uint32_t Confluence::find_answer(std::uint32_t number, Locals state) {
     ++answers_asked_;
-    const std::uint64_t here = key(tracked_[number], state);
+    const std::uint64_t here = state_key(tracked_[number], state);
     const std::optional<std::uint32_t> known = answers_.find(number, here);
-    return known ? *known : decide(number, here, state);
+    return known ? *known : prove_answer(number, here, state);
 }
 
 /// The answer depends only on the states of the tracked components, and so does the next query. If a proof fails, a
 /// proof that begins with a state on the path to the failure fails at the same state. The reason is that the first
 /// state in which a condition fails is searched breadth first, and no shorter path leads to it. So all states on the
 /// path have the same answer. They have no next query if this one is due to a rule that comes before them.
-std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Locals state) {
-    if (tracked_[number].asking == nullptr) tracked_[number].asking = &asking(tracked_[number]);
+std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here, Locals state) {
+    if (tracked_[number].asking == nullptr) tracked_[number].asking = &rules_by_event(tracked_[number]);
     if (!closure_) closure_ = std::make_unique<Closure>(*this);
     Closure& closure = *closure_;
     const bool proved = closure.prove(tracked_[number], state);
-    tracked_[number].looked += closure.keys().size();
+    tracked_[number].looked += closure.state_keys().size();
     tracked_[number].rules += closure.rules();
     if (proved) {
         ++tracked_[number].proofs;
-        for (const std::uint64_t each : closure.keys()) keep(number, each, yes);
+        for (const std::uint64_t each : closure.state_keys()) store_answer(number, each, yes);
         return yes;
     }
-    const Next next = tracking_more(number, closure.blamed());
+    const Next next = find_larger_tracked_set(number, closure.blamed_rules());
     if (next.number != no) ++tracked_[number].next[next.number];
     for (std::size_t i = 0; i < closure.led_on().size(); ++i)
-        keep(number, closure.led_on()[i], i + 1 < next.rules ? no : next.number);
-    keep(number, here, next.number);
+        store_answer(number, closure.led_on()[i], i + 1 < next.rules ? no : next.number);
+    store_answer(number, here, next.number);
     return next.number;
 }
 
@@ -407,13 +407,13 @@ std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Local
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
-    if (!determined(rule, state)) return false;
+    if (!is_deterministic(rule, state)) return false;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
         return std::ranges::all_of(others, [&](RuleNumber by) {
             ++next.rules;
             const WholeRule& other = rules_->rules[by];
             if (by == tracked.rule || cannot_fire(other, tracked, state)) return true;
-            if (!commutes(rule, other, state)) return disturbing = by, false;
+            if (!commutes_with(rule, other, state)) return disturbing = by, false;
             add_outcomes(tracked, by, 0, state, next);
             return true;
         });
@@ -429,8 +429,8 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
             if (edge->event == each.event && !leave_it_possible(each.rules)) return false;
         }
         if (!leave_it_possible(rules_->assigning[slot])) return false;
-        const Part* const part = rule.part(slot);
-        if (part == nullptr || unchanged(*part, local)) continue;
+        const Part* const part = rule.find_part(slot);
+        if (part == nullptr || stays_unchanged(*part, local)) continue;
         for (const RuleNumber by : rules_->preventable[slot])
             if (!cannot_fire(rules_->rules[by], tracked, state)) return disturbing = by, false;
     }
@@ -438,7 +438,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
 }
 
 /// Condition 2: every part is possible and has exactly one result.
-bool Confluence::determined(const WholeRule& rule, Locals state) const {
+bool Confluence::is_deterministic(const WholeRule& rule, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         if (!part.event) return true;
         const Component::Edges edges = component(part.slot).edges(state[part.slot], *part.event);
@@ -449,7 +449,7 @@ bool Confluence::determined(const WholeRule& rule, Locals state) const {
 
 /// Whether some tracked component cannot perform its event of the rule, or the tracked rule prevents it.
 bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const {
-    return shared(rules_->rules[tracked.rule].preventing, other.prevented) ||
+    return shares_region(rules_->rules[tracked.rule].preventing, other.prevented) ||
            std::ranges::any_of(other.parts, [&](const Part& part) {
                return part.event && tracked.has[part.slot] != 0 &&
                       component(part.slot).edges(state[part.slot], *part.event).empty();
@@ -457,14 +457,14 @@ bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Loc
 }
 
 /// Whether the components with a part in both rules reach the same states in either order.
-bool Confluence::commutes(const WholeRule& rule, const WholeRule& other, Locals state) const {
+bool Confluence::commutes_with(const WholeRule& rule, const WholeRule& other, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
-        const Part* const theirs = other.part(part.slot);
-        return theirs == nullptr || commutes(part, *theirs, state[part.slot]);
+        const Part* const theirs = other.find_part(part.slot);
+        return theirs == nullptr || commutes_with(part, *theirs, state[part.slot]);
     });
 }
 
-bool Confluence::commutes(const Part& part, const Part& other, Local local) const {
+bool Confluence::commutes_with(const Part& part, const Part& other, Local local) const {
     if (part.assigned || other.assigned || !part.event || !other.event) return false;
     const Component& machine = component(part.slot);
     const Component::Edges first = machine.edges(local, *part.event);
@@ -505,7 +505,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
 }
 
 /// Whether the component stays in this state in all ways to perform its part.
-bool Confluence::unchanged(const Part& part, Local local) const {
+bool Confluence::stays_unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);
     return std::ranges::all_of(edges, [&](const Component::Edge& edge) { return edge.target == local; });

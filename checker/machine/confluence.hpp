@@ -40,7 +40,7 @@ public:
         std::map<Slots, std::uint64_t> next;
     };
 
-    [[nodiscard]] Sum& of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
+    [[nodiscard]] Sum& sum_of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
     /// Returns the queries that proofs can skip if computing the successors of a state takes this much work. These are
     /// proofs that never succeeded, and proofs that took more work than the states that they left out.
     [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
@@ -65,11 +65,11 @@ public:
 
     /// Performs the first tau of the state that is proved to be confluent. `state` contains the states of the
     /// components. Returns false if there is no such tau.
-    bool follow(std::span<Local> state);
+    bool follow_tau(std::span<Local> state);
     /// Adds the costs and results of the proofs so far.
     void add_to(ProofRecord&) const;
     /// The total work so far, in the unit of `work_of_a_state`.
-    [[nodiscard]] double work() const;
+    [[nodiscard]] double total_work() const;
 
 private:
     using RuleNumber = std::uint32_t;
@@ -105,34 +105,34 @@ private:
     void count_offers();
     void list_tau_rules();
     const std::vector<RuleNumber>& candidates(std::uint32_t slot, Local local);
-    [[nodiscard]] std::vector<RuleNumber> made(std::uint32_t slot, Local local) const;
-    [[nodiscard]] bool hopeless(RuleNumber rule, std::uint32_t slot, Local local) const;
-    bool confluent(RuleNumber rule, Locals state);
-    std::uint32_t answer(std::uint32_t number, Locals state);
-    std::uint32_t decide(std::uint32_t number, std::uint64_t here, Locals state);
-    void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
-    std::uint32_t tracking(RuleNumber rule, Slots slots);
-    std::uint32_t made(RuleNumber rule, Slots slots);
+    [[nodiscard]] std::vector<RuleNumber> make_entry(std::uint32_t slot, Local local) const;
+    [[nodiscard]] bool never_commutes(RuleNumber rule, std::uint32_t slot, Local local) const;
+    bool is_confluent(RuleNumber rule, Locals state);
+    std::uint32_t find_answer(std::uint32_t number, Locals state);
+    std::uint32_t prove_answer(std::uint32_t number, std::uint64_t here, Locals state);
+    void store_answer(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
+    std::uint32_t find_tracked_set(RuleNumber rule, Slots slots);
+    std::uint32_t make_entry(RuleNumber rule, Slots slots);
     /// The next query after a failed proof, and the number of rules that were examined to find it.
     struct Next {
         std::uint32_t number;
         std::size_t rules;
     };
-    Next tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others);
+    Next find_larger_tracked_set(std::uint32_t number, const std::vector<RuleNumber>& others);
     [[nodiscard]] Slots parts_of(RuleNumber rule) const;
-    const Asking& asking(const Tracked& tracked);
-    [[nodiscard]] std::uint32_t listed_at(const WholeRule& rule, const std::vector<char>& has) const;
-    [[nodiscard]] static std::uint64_t key(const Tracked& tracked, Locals state);
+    const Asking& rules_by_event(const Tracked& tracked);
+    [[nodiscard]] std::uint32_t rarest_component(const WholeRule& rule, const std::vector<char>& has) const;
+    [[nodiscard]] static std::uint64_t state_key(const Tracked& tracked, Locals state);
 
     [[nodiscard]] bool holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                                  std::optional<RuleNumber>& disturbing) const;
-    [[nodiscard]] bool determined(const WholeRule& rule, Locals state) const;
+    [[nodiscard]] bool is_deterministic(const WholeRule& rule, Locals state) const;
     [[nodiscard]] bool cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const;
-    [[nodiscard]] bool commutes(const WholeRule& rule, const WholeRule& other, Locals state) const;
-    [[nodiscard]] bool commutes(const Part& part, const Part& other, Local local) const;
+    [[nodiscard]] bool commutes_with(const WholeRule& rule, const WholeRule& other, Locals state) const;
+    [[nodiscard]] bool commutes_with(const Part& part, const Part& other, Local local) const;
     void add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                       Outcomes& next) const;
-    [[nodiscard]] bool unchanged(const Part& part, Local local) const;
+    [[nodiscard]] bool stays_unchanged(const Part& part, Local local) const;
     [[nodiscard]] const Component& component(std::uint32_t slot) const { return *combined_->components[slot]; }
 
     std::shared_ptr<const Supercombinator> combined_;

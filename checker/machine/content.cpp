@@ -19,7 +19,7 @@ public:
         for (Local state = 0; state < component.size(); ++state) {
             row.clear();
             for (const Component::Edge& edge : component.edges(state))
-                row.insert(row.end(), {edge.event, places_.of(edge.revealed), edge.target});
+                row.insert(row.end(), {edge.event, places_.index_of(edge.revealed), edge.target});
             hasher_.add(row);
         }
     }
@@ -34,9 +34,9 @@ public:
         events(region.alphabet);
         row.clear();
         for (const Rule& rule : region.rules)
-            row.insert(row.end(), {places_.of(rule.event), places_.of(rule.revealed), rule.place, rule.level,
-                                   rule.lead.participant, rule.lead.event, rule.first_requirement, rule.end_requirement,
-                                   rule.first_assignment, rule.end_assignment});
+            row.insert(row.end(), {places_.index_of(rule.event), places_.index_of(rule.revealed), rule.place,
+                                   rule.level, rule.lead.participant, rule.lead.event, rule.first_requirement,
+                                   rule.end_requirement, rule.first_assignment, rule.end_assignment});
         hasher_.add(row);
         row.clear();
         for (const Requirement& requirement : region.requirements)
@@ -51,7 +51,7 @@ public:
 private:
     void events(const EventSet& events) {
         std::vector<std::uint32_t> row;
-        for (const Event event : events) row.push_back(places_.of(event));
+        for (const Event event : events) row.push_back(places_.index_of(event));
         hasher_.add(row);
     }
 
@@ -107,7 +107,7 @@ void add_content(const lts::Graph& graph, const EventPlaces& places, diagnostics
     for (lts::StateIndex state = 0; state < graph.size(); ++state) {
         row.clear();
         for (const lts::Edge& edge : graph.edges(state))
-            row.insert(row.end(), {places.of(edge.event), static_cast<std::uint32_t>(edge.target)});
+            row.insert(row.end(), {places.index_of(edge.event), static_cast<std::uint32_t>(edge.target)});
         hasher.add(row);
     }
 }

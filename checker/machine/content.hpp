@@ -3,9 +3,9 @@
 // it. Equal content means equal searches with equal packed states. The terms of states are not included.
 #pragma once
 
+#include "base/cache/digest.hpp"
 #include "checker/lts/graph.hpp"
 #include "checker/machine/supercombinator.hpp"
-#include "base/cache/digest.hpp"
 
 namespace robochart::machine {
 
@@ -15,9 +15,9 @@ class EventPlaces {
 public:
     /// `named`: ascending.
     explicit EventPlaces(EventSet named);
-    [[nodiscard]] const EventSet& named() const { return named_; }
+    [[nodiscard]] const EventSet& named_events() const { return named_; }
     /// The index of an event in the list.
-    [[nodiscard]] std::uint32_t of(Event event) const { return places_[event]; }
+    [[nodiscard]] std::uint32_t index_of(Event event) const { return places_[event]; }
 
 private:
     EventSet named_;

@@ -37,17 +37,17 @@ Exchange::Exchange(const Supercombinator& combined, const std::vector<ComponentS
       second_(second),
       component_events_(combined.components.size()) {}
 
-std::uint32_t Exchange::slot(std::uint32_t slot) const {
+std::uint32_t Exchange::image_of_slot(std::uint32_t slot) const {
     if (slot >= first_.first && slot < first_.end) return slot - first_.first + second_.first;
     if (slot >= second_.first && slot < second_.end) return slot - second_.first + first_.first;
     return slot;
 }
 
 Local Exchange::state(std::uint32_t slot, Local state) const {
-    return moved(slot) ? shapes_[this->slot(slot)].state[shapes_[slot].number[state]] : state;
+    return moves_slot(slot) ? shapes_[this->image_of_slot(slot)].state[shapes_[slot].number[state]] : state;
 }
 
-std::optional<lts::EventPermutation> Exchange::verified(const std::function<void()>& poll) {
+std::optional<lts::EventPermutation> Exchange::find_exchanged_events(const std::function<void()>& poll) {
     for (const SlotRange& range : {first_, second_})
         for (std::uint32_t slot = range.first; slot < range.end; ++slot)
             if (!maps_component(slot, poll)) return std::nullopt;
@@ -63,9 +63,9 @@ std::optional<lts::EventPermutation> Exchange::verified(const std::function<void
 }
 
 /// Condition 1: the numbers of states and events are an isomorphism of the components. Fields of the same width can
-/// hold the states of both; for a component that is never turned off, "off" is not a state.
+/// contain the states of both. For a component that is never turned off, "off" is not a state.
 bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& poll) {
-    const std::uint32_t image = this->slot(slot);
+    const std::uint32_t image = this->image_of_slot(slot);
     const Component& from = *combined_.components[slot];
     const Component& to = *combined_.components[image];
     if (combined_.fields[slot].mask != combined_.fields[image].mask) return false;
@@ -101,7 +101,7 @@ bool Exchange::map_regions() {
     std::vector<bool> taken(below.size(), false);
     for (const std::vector<std::uint32_t>& slots : below) {
         std::vector<std::uint32_t> images;
-        for (const std::uint32_t each : slots) images.push_back(slot(each));
+        for (const std::uint32_t each : slots) images.push_back(image_of_slot(each));
         std::ranges::sort(images);
         std::uint32_t image = 0;
         while (image < below.size() && (taken[image] || below[image] != images)) ++image;
@@ -123,7 +123,8 @@ bool Exchange::map_participants(std::uint32_t region) {
     const std::vector<Participant>& participants = combined_.regions[region].participants;
     if (numbers.size() != participants.size()) return false;
     for (const Participant& each : participants) {
-        const auto image = numbers.find(key(each.is_region, each.is_region ? region_[each.index] : slot(each.index)));
+        const auto image =
+            numbers.find(key(each.is_region, each.is_region ? region_[each.index] : image_of_slot(each.index)));
         if (image == numbers.end()) return false;
         participant_[region].push_back(image->second);
     }
@@ -135,7 +136,7 @@ bool Exchange::maps_rules(std::uint32_t region, const std::function<void()>& pol
     const Region& from = combined_.regions[region];
     const Region& to = combined_.regions[region_[region]];
     if (from.rules.size() != to.rules.size() || from.alphabet.size() != to.alphabet.size()) return false;
-    std::optional<Places> events = event_images(from, to, images(region, poll), bodies(to, poll));
+    std::optional<Places> events = event_images(from, to, map_requirements(region, poll), bodies(to, poll));
     if (!events) return false;
     region_events_[region] = std::move(*events);
     return true;
@@ -167,7 +168,7 @@ Exchange::EventsByBody Exchange::bodies(const Region& region, const std::functio
     return result;
 }
 
-Exchange::EventsByBody Exchange::images(std::uint32_t region, const std::function<void()>& poll) const {
+Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, const std::function<void()>& poll) const {
     Region mapped;
     const Region& from = combined_.regions[region];
     const auto image = [&](const Requirement& each) {
@@ -179,7 +180,7 @@ Exchange::EventsByBody Exchange::images(std::uint32_t region, const std::functio
     for (Rule& rule : mapped.rules) rule.lead = image(rule.lead);
     for (const Requirement& each : from.requirements) mapped.requirements.push_back(image(each));
     for (const Assignment& each : from.assignments)
-        mapped.assignments.push_back({slot(each.slot), state(each.slot, each.value)});
+        mapped.assignments.push_back({image_of_slot(each.slot), state(each.slot, each.value)});
     return bodies(mapped, poll);
 }
 

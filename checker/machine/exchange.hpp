@@ -24,7 +24,7 @@ public:
 
     /// Returns the events that the exchange maps to other events, if the exchange is an automorphism. `poll` may throw
     /// to stop.
-    [[nodiscard]] std::optional<lts::EventPermutation> verified(const std::function<void()>& poll);
+    [[nodiscard]] std::optional<lts::EventPermutation> find_exchanged_events(const std::function<void()>& poll);
 
 private:
     using Places = std::vector<std::uint32_t>;  ///< by index in an alphabet: the index of the image
@@ -32,16 +32,16 @@ private:
     using Body = std::vector<std::uint32_t>;
     using EventsByBody = std::map<Body, std::vector<std::uint32_t>>;
 
-    [[nodiscard]] std::uint32_t slot(std::uint32_t slot) const;
+    [[nodiscard]] std::uint32_t image_of_slot(std::uint32_t slot) const;
     [[nodiscard]] Local state(std::uint32_t slot, Local state) const;
-    [[nodiscard]] bool moved(std::uint32_t slot) const { return this->slot(slot) != slot; }
+    [[nodiscard]] bool moves_slot(std::uint32_t slot) const { return this->image_of_slot(slot) != slot; }
 
     [[nodiscard]] bool maps_component(std::uint32_t slot, const std::function<void()>& poll);
     bool map_regions();
     [[nodiscard]] bool map_participants(std::uint32_t region);
     [[nodiscard]] bool maps_rules(std::uint32_t region, const std::function<void()>& poll);
     [[nodiscard]] EventsByBody bodies(const Region& region, const std::function<void()>& poll) const;
-    [[nodiscard]] EventsByBody images(std::uint32_t region, const std::function<void()>& poll) const;
+    [[nodiscard]] EventsByBody map_requirements(std::uint32_t region, const std::function<void()>& poll) const;
     [[nodiscard]] std::optional<Places> event_images(const Region& from, const Region& to, const EventsByBody& bodies,
                                                      const EventsByBody& wanted) const;
 

@@ -32,7 +32,7 @@ void minimise(ExplicitMachine& machine, const std::function<void()>& poll) {
 ExplicitMachine without_unused(const Component& component, const std::vector<bool>& used) {
     ExplicitMachine result;
     for (Local state = 0; state < component.size(); ++state) {
-        result.meaning.push_back(component.meaning(state));
+        result.meaning.push_back(component.term_of(state));
         auto& row = result.rows.emplace_back();
         for (const Component::Edge& edge : component.edges(state))
             if (used[edge.event]) row.push_back({component.alphabet()[edge.event], edge.revealed, edge.target});

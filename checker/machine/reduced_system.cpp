@@ -33,7 +33,7 @@ public:
     explicit Pilot(std::size_t width) : found_(width) {}
 
     /// Expands up to this many more states. Returns false if it ended early because the proofs took too much work.
-    bool run(ReducedSystem& system, std::size_t states, const std::function<void()>& poll) {
+    bool expand_states(ReducedSystem& system, std::size_t states, const std::function<void()>& poll) {
         if (found_.size() == 0) {
             std::vector<lts::Word> initial(system.width());
             system.initial(initial);
@@ -41,7 +41,8 @@ public:
         }
         for (std::size_t i = 0; i < states && !open_.empty() && found_.size() < pilot_found; ++i) {
             if (poll) poll();
-            const double most = most_work_of_a_round + most_work_of_a_tau * static_cast<double>(system.chased());
+            const double most =
+                most_work_of_a_round + most_work_of_a_tau * static_cast<double>(system.chased_state_count());
             if (system.work_of_proofs() > most) return false;
             const lts::StateIndex state = open_.back();
             open_.pop_back();
@@ -54,7 +55,7 @@ public:
         }
         return true;
     }
-    [[nodiscard]] std::size_t expanded() const { return expanded_; }
+    [[nodiscard]] std::size_t expanded_count() const { return expanded_; }
 
 private:
     void add(Event /*event*/, lts::StateView target, Event /*revealed*/) override {
@@ -80,17 +81,17 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         auto whole = std::make_unique<SupercombinatorSystem>(combined, terms);
         const SupercombinatorSystem& searched = *whole;
         ReducedSystem reduced(std::move(whole), combined, rules, plan);
-        reduced.watch(poll);
-        const std::size_t expanded_before = pilot.expanded();
-        const bool whole_round = pilot.run(reduced, states, poll);
-        const std::size_t expanded = pilot.expanded() - expanded_before;
+        reduced.set_poll(poll);
+        const std::size_t expanded_before = pilot.expanded_count();
+        const bool whole_round = pilot.expand_states(reduced, states, poll);
+        const std::size_t expanded = pilot.expanded_count() - expanded_before;
         if (expanded == 0) break;
-        work += static_cast<double>(searched.work());
+        work += static_cast<double>(searched.examined_step_count());
         reduced.add_to(record);
-        const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded());
+        const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded_count());
         // Each followed tau leaves out at most one state.
         const auto kept = static_cast<double>(expanded);
-        const double without = (kept + static_cast<double>(reduced.chased())) * work_of_a_state;
+        const double without = (kept + static_cast<double>(reduced.chased_state_count())) * work_of_a_state;
         worth_it = (whole_round && expanded < enough_to_judge) ||
                    kept * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
         plan = record.plan(work_of_a_state);
@@ -100,7 +101,8 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
 
 }  // namespace
 
-std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::function<void()>& poll) const {
+std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::make_reduced_system(
+    const std::function<void()>& poll) const {
     std::optional<WholeRules> rules = whole_rules(*combined_, poll);
     // A rule is never followed if its event is not tau, or if it does not have the first level in its regions.
     const auto may_be_followed = [](const WholeRule& rule) {
@@ -109,7 +111,7 @@ std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::fu
     if (!rules || std::ranges::none_of(rules->rules, may_be_followed)) return nullptr;
     const auto shared = std::make_shared<const WholeRules>(std::move(*rules));
     const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, shared, poll);
-    return plan ? std::make_unique<ReducedSystem>(another(), combined_, shared, *plan) : nullptr;
+    return plan ? std::make_unique<ReducedSystem>(clone_for_thread(), combined_, shared, *plan) : nullptr;
 }
 
 ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,
@@ -123,32 +125,32 @@ ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,
       locals_(combined_->components.size()),
       target_(combined_->words) {}
 
-void ReducedSystem::watch(const std::function<void()>& poll) {
+void ReducedSystem::set_poll(const std::function<void()>& poll) {
     poll_ = poll;
-    whole_->watch(poll);
+    whole_->set_poll(poll);
 }
 
-void ReducedSystem::unpack(lts::StateView state) {
+void ReducedSystem::unpack_locals(lts::StateView state) {
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = combined_->fields[slot].get(state);
 }
 
-void ReducedSystem::pack(std::span<lts::Word> state) const {
+void ReducedSystem::pack_locals(std::span<lts::Word> state) const {
     std::ranges::fill(state, 0);
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) combined_->fields[slot].put(state, locals_[slot]);
 }
 
 void ReducedSystem::initial(std::span<lts::Word> state) {
     whole_->initial(state);
-    unpack(state);
-    chased_ += run();
-    pack(state);
+    unpack_locals(state);
+    chased_ += follow_all_taus();
+    pack_locals(state);
 }
 
 void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     // The sink may ask for successors while it receives some, as in SupercombinatorSystem.
     if (sink_ != nullptr) {
-        const auto other = another();
-        other->watch(poll_);
+        const auto other = clone_for_thread();
+        other->set_poll(poll_);
         return other->successors(state, sink);
     }
     const lts::SinkInUse in_use(sink_, sink);
@@ -156,27 +158,27 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
 }
 
 void ReducedSystem::add(Event event, lts::StateView target, Event revealed) {
-    unpack(target);
-    const std::size_t steps = run();
+    unpack_locals(target);
+    const std::size_t steps = follow_all_taus();
     if (steps == 0) return sink_->add(event, target, revealed);
     chased_ += steps;
-    pack(target_);
+    pack_locals(target_);
     sink_->add(event, target_, revealed);
 }
 
-bool ReducedSystem::follow() {
-    return confluence_.follow(locals_);
+bool ReducedSystem::follow_tau() {
+    return confluence_.follow_tau(locals_);
 }
 
 /// Follows confluent taus to the end, or to the least state of the cycle that they reach; returns the number of steps.
 /// (Cycles are found as in Brent, BIT 20, 1980.)
-std::size_t ReducedSystem::run() {
+std::size_t ReducedSystem::follow_all_taus() {
     if (poll_) poll_();
     begin_ = seen_ = locals_;
     std::size_t length = 0;  // length of the cycle, if there is one
     std::size_t next_look = 1;
     for (std::size_t steps = 0; steps < most_steps; ++steps) {
-        if (!follow()) return steps;
+        if (!follow_tau()) return steps;
         ++length;
         if (locals_ == seen_) return enter_cycle(length);
         if (length != next_look) continue;
@@ -192,23 +194,23 @@ std::size_t ReducedSystem::run() {
 std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     least_ = locals_;
     for (std::size_t i = 0; i < length; ++i) {
-        follow();
+        follow_tau();
         least_ = std::min(least_, locals_);
     }
     locals_ = begin_;
     std::size_t steps = 0;
-    for (; locals_ != least_; ++steps) follow();
+    for (; locals_ != least_; ++steps) follow_tau();
     return steps;
 }
 
-std::vector<std::vector<lts::Word>> ReducedSystem::chase(lts::StateView state) {
-    unpack(state);
-    const std::size_t steps = run();
+std::vector<std::vector<lts::Word>> ReducedSystem::tau_path(lts::StateView state) {
+    unpack_locals(state);
+    const std::size_t steps = follow_all_taus();
     std::vector<std::vector<lts::Word>> row;
-    unpack(state);
+    unpack_locals(state);
     for (std::size_t i = 0; i < steps; ++i) {
-        follow();
-        pack(row.emplace_back(width()));
+        follow_tau();
+        pack_locals(row.emplace_back(width()));
     }
     return row;
 }

@@ -21,28 +21,28 @@ public:
     [[nodiscard]] std::size_t width() const override { return whole_->width(); }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
-        return std::make_unique<ReducedSystem>(whole_->another(), combined_, rules_, plan_);
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
+        return std::make_unique<ReducedSystem>(whole_->clone_for_thread(), combined_, rules_, plan_);
     }
     [[nodiscard]] const process::EventTable& events() const override { return whole_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return whole_->describe(state); }
-    void watch(const std::function<void()>& poll) override;
-    [[nodiscard]] std::uint64_t chased() const override { return chased_; }
-    [[nodiscard]] std::vector<std::vector<lts::Word>> chase(lts::StateView state) override;
+    void set_poll(const std::function<void()>& poll) override;
+    [[nodiscard]] std::uint64_t chased_state_count() const override { return chased_; }
+    [[nodiscard]] std::vector<std::vector<lts::Word>> tau_path(lts::StateView state) override;
     /// Adds the costs and results of the proofs in the states found so far (Confluence).
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// The work of the proofs so far (Confluence).
-    [[nodiscard]] double work_of_proofs() const { return confluence_.work(); }
+    [[nodiscard]] double work_of_proofs() const { return confluence_.total_work(); }
     /// The compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
 private:
     void add(Event event, lts::StateView target, Event revealed) override;
-    void unpack(lts::StateView state);
-    void pack(std::span<lts::Word> state) const;
-    std::size_t run();
+    void unpack_locals(lts::StateView state);
+    void pack_locals(std::span<lts::Word> state) const;
+    std::size_t follow_all_taus();
     std::size_t enter_cycle(std::size_t length);
-    bool follow();
+    bool follow_tau();
 
     std::unique_ptr<lts::TransitionSystem> whole_;
     std::shared_ptr<const Supercombinator> combined_;

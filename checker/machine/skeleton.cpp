@@ -34,15 +34,15 @@ public:
         : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), poll_(poll) {}
 
     Skeleton build(TermId term) {
-        node(term, 0, {}, 0);
+        add_node(term, 0, {}, 0);
         result_.prefixes = prefixes_taken_;
         return std::move(result_);
     }
     /// Whether the term contains a parallel operator that is active now or after few events.
-    bool composite(TermId term, int depth = 0, int prefixes = 0);
+    bool is_composite(TermId term, int depth = 0, int prefixes = 0);
 
 private:
-    TermId unfolded(TermId term);
+    TermId unfold_term(TermId term);
     bool looks_composite(const Term& term, int depth, int prefixes);
     /// The enclosing nodes that have ended when control reaches a node...
     struct Tail {
@@ -50,12 +50,12 @@ private:
         std::vector<NodeId> by_event;  ///< ...after a visible event of the node, which resolves the enclosing choices
     };
 
-    NodeId node(TermId term, NodeId region, const Tail& tail, int depth);
+    NodeId add_node(TermId term, NodeId region, const Tail& tail, int depth);
     NodeId add(Node::Kind kind, TermId term, NodeId region);
-    void leaf(NodeId id);
-    void operation(NodeId id, const Tail& tail, int depth);
-    void child(NodeId id, TermId term, const Tail& tail, int depth);
-    void gate(NodeId id);
+    void add_leaf(NodeId id);
+    void add_operands(NodeId id, const Tail& tail, int depth);
+    void add_child(NodeId id, TermId term, const Tail& tail, int depth);
+    void add_gate(NodeId id);
 
     process::TermStore& terms_;
     const std::set<TermId>& leaves_;
@@ -69,16 +69,16 @@ private:
 };
 
 /// Unfolds calls and removes compressions that are left out.
-TermId Builder::unfolded(TermId term) {
-    for (term = terms_.unfolded(term, deepest_look); left_out_.contains(term);)
-        term = terms_.unfolded(terms_[term].children.front(), deepest_look);
+TermId Builder::unfold_term(TermId term) {
+    for (term = terms_.unfold_calls(term, deepest_look); left_out_.contains(term);)
+        term = terms_.unfold_calls(terms_[term].children.front(), deepest_look);
     return term;
 }
 
-bool Builder::composite(TermId id, int depth, int prefixes) {
+bool Builder::is_composite(TermId id, int depth, int prefixes) {
     if (depth > deepest_look) return false;
     if (poll_) poll_();
-    id = unfolded(id);
+    id = unfold_term(id);
     if (leaves_.contains(id)) return false;
     const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
     if (fresh) known->second = looks_composite(terms_[id], depth, prefixes);
@@ -88,7 +88,7 @@ bool Builder::composite(TermId id, int depth, int prefixes) {
 bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
     const Term term = given;  // a copy, because the following calls may create terms
     const auto some_child = [&] {
-        return std::ranges::any_of(term.children, [&](TermId each) { return composite(each, depth + 1, prefixes); });
+        return std::ranges::any_of(term.children, [&](TermId each) { return is_composite(each, depth + 1, prefixes); });
     };
     switch (term.op) {
         case Op::parallel:
@@ -109,7 +109,7 @@ bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
             const std::vector<process::Branch> branches = terms_.branches(term.payload);
             return branches.size() <= most_branches &&
                    std::ranges::any_of(branches, [&](const process::Branch& branch) {
-                       return composite(branch.target, depth + 1, prefixes + 1);
+                       return is_composite(branch.target, depth + 1, prefixes + 1);
                    });
         }
         default:
@@ -129,14 +129,14 @@ NodeId Builder::add(Node::Kind kind, TermId term, NodeId region) {
     return static_cast<NodeId>(result_.nodes.size() - 1);
 }
 
-void Builder::leaf(NodeId id) {
+void Builder::add_leaf(NodeId id) {
     result_.slots.push_back(id);
     result_.nodes[id].end_slot = static_cast<std::uint32_t>(result_.slots.size());
 }
 
-NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
+NodeId Builder::add_node(TermId term, NodeId region, const Tail& tail, int depth) {
     if (poll_) poll_();
-    term = unfolded(term);
+    term = unfold_term(term);
     const auto same =
         std::ranges::find_if(tail.at_once, [&](NodeId around) { return result_.nodes[around].term == term; });
     if (same != tail.at_once.end()) {
@@ -145,31 +145,31 @@ NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
         result_.nodes[id].again = around;
         return id;
     }
-    const bool taken_apart = depth < deepest && composite(term);
+    const bool taken_apart = depth < deepest && is_composite(term);
     const NodeId id = add(taken_apart ? Node::Kind::operation : Node::Kind::leaf, term, region);
     if (taken_apart) {
-        operation(id, tail, depth);
+        add_operands(id, tail, depth);
         result_.nodes[id].end_slot = static_cast<std::uint32_t>(result_.slots.size());
     } else {
-        leaf(id);
+        add_leaf(id);
     }
     return id;
 }
 
-void Builder::child(NodeId id, TermId term, const Tail& tail, int depth) {
+void Builder::add_child(NodeId id, TermId term, const Tail& tail, int depth) {
     const bool opens_region = result_.nodes[id].op == Op::prioritise;
     const NodeId region = opens_region ? id : result_.nodes[id].region;
-    const NodeId made = node(term, region, tail, depth + 1);
+    const NodeId made = add_node(term, region, tail, depth + 1);
     result_.nodes[id].children.push_back(made);
 }
 
-void Builder::gate(NodeId id) {
+void Builder::add_gate(NodeId id) {
     const NodeId made = add(Node::Kind::gate, result_.nodes[id].term, result_.nodes[id].region);
-    leaf(made);
+    add_leaf(made);
     result_.nodes[id].children.push_back(made);
 }
 
-void Builder::operation(NodeId id, const Tail& tail, int depth) {
+void Builder::add_operands(NodeId id, const Tail& tail, int depth) {
     const Term term = terms_[result_.nodes[id].term];
     // The enclosing nodes that end when an operand replaces this node, with and without a visible event.
     Tail inside = tail;
@@ -181,36 +181,36 @@ void Builder::operation(NodeId id, const Tail& tail, int depth) {
     switch (term.op) {
         // The first operand runs until the second one replaces it.
         case Op::sequential:
-            child(id, term.children[0], {}, depth);
-            child(id, term.children[1], inside, depth);
+            add_child(id, term.children[0], {}, depth);
+            add_child(id, term.children[1], inside, depth);
             break;
         case Op::exception:
-            child(id, term.children[0], {}, depth);
-            child(id, term.children[1], {inside.by_event, inside.by_event}, depth);
+            add_child(id, term.children[0], {}, depth);
+            add_child(id, term.children[1], {inside.by_event, inside.by_event}, depth);
             break;
         case Op::sliding:
-            gate(id);
-            child(id, term.children[0], chosen, depth);
-            child(id, term.children[1], inside, depth);
+            add_gate(id);
+            add_child(id, term.children[0], chosen, depth);
+            add_child(id, term.children[1], inside, depth);
             break;
         case Op::external_choice:
-            for (TermId each : term.children) child(id, each, chosen, depth);
+            for (TermId each : term.children) add_child(id, each, chosen, depth);
             break;
         case Op::internal_choice:
-            gate(id);
-            for (TermId each : term.children) child(id, each, inside, depth);
+            add_gate(id);
+            for (TermId each : term.children) add_child(id, each, inside, depth);
             break;
         case Op::prefix: {
-            gate(id);
+            add_gate(id);
             if (++prefixes_taken_ > most_prefixes || ++chain_ > longest_chain) throw UnfoldsOn("");
             const std::vector<process::Branch> branches = terms_.branches(term.payload);
             for (const process::Branch& branch : branches)
-                child(id, branch.target, {inside.by_event, inside.by_event}, depth);
+                add_child(id, branch.target, {inside.by_event, inside.by_event}, depth);
             --chain_;
             break;
         }
         default:
-            for (TermId each : term.children) child(id, each, {}, depth);
+            for (TermId each : term.children) add_child(id, each, {}, depth);
     }
 }
 
@@ -220,7 +220,7 @@ std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term, cons
                                     const std::set<TermId>& left_out, const std::function<void()>& poll) {
     for (const bool through_prefixes : {true, false}) {
         Builder builder(terms, leaves, left_out, through_prefixes, poll);
-        if (!builder.composite(term)) return std::nullopt;
+        if (!builder.is_composite(term)) return std::nullopt;
         try {
             return builder.build(term);
         } catch (const UnfoldsOn&) {

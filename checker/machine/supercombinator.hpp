@@ -30,7 +30,7 @@ struct Leading {
     std::vector<std::uint32_t> first;  ///< by state, one more at the end
     std::vector<Component::Edge> edges;
     /// Empty if the component is off.
-    [[nodiscard]] Component::Edges of(Local state) const {
+    [[nodiscard]] Component::Edges edges_of(Local state) const {
         if (state + 1U >= first.size()) return {};
         return Component::Edges(edges).subspan(first[state], first[state + 1U] - first[state]);
     }

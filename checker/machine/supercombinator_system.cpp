@@ -46,16 +46,16 @@ public:
     /// The same for the rules with one event.
     void list_event(std::uint32_t event) {
         for (const std::uint32_t rule : region_.by_event[event])
-            part(region_.rules[rule], region_.rules[rule].lead, region_.rules[rule].first_requirement, tau);
+            try_participant(region_.rules[rule], region_.rules[rule].lead, region_.rules[rule].first_requirement, tau);
     }
     /// Passes all results to the sink as successors of the state.
-    void pass(lts::StateView state, lts::SuccessorSink& sink) {
+    void pass_results(lts::StateView state, lts::SuccessorSink& sink) {
         state_ = state;
         sink_ = &sink;
         enumerate();
     }
     /// The first level of a rule that can fire, or no_level.
-    std::uint32_t probe() {
+    std::uint32_t find_best_level() {
         probing_ = true;
         enumerate();
         return best_;
@@ -67,7 +67,7 @@ private:
             const Participant& participant = region_.participants[who];
             const std::vector<std::uint32_t>& first = region_.first_rule[who];
             if (!participant.is_region) {
-                for (const Component::Edge& edge : region_.leading[who].of(system_.locals_[participant.index]))
+                for (const Component::Edge& edge : region_.leading[who].edges_of(system_.locals_[participant.index]))
                     begin(participant.index, edge, first[edge.event], first[edge.event + 1U]);
                 continue;
             }
@@ -83,11 +83,11 @@ private:
     template <typename Way>
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
         for (; rule < end; ++rule)
-            if (wanted(region_.rules[rule]))
-                take(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
+            if (is_relevant(region_.rules[rule]))
+                take_step(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
     }
 
-    [[nodiscard]] bool wanted(const Rule& rule) const {
+    [[nodiscard]] bool is_relevant(const Rule& rule) const {
         if (probing_) return rule.level < best_;
         return around_ == nullptr || (*around_)[rule.place] < (*around_)[rule.place + 1U];
     }
@@ -95,43 +95,45 @@ private:
     /// Applies the change of one participant, and then processes the requirements from index `next` on. A tau gets the
     /// name of the first participant's tau.
     template <typename Way>
-    void take(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
+    void take_step(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
         ++system_.work_;
-        change(who, way);
+        add_changes(who, way);
         const Event name = next == rule.first_requirement ? way.revealed : revealed;
         if (next == rule.end_requirement)
-            perform(rule, name);
+            perform_rule(rule, name);
         else
-            part(rule, region_.requirements[next], next + 1, name);
+            try_participant(rule, region_.requirements[next], next + 1, name);
         system_.changes_.resize(before);
     }
 
-    void change(std::uint32_t slot, const Component::Edge& edge) { system_.changes_.push_back({slot, edge.target}); }
-    void change(std::uint32_t region, const Move& move) {
+    void add_changes(std::uint32_t slot, const Component::Edge& edge) {
+        system_.changes_.push_back({slot, edge.target});
+    }
+    void add_changes(std::uint32_t region, const Move& move) {
         const std::vector<Assignment>& inside = system_.moves_[region].changes;
         system_.changes_.insert(system_.changes_.end(), inside.begin() + move.first_change,
                                 inside.begin() + move.end_change);
     }
 
     /// Tries all transitions of one participant.
-    void part(const Rule& rule, const Requirement& wanted, std::uint32_t next, Event revealed) {
+    void try_participant(const Rule& rule, const Requirement& wanted, std::uint32_t next, Event revealed) {
         const Participant& participant = region_.participants[wanted.participant];
         if (!participant.is_region) {
             const Component& component = *system_.combined_->components[participant.index];
             for (const Component::Edge& edge : component.edges(system_.locals_[participant.index], wanted.event))
-                take(rule, participant.index, edge, next, revealed);
+                take_step(rule, participant.index, edge, next, revealed);
             return;
         }
         const Range moves = system_.moves_by(participant.index, wanted.event);
         for (std::size_t i = moves.from; i < moves.to; ++i) {
             const Move move = system_.moves_[participant.index].list[i];
-            take(rule, participant.index, move, next, revealed);
+            take_step(rule, participant.index, move, next, revealed);
         }
     }
 
     /// Implements priority as in process/composition_rules.cpp: an event of a higher level prevents the event.
-    void perform(const Rule& rule, Event revealed_by_participant) {
+    void perform_rule(const Rule& rule, Event revealed_by_participant) {
         constexpr std::uint32_t between_polls = 64;
         if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
         if (probing_) {
@@ -199,7 +201,7 @@ SupercombinatorSystem::Range SupercombinatorSystem::moves_by(std::uint32_t regio
 std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
     Moves& moves = moves_[region];
     if (moves.state != state_number_) {
-        moves.best = Firing(*this, region).probe();
+        moves.best = Firing(*this, region).find_best_level();
         moves.state = state_number_;
     }
     return moves.best;
@@ -230,7 +232,7 @@ void SupercombinatorSystem::pass_successors(lts::StateView state, lts::Successor
         moves.list.clear();
         moves.changes.clear();
     }
-    Firing(*this, static_cast<std::uint32_t>(moves_.size() - 1)).pass(state, sink);
+    Firing(*this, static_cast<std::uint32_t>(moves_.size() - 1)).pass_results(state, sink);
 }
 
 std::string SupercombinatorSystem::describe(lts::StateView state) const {
@@ -239,7 +241,7 @@ std::string SupercombinatorSystem::describe(lts::StateView state) const {
         const Local local = combined_->fields[slot].get(state);
         const Component& component = *combined_->components[slot];
         if (local >= component.size()) continue;
-        text += (text.empty() ? "" : " ‖ ") + process::describe(terms_, component.meaning(local));
+        text += (text.empty() ? "" : " ‖ ") + process::describe(terms_, component.term_of(local));
     }
     return text;
 }

@@ -19,17 +19,18 @@ public:
     [[nodiscard]] std::size_t width() const override { return combined_->words; }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
         return std::make_unique<SupercombinatorSystem>(combined_, terms_);
     }
-    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> reduced(const std::function<void()>& poll) const override;
+    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(
+        const std::function<void()>& poll) const override;
     [[nodiscard]] std::vector<lts::ReplicaSet> replicas(const std::function<void()>& poll) const override;
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    void watch(const std::function<void()>& poll) override { poll_ = poll; }
+    void set_poll(const std::function<void()>& poll) override { poll_ = poll; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
     /// The number of transitions of components that were examined for successors so far.
-    [[nodiscard]] std::uint64_t work() const { return work_; }
+    [[nodiscard]] std::uint64_t examined_step_count() const { return work_; }
 
 private:
     struct Move {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "base/diagnostics/splitmix64.hpp"
 #include "checker/machine/exchange.hpp"
 #include "checker/machine/supercombinator_system.hpp"
-#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -111,7 +111,7 @@ private:
             Ranges others;
             Ranges members{first};
             for (auto each = ranges.begin() + 1; each != ranges.end(); ++each) {
-                const auto exchange = exchanged(first, *each);
+                const auto exchange = try_exchange(first, *each);
                 if (exchange) {
                     set.push_back(replica(*each, *exchange));
                     members.push_back(*each);
@@ -128,11 +128,11 @@ private:
         }
     }
 
-    std::optional<lts::EventPermutation> exchanged(SlotRange first, SlotRange second) {
+    std::optional<lts::EventPermutation> try_exchange(SlotRange first, SlotRange second) {
         if (exchanges_ == most_exchanges || in_vain_ > most_in_vain || second.first < first.end) return std::nullopt;
         ++exchanges_;
         std::size_t looked = 0;
-        auto exchange = Exchange(combined_, shapes_, first, second).verified([&] {
+        auto exchange = Exchange(combined_, shapes_, first, second).find_exchanged_events([&] {
             ++looked;
             if (poll_) poll_();
         });

@@ -18,37 +18,37 @@ using lts::ByteWriter;
 namespace {
 
 void write(const std::vector<std::uint32_t>& values, ByteWriter& out) {
-    out.number(values.size());
-    for (const std::uint32_t value : values) out.number(value);
+    out.write_number(values.size());
+    for (const std::uint32_t value : values) out.write_number(value);
 }
 
 EventSet read_events(ByteReader& in) {
-    EventSet events(in.count());
-    for (Event& event : events) event = in.word();
+    EventSet events(in.read_count());
+    for (Event& event : events) event = in.read_word();
     if (std::ranges::adjacent_find(events, std::greater_equal<>()) != events.end())
         throw BadBytes("events are not in order");
     return events;
 }
 
 void write(const Component& component, ByteWriter& out) {
-    out.number(component.size());
+    out.write_number(component.size());
     for (Local state = 0; state < component.size(); ++state) {
         const Component::Edges edges = component.edges(state);
-        out.number(edges.size());
+        out.write_number(edges.size());
         for (const Component::Edge& edge : edges)
             for (const std::uint32_t value : {component.alphabet()[edge.event], edge.revealed, edge.target})
-                out.number(value);
+                out.write_number(value);
     }
 }
 
 ComponentPtr read_component(ByteReader& in, TermId meaning) {
-    std::vector<std::vector<Component::RawEdge>> rows(in.count());
+    std::vector<std::vector<Component::RawEdge>> rows(in.read_count());
     for (auto& row : rows) {
-        row.resize(in.count());
+        row.resize(in.read_count());
         for (Component::RawEdge& edge : row) {
-            edge.event = in.word();
-            edge.revealed = in.word();
-            edge.target = in.below(rows.size());
+            edge.event = in.read_word();
+            edge.revealed = in.read_word();
+            edge.target = in.read_below(rows.size());
         }
         if (!std::ranges::is_sorted(row, [](const auto& a, const auto& b) { return a.event < b.event; }))
             throw BadBytes("edges are not in order");
@@ -57,25 +57,25 @@ ComponentPtr read_component(ByteReader& in, TermId meaning) {
 }
 
 void write(const Region& region, ByteWriter& out) {
-    out.number(region.participants.size());
+    out.write_number(region.participants.size());
     for (std::size_t who = 0; who < region.participants.size(); ++who) {
-        out.number(region.participants[who].is_region ? 1 : 0);
-        out.number(region.participants[who].index);
+        out.write_number(region.participants[who].is_region ? 1 : 0);
+        out.write_number(region.participants[who].index);
         write(region.alphabets[who], out);
     }
     write(region.alphabet, out);
-    out.number(region.requirements.size());
+    out.write_number(region.requirements.size());
     for (const Requirement& each : region.requirements)
-        for (const std::uint32_t value : {each.participant, each.event}) out.number(value);
-    out.number(region.assignments.size());
+        for (const std::uint32_t value : {each.participant, each.event}) out.write_number(value);
+    out.write_number(region.assignments.size());
     for (const Assignment& each : region.assignments)
-        for (const std::uint32_t value : {each.slot, each.value}) out.number(value);
-    out.number(region.rules.size());
+        for (const std::uint32_t value : {each.slot, each.value}) out.write_number(value);
+    out.write_number(region.rules.size());
     for (const Rule& rule : region.rules)
         for (const std::uint32_t value :
              {rule.event, rule.revealed, rule.place, rule.level, rule.lead.participant, rule.lead.event,
               rule.first_requirement, rule.end_requirement, rule.first_assignment, rule.end_assignment})
-            out.number(value);
+            out.write_number(value);
 }
 
 /// Reads one region, and checks that its participants and numbers fit a process with these components and inner
@@ -87,25 +87,26 @@ public:
     Region read() {
         read_participants();
         region_.alphabet = read_events(in_);
-        region_.requirements.resize(in_.count());
-        for (Requirement& each : region_.requirements) each = requirement();
-        region_.assignments.resize(in_.count());
+        region_.requirements.resize(in_.read_count());
+        for (Requirement& each : region_.requirements) each = read_requirement();
+        region_.assignments.resize(in_.read_count());
         for (Assignment& each : region_.assignments) {
-            each.slot = in_.below(process_.components.size());
-            each.value = in_.below(process_.components[each.slot]->size() + std::uint64_t{1});
+            each.slot = in_.read_below(process_.components.size());
+            each.value = in_.read_below(process_.components[each.slot]->size() + std::uint64_t{1});
         }
-        region_.rules.resize(in_.count());
-        for (Rule& each : region_.rules) each = rule();
+        region_.rules.resize(in_.read_count());
+        for (Rule& each : region_.rules) each = read_rule();
         index_rules();
         return std::move(region_);
     }
 
 private:
     void read_participants() {
-        region_.participants.resize(in_.count());
+        region_.participants.resize(in_.read_count());
         for (Participant& participant : region_.participants) {
-            participant.is_region = in_.below(2) == 1;
-            participant.index = in_.below(participant.is_region ? process_.regions.size() : process_.components.size());
+            participant.is_region = in_.read_below(2) == 1;
+            participant.index =
+                in_.read_below(participant.is_region ? process_.regions.size() : process_.components.size());
             region_.alphabets.push_back(read_events(in_));
             const EventSet& own = participant.is_region ? process_.regions[participant.index].alphabet
                                                         : process_.components[participant.index]->alphabet();
@@ -113,24 +114,24 @@ private:
         }
     }
 
-    Requirement requirement() {
+    Requirement read_requirement() {
         Requirement result{};
-        result.participant = in_.below(region_.participants.size());
-        result.event = in_.below(region_.alphabets[result.participant].size());
+        result.participant = in_.read_below(region_.participants.size());
+        result.event = in_.read_below(region_.alphabets[result.participant].size());
         return result;
     }
 
-    Rule rule() {
+    Rule read_rule() {
         Rule result{};
-        result.event = in_.word();
-        result.revealed = in_.word();
-        result.place = in_.below(region_.alphabet.size());
-        result.level = in_.word();
-        result.lead = requirement();
-        result.first_requirement = in_.below(region_.requirements.size() + 1);
-        result.end_requirement = in_.below(region_.requirements.size() + 1);
-        result.first_assignment = in_.below(region_.assignments.size() + 1);
-        result.end_assignment = in_.below(region_.assignments.size() + 1);
+        result.event = in_.read_word();
+        result.revealed = in_.read_word();
+        result.place = in_.read_below(region_.alphabet.size());
+        result.level = in_.read_word();
+        result.lead = read_requirement();
+        result.first_requirement = in_.read_below(region_.requirements.size() + 1);
+        result.end_requirement = in_.read_below(region_.requirements.size() + 1);
+        result.first_assignment = in_.read_below(region_.assignments.size() + 1);
+        result.end_assignment = in_.read_below(region_.assignments.size() + 1);
         const bool ordered = result.first_requirement <= result.end_requirement &&
                              result.first_assignment <= result.end_assignment &&
                              region_.alphabet[result.place] == result.event;
@@ -160,7 +161,7 @@ private:
 
 /// Reads the field of a slot. It must be wide enough for the states of the component and the value "off".
 Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slot) {
-    Field field{in.below(process.words), in.below(32), in.word()};
+    Field field{in.read_below(process.words), in.read_below(32), in.read_word()};
     const bool all_ones = std::has_single_bit(field.mask + std::uint64_t{1});
     const bool fits = field.shift + static_cast<std::uint32_t>(std::bit_width(field.mask)) <= 32;
     if (!all_ones || !fits || process.components[slot]->size() > field.mask + std::uint64_t{1})
@@ -181,34 +182,34 @@ std::uint32_t slot_of(const Field& field, const Supercombinator& process) {
 }
 
 void write(const lts::Symmetry& symmetry, const Supercombinator& process, ByteWriter& out) {
-    out.number(symmetry.sets().size());
+    out.write_number(symmetry.sets().size());
     for (const lts::ReplicaSet& set : symmetry.sets()) {
-        out.number(set.size());
+        out.write_number(set.size());
         for (const lts::Replica& replica : set) {
-            out.number(replica.parts.size());
+            out.write_number(replica.parts.size());
             for (const lts::ReplicaPart& part : replica.parts) {
-                out.number(slot_of(part.field, process));
+                out.write_number(slot_of(part.field, process));
                 write(*part.number, out);
                 write(*part.value, out);
             }
-            out.number(replica.exchange.size());
+            out.write_number(replica.exchange.size());
             for (const auto& [event, image] : replica.exchange) {
-                out.number(event);
-                out.number(image);
+                out.write_number(event);
+                out.write_number(image);
             }
         }
     }
 }
 
 std::shared_ptr<const std::vector<std::uint32_t>> read_values(ByteReader& in) {
-    std::vector<std::uint32_t> values(in.count());
-    for (std::uint32_t& value : values) value = in.word();
+    std::vector<std::uint32_t> values(in.read_count());
+    for (std::uint32_t& value : values) value = in.read_word();
     return std::make_shared<const std::vector<std::uint32_t>>(std::move(values));
 }
 
 /// The states of a component of the process.
 lts::ReplicaPart read_part(ByteReader& in, const Supercombinator& process) {
-    const std::uint32_t slot = in.below(process.components.size());
+    const std::uint32_t slot = in.read_below(process.components.size());
     lts::ReplicaPart part{process.fields[slot], read_values(in), read_values(in)};
     const std::size_t values = process.components[slot]->size() + std::size_t{1};
     for (const auto* numbers : {&part.number, &part.value})
@@ -219,16 +220,16 @@ lts::ReplicaPart read_part(ByteReader& in, const Supercombinator& process) {
 }
 
 lts::Symmetry read_symmetry(ByteReader& in, const Supercombinator& process) {
-    std::vector<lts::ReplicaSet> sets(in.count());
+    std::vector<lts::ReplicaSet> sets(in.read_count());
     for (lts::ReplicaSet& set : sets) {
-        set.resize(in.count());
+        set.resize(in.read_count());
         for (lts::Replica& replica : set) {
-            const std::size_t parts = in.count();
+            const std::size_t parts = in.read_count();
             for (std::size_t i = 0; i < parts; ++i) replica.parts.push_back(read_part(in, process));
-            replica.exchange.resize(in.count());
+            replica.exchange.resize(in.read_count());
             for (auto& [event, image] : replica.exchange) {
-                event = in.word();
-                image = in.word();
+                event = in.read_word();
+                image = in.read_word();
             }
         }
         const auto as_first = [&](const lts::Replica& each) { return each.parts.size() == set.front().parts.size(); };
@@ -240,35 +241,35 @@ lts::Symmetry read_symmetry(ByteReader& in, const Supercombinator& process) {
 }  // namespace
 
 void write(const Supercombinator& process, ByteWriter& out) {
-    out.number(process.components.size());
+    out.write_number(process.components.size());
     for (const ComponentPtr& component : process.components) write(*component, out);
-    out.number(process.regions.size());
+    out.write_number(process.regions.size());
     for (const Region& region : process.regions) write(region, out);
-    for (const Local local : process.initial) out.number(local);
-    out.number(process.words);
+    for (const Local local : process.initial) out.write_number(local);
+    out.write_number(process.words);
     for (const Field& field : process.fields)
-        for (const std::uint32_t value : {field.word, field.shift, field.mask}) out.number(value);
-    out.number(process.operands.size());
+        for (const std::uint32_t value : {field.word, field.shift, field.mask}) out.write_number(value);
+    out.write_number(process.operands.size());
     for (const SlotRange& range : process.operands)
-        for (const std::uint32_t value : {range.first, range.end}) out.number(value);
+        for (const std::uint32_t value : {range.first, range.end}) out.write_number(value);
 }
 
 Supercombinator read_supercombinator(ByteReader& in, TermId meaning) {
     Supercombinator process;
-    const std::size_t slots = in.count();
+    const std::size_t slots = in.read_count();
     for (std::size_t slot = 0; slot < slots; ++slot) process.components.push_back(read_component(in, meaning));
-    const std::size_t regions = in.count();
+    const std::size_t regions = in.read_count();
     if (regions == 0) throw BadBytes("a process has no rules");
     for (std::size_t i = 0; i < regions; ++i) process.regions.push_back(RegionReader(in, process).read());
     for (std::size_t slot = 0; slot < slots; ++slot)
-        process.initial.push_back(in.below(process.components[slot]->size() + std::uint64_t{1}));
-    process.words = in.below(slots + 2);
+        process.initial.push_back(in.read_below(process.components[slot]->size() + std::uint64_t{1}));
+    process.words = in.read_below(slots + 2);
     if (process.words == 0) throw BadBytes("a state has no words");
     for (std::size_t slot = 0; slot < slots; ++slot) process.fields.push_back(read_field(in, process, slot));
-    process.operands.resize(in.count());
+    process.operands.resize(in.read_count());
     for (SlotRange& range : process.operands) {
-        range.first = in.below(slots + 1);
-        range.end = in.below(slots + 1);
+        range.first = in.read_below(slots + 1);
+        range.end = in.read_below(slots + 1);
     }
     list_leading(process, {});
     return process;
@@ -288,23 +289,23 @@ const Supercombinator* process_of(const lts::TransitionSystem& system) {
 
 bool write(const lts::TransitionSystem& system, ByteWriter& out) {
     const auto* folded = dynamic_cast<const lts::SymmetricSystem*>(&system);
-    const lts::TransitionSystem& inner = folded != nullptr ? folded->unfolded() : system;
+    const lts::TransitionSystem& inner = folded != nullptr ? folded->original_system() : system;
     const Supercombinator* process = process_of(inner);
     if (process == nullptr) return false;
-    out.number(dynamic_cast<const ReducedSystem*>(&inner) != nullptr ? 1 : 0);
+    out.write_number(dynamic_cast<const ReducedSystem*>(&inner) != nullptr ? 1 : 0);
     write(*process, out);
-    out.number(folded != nullptr ? 1 : 0);
+    out.write_number(folded != nullptr ? 1 : 0);
     if (folded != nullptr) write(folded->symmetry(), *process, out);
     return true;
 }
 
 std::unique_ptr<lts::TransitionSystem> read_system(ByteReader& in, process::TermStore& terms) {
-    const bool smaller = in.below(2) == 1;
+    const bool smaller = in.read_below(2) == 1;
     const auto process = std::make_shared<const Supercombinator>(read_supercombinator(in, TermId{0}));
     std::unique_ptr<lts::TransitionSystem> system = std::make_unique<SupercombinatorSystem>(process, terms);
-    if (smaller) system = system->reduced({});
+    if (smaller) system = system->make_reduced_system({});
     if (!system) throw BadBytes("a process has no reduced form");
-    if (in.below(2) == 0) return system;
+    if (in.read_below(2) == 0) return system;
     return std::make_unique<lts::SymmetricSystem>(std::move(system), read_symmetry(in, *process));
 }
 

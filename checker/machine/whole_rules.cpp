@@ -22,8 +22,8 @@ public:
     WholeRules run() {
         const auto whole = static_cast<std::uint32_t>(combined_.regions.size() - 1);
         for (std::uint32_t region = 0; region <= whole; ++region) list_slots(region);
-        for (std::uint32_t region = 0; region < whole; ++region) inside_[region] = flattened(region);
-        for (Changes& each : flattened(whole)) result_.rules.push_back(finished(std::move(each)));
+        for (std::uint32_t region = 0; region < whole; ++region) inside_[region] = flatten_region(region);
+        for (Changes& each : flatten_region(whole)) result_.rules.push_back(make_whole_rule(std::move(each)));
         index();
         return std::move(result_);
     }
@@ -54,7 +54,7 @@ private:
         }
     }
 
-    std::vector<Changes> flattened(std::uint32_t number) {
+    std::vector<Changes> flatten_region(std::uint32_t number) {
         const Region& region = combined_.regions[number];
         std::vector<Changes> result;
         for (const Rule& rule : region.rules) {
@@ -98,7 +98,7 @@ private:
         if (parts_ > most_parts) throw TooMany();
     }
 
-    static WholeRule finished(Changes changes) {
+    static WholeRule make_whole_rule(Changes changes) {
         std::map<std::uint32_t, Part> parts;
         for (const Change& change : changes.list) {
             Part& part = parts[change.slot];
@@ -152,7 +152,7 @@ private:
 
 }  // namespace
 
-const Part* WholeRule::part(std::uint32_t slot) const {
+const Part* WholeRule::find_part(std::uint32_t slot) const {
     const auto found = std::ranges::lower_bound(parts, slot, {}, &Part::slot);
     return found != parts.end() && found->slot == slot ? &*found : nullptr;
 }

@@ -34,7 +34,7 @@ struct WholeRule {
     std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the
                                             ///< first level
 
-    [[nodiscard]] const Part* part(std::uint32_t slot) const;
+    [[nodiscard]] const Part* find_part(std::uint32_t slot) const;
 };
 
 /// All rules, and the rules to which a component's part in a transition can belong.

@@ -83,8 +83,8 @@ public:
           work_(work),
           most_parts_(std::min(most_parts, most_entries / (length + 1))) {}
 
-    Behaviour part(TermId initial, const Steps& steps, int depth);
-    void moves(TermId term, const Transition& step, int depth, std::vector<Move>& result);
+    Behaviour split_run(TermId initial, const Steps& steps, int depth);
+    void add_moves(TermId term, const Transition& step, int depth, std::vector<Move>& result);
 
 private:
     struct Segment {
@@ -104,7 +104,7 @@ private:
         result.reached.assign(length_, initial);
         return result;
     }
-    static void note(Behaviour& behaviour, const Step& step) {
+    static void record_step(Behaviour& behaviour, const Step& step) {
         behaviour.trace[step.index] = step.transition.event;
         behaviour.revealed[step.index] = step.transition.revealed;
         behaviour.reached[step.index] = step.transition.target;
@@ -112,16 +112,16 @@ private:
     void end(Behaviour& behaviour, TermId last) {
         behaviour.offered.clear();
         behaviour.state = describe(terms_, last);
-        if (offers_) offer(behaviour, last);
+        if (offers_) add_offer(behaviour, last);
     }
-    void offer(Behaviour& behaviour, TermId last) {
+    void add_offer(Behaviour& behaviour, TermId last) {
         for (const Transition& each : semantics_.successors(last)) {
             if (each.event == tau) behaviour.stable = false;
             if (each.event != tau && (behaviour.offered.empty() || behaviour.offered.back() != each.event))
                 behaviour.offered.push_back(each.event);
         }
     }
-    TermId unfolded(TermId term) { return terms_.unfolded(term, deepest_look); }
+    TermId unfold_term(TermId term) { return terms_.unfold_calls(term, deepest_look); }
     static std::size_t running(const Term& term) {
         const bool first_alone = term.op == Op::sequential || term.op == Op::exception || term.op == Op::sliding;
         return first_alone ? 1 : term.children.size();
@@ -130,8 +130,8 @@ private:
     Segment component(TermId from, const Steps& steps, std::size_t next, int depth);
     Segment operation(TermId from, const Steps& steps, std::size_t next, int depth);
     Segment compression(TermId from, const Steps& steps, std::size_t next, int depth);
-    std::string written(const Term& term);
-    std::string written(SetId set);
+    std::string notation_of(const Term& term);
+    std::string notation_of(SetId set);
 
     OperationalSemantics& semantics_;
     TermStore& terms_;
@@ -144,7 +144,7 @@ private:
 /// Operators that are only above sequential processes (choices, sequences) belong to the component.
 bool Splitter::worth_taking_apart(TermId id, int look) {
     if (look > deepest_look) return false;
-    const Term term = terms_[unfolded(id)];
+    const Term term = terms_[unfold_term(id)];
     switch (term.op) {
         case Op::parallel:
         case Op::alphabetised:
@@ -170,7 +170,7 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     Segment segment{begin(from), from, next, false};
     const bool to_the_end = depth > deepest_parts || work_.parts > most_parts_;
     while (segment.next < steps.size()) {
-        note(segment.behaviour, steps[segment.next]);
+        record_step(segment.behaviour, steps[segment.next]);
         segment.end = steps[segment.next++].transition.target;
         const bool known = offers_ || segment.next < steps.size();
         segment.goes_on = known && !to_the_end && worth_taking_apart(segment.end);
@@ -183,24 +183,24 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
 /// separately.
 Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
-    const Term term = terms_[unfolded(from)];
+    const Term term = terms_[unfold_term(from)];
     std::vector<Event> events;
     std::vector<std::size_t> shown;
     for (; segment.next < steps.size(); ++segment.next) {
         const Step& step = steps[segment.next];
-        note(segment.behaviour, step);
+        record_step(segment.behaviour, step);
         segment.end = step.transition.target;
         if (step.transition.event != tau) events.push_back(step.transition.event);
         if (step.transition.event != tau) shown.push_back(step.index);
     }
-    offer(segment.behaviour, segment.end);  // for a machine, whose states are all known
+    add_offer(segment.behaviour, segment.end);  // for a machine, whose states are all known
     const TermId operand = term.children.front();
     const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
     if (!inside) return segment;
     segment.behaviour.op = name_of(Compression{term.payload});
     Steps own;
     for (const Transition& each : *inside) own.push_back({own.size(), each});
-    Behaviour within = Splitter(semantics_, own.size(), work_, offers_).part(operand, own, depth + 1);
+    Behaviour within = Splitter(semantics_, own.size(), work_, offers_).split_run(operand, own, depth + 1);
     for (std::size_t i = 0, done = 0; i < inside->size(); ++i) {
         within.shown_by.push_back(done < shown.size() ? shown[done] : length_ == 0 ? 0 : length_ - 1);
         if ((*inside)[i].event != tau) ++done;
@@ -212,17 +212,17 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
 
 Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
-    TermId now = unfolded(from);
+    TermId now = unfold_term(from);
     const Term term = terms_[now];
     if (term.op == Op::compress) return compression(from, steps, next, depth);
-    segment.behaviour.op = written(term);
+    segment.behaviour.op = notation_of(term);
     std::vector<Steps> moved(term.children.size());
     std::optional<std::size_t> survivor;
     bool handed_over = false;
     while (segment.next < steps.size() && !survivor && !handed_over) {
         const Step& step = steps[segment.next];
         const std::optional<Derivation> derived = derivation(semantics_, now, step.transition);
-        note(segment.behaviour, step);
+        record_step(segment.behaviour, step);
         segment.end = now = step.transition.target;
         ++segment.next;
         if (!derived) {
@@ -236,12 +236,12 @@ Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size
     const std::size_t resolved = segment.next == next ? 0 : steps[segment.next - 1].index + 1;
     if (survivor)
         for (; segment.next < steps.size(); ++segment.next) {
-            note(segment.behaviour, steps[segment.next]);
+            record_step(segment.behaviour, steps[segment.next]);
             moved[*survivor].push_back(steps[segment.next]);
             segment.end = steps[segment.next].transition.target;
         }
     for (std::size_t i = 0; i < running(term); ++i) {
-        Behaviour operand = part(term.children[i], moved[i], depth + 1);
+        Behaviour operand = split_run(term.children[i], moved[i], depth + 1);
         operand.left = handed_over || (survivor && *survivor != i);
         if (operand.left) operand.ends = resolved;
         segment.behaviour.parts.push_back(std::move(operand));
@@ -250,8 +250,8 @@ Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size
     return segment;
 }
 
-void Splitter::moves(TermId term, const Transition& step, int depth, std::vector<Move>& result) {
-    const TermId now = unfolded(term);
+void Splitter::add_moves(TermId term, const Transition& step, int depth, std::vector<Move>& result) {
+    const TermId now = unfold_term(term);
     const bool apart = depth <= deepest_parts && terms_[now].op != Op::compress && worth_taking_apart(now);
     const auto derived = apart ? derivation(semantics_, now, step) : std::nullopt;
     if (!derived) {
@@ -259,10 +259,10 @@ void Splitter::moves(TermId term, const Transition& step, int depth, std::vector
         return;
     }
     for (const auto& [operand, transition] : derived->moves)
-        moves(Term(terms_[now]).children[operand], transition, depth + 1, result);
+        add_moves(Term(terms_[now]).children[operand], transition, depth + 1, result);
 }
 
-Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
+Behaviour Splitter::split_run(TermId initial, const Steps& steps, int depth) {
     std::vector<Segment> segments;
     TermId now = initial;
     std::size_t next = 0;
@@ -281,13 +281,13 @@ Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
     if (segments.size() == 1) return std::move(segments.front().behaviour);
     Behaviour whole = begin(initial);
     whole.op = "then";
-    for (const Step& step : steps) note(whole, step);
+    for (const Step& step : steps) record_step(whole, step);
     end(whole, now);
     for (Segment& each : segments) whole.parts.push_back(std::move(each.behaviour));
     return whole;
 }
 
-std::string Splitter::written(SetId set) {
+std::string Splitter::notation_of(SetId set) {
     std::string text;
     const EventSet& events = terms_[set];
     for (std::size_t i = 0; i < events.size() && i < shown_events; ++i)
@@ -296,11 +296,11 @@ std::string Splitter::written(SetId set) {
     return "{" + text + "}";
 }
 
-std::string Splitter::written(const Term& term) {
+std::string Splitter::notation_of(const Term& term) {
     switch (term.op) {
         case Op::parallel: {
             const EventSet& set = terms_[SetId{term.payload}];
-            return set.empty() ? "|||" : "[|" + written(SetId{term.payload}) + "|]";
+            return set.empty() ? "|||" : "[|" + notation_of(SetId{term.payload}) + "|]";
         }
         case Op::alphabetised:
             return "[…||…]";
@@ -313,13 +313,13 @@ std::string Splitter::written(const Term& term) {
         case Op::sliding:
             return "[>";
         case Op::exception:
-            return "[|" + written(SetId{term.payload}) + "|>";
+            return "[|" + notation_of(SetId{term.payload}) + "|>";
         case Op::sync_choice:
-            return "[+" + written(SetId{term.payload}) + "+]";
+            return "[+" + notation_of(SetId{term.payload}) + "+]";
         case Op::sync_interrupt:
-            return "/+" + written(SetId{term.payload}) + "+\\";
+            return "/+" + notation_of(SetId{term.payload}) + "+\\";
         case Op::hide:
-            return "\\ " + written(SetId{term.payload});
+            return "\\ " + notation_of(SetId{term.payload});
         case Op::rename:
             return "[[…]]";
         case Op::prioritise:
@@ -343,13 +343,13 @@ Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::
     Steps steps;
     for (const Transition& each : run) steps.push_back({steps.size(), each});
     Work work;
-    return Splitter(semantics, run.size(), work, offers).part(initial, steps, 0);
+    return Splitter(semantics, run.size(), work, offers).split_run(initial, steps, 0);
 }
 
-std::vector<Move> moves(OperationalSemantics& semantics, TermId term, const Transition& step) {
+std::vector<Move> split_transition(OperationalSemantics& semantics, TermId term, const Transition& step) {
     Work work;
     std::vector<Move> result;
-    Splitter(semantics, 1, work, false).moves(term, step, 0, result);
+    Splitter(semantics, 1, work, false).add_moves(term, step, 0, result);
     return result;
 }
 

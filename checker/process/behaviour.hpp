@@ -30,8 +30,9 @@ struct Behaviour {
     std::vector<TermId> reached;  ///< for every step in which it took part: the part's next term
     std::size_t begins = 0;       ///< the first step in which it is active
     std::size_t ends = std::numeric_limits<std::size_t>::max();  ///< the first step after it was left
-    /// The operand of a compression has a separate run. For each of its steps: the step of the whole process that shows
-    /// it; for a step that the compression does not show, the step before which (at the end: after which) it happens.
+    /// The operand of a compression has a separate run. For each step of that run, this is the step of the whole
+    /// process that shows it. If the compression does not show the step, this is the step of the whole process before
+    /// which it happens, or after which it happens at the end.
     std::vector<std::size_t> shown_by;
 
     /// The events in which the part participated; taus only with `with_taus`.
@@ -50,6 +51,6 @@ struct Move {
     Transition step;  ///< the component's own step
 };
 /// Splits one transition of a term into the moves of its components. Does not compute the states after it.
-[[nodiscard]] std::vector<Move> moves(OperationalSemantics& semantics, TermId term, const Transition& step);
+[[nodiscard]] std::vector<Move> split_transition(OperationalSemantics& semantics, TermId term, const Transition& step);
 
 }  // namespace robochart::process

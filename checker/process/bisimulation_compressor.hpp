@@ -10,9 +10,9 @@ namespace robochart::process {
 /// The equivalence that a compression preserves.
 [[nodiscard]] lts::Equivalence equivalence_of(Compression kind);
 
-/// sbisim, explicate and lazyenumerate give the quotient by strong bisimilarity; normal, dbisim, wbisim, diamond,
-/// tau_loop_factor and model_compress that by divergence-respecting branching bisimilarity. The latter is finer than
-/// the result of FDR for these names, so it preserves every model that they preserve; it may be larger.
+/// Compresses with sbisim, explicate and lazyenumerate by strong bisimilarity. Compresses with normal, dbisim, wbisim,
+/// diamond, tau_loop_factor and model_compress by divergence-respecting branching bisimilarity. The latter is finer
+/// than the result of FDR for these names, so it preserves every model that they preserve; the result may be larger.
 class BisimulationCompressor final : public Compressor {
 public:
     Machine compress(const Machine& explored, Compression kind, const std::function<void()>& poll) override;

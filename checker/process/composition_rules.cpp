@@ -13,12 +13,12 @@ namespace {}  // namespace
 // UCS 9.2:  P --x--> P'  (x ∉ A, x ≠ ✓)          P --a--> P', Q --a--> Q'  (a ∈ A)
 //           P [|A|] Q --x--> P' [|A|] Q          P [|A|] Q --a--> P' [|A|] Q'
 // FDR: P --✓-->, Q --✓-->  gives  P [|A|] Q --✓--> Ω (A behaves as A ∪ {✓}); no side terminates alone.
-void FiringRules::parallel(const Term& term, List& list) {
+void FiringRules::fire_parallel(const Term& term, List& list) {
     const SetId set{term.payload};
     std::vector<std::size_t> everyone(term.children.size());
     for (std::size_t i = 0; i < everyone.size(); ++i) {
         everyone[i] = i;
-        for (const Transition& step : known_.of(term.children[i]))
+        for (const Transition& step : known_.list_transitions(term.children[i]))
             if (step.event != tick && (step.event == tau || !terms_.contains(set, step.event)))
                 list.push_back({step.event, step.revealed, with_operand(term, i, step.target)});
     }
@@ -28,12 +28,12 @@ void FiringRules::parallel(const Term& term, List& list) {
 
 // UCS 9.2, alphabetised parallel: an event happens if some alphabet contains it and every operand whose alphabet
 // contains it performs it; taus are free; tick as in [|A|].
-void FiringRules::alphabetised(const Term& term, List& list) {
+void FiringRules::fire_alphabetised(const Term& term, List& list) {
     tick_together(term, list);
     std::vector<std::size_t> participants;
     for (std::size_t i = 0; i < term.children.size(); ++i) {
         Event last = tau;
-        for (const Transition& step : known_.of(term.children[i])) {
+        for (const Transition& step : known_.list_transitions(term.children[i])) {
             if (step.event == tau) list.push_back({tau, step.revealed, with_operand(term, i, step.target)});
             if (step.event == last || step.event == tick || !terms_.contains(term.sets[i], step.event)) continue;
             last = step.event;
@@ -46,7 +46,7 @@ void FiringRules::alphabetised(const Term& term, List& list) {
 }
 
 void FiringRules::tick_together(const Term& term, List& list) {
-    const bool all = std::ranges::all_of(term.children, [this](TermId child) { return performs(child, tick); });
+    const bool all = std::ranges::all_of(term.children, [this](TermId child) { return can_perform(child, tick); });
     if (all) list.push_back({tick, tick, omega_});
 }
 
@@ -55,7 +55,7 @@ void FiringRules::tick_together(const Term& term, List& list) {
 void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_t>& participants, List& list) {
     if (participants.empty()) return;
     Event last = tau;
-    for (const Transition& step : known_.of(term.children[participants.front()])) {
+    for (const Transition& step : known_.list_transitions(term.children[participants.front()])) {
         if (step.event == last || step.event == tick || !terms_.contains(SetId{term.payload}, step.event)) continue;
         last = step.event;
         synchronise(term, participants, step.event, list);
@@ -75,7 +75,7 @@ void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& 
         scratch_ = term;
         for (std::size_t i = 0; i < participants.size(); ++i)
             scratch_.children[participants[i]] = steps[i][choice[i]].target;
-        list.push_back({event, event, terms_.make(scratch_)});
+        list.push_back({event, event, terms_.intern_term(scratch_)});
         more = false;
         for (std::size_t i = participants.size(); i-- > 0 && !more;) {
             more = ++choice[i] < steps[i].size();
@@ -87,9 +87,9 @@ void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& 
 // UCS 9.2:  P --x--> P'  (x ∉ A)          P --a--> P'  (a ∈ A)
 //           P \ A --x--> P' \ A           P \ A --τ--> P' \ A
 // Tick cannot be hidden.
-void FiringRules::hide(const Term& term, List& list) {
+void FiringRules::fire_hide(const Term& term, List& list) {
     const SetId set{term.payload};
-    for (const Transition& step : known_.of(term.children[0])) {
+    for (const Transition& step : known_.list_transitions(term.children[0])) {
         if (step.event == tick)
             list.push_back(step);
         else {
@@ -101,9 +101,9 @@ void FiringRules::hide(const Term& term, List& list) {
 
 // UCS 9.2:  P --a--> P', (a,b) ∈ R  gives  P[[R]] --b--> P'[[R]]; τ and ✓ keep their names. CSPM: an event that R does
 // not mention keeps its name; one mentioned several times is offered with each of its names.
-void FiringRules::rename(const Term& term, List& list) {
+void FiringRules::fire_rename(const Term& term, List& list) {
     const Renaming& pairs = terms_[RenamingId{term.payload}];
-    for (const Transition& step : known_.of(term.children[0])) {
+    for (const Transition& step : known_.list_transitions(term.children[0])) {
         if (step.event == tick) {
             list.push_back(step);
             continue;
@@ -123,10 +123,10 @@ void FiringRules::rename(const Term& term, List& list) {
 // prevented.
 //   P --x--> P',  no y of higher level than x with P --y-->
 //   prioritise(P,O) --x--> prioritise(P',O)
-void FiringRules::prioritise(const Term& term, List& list) {
-    const std::vector<std::uint32_t>& level = levels(OrderId{term.payload});
+void FiringRules::fire_prioritise(const Term& term, List& list) {
+    const std::vector<std::uint32_t>& level = priority_levels(OrderId{term.payload});
     const auto level_of = [&](Event event) { return event < level.size() ? level[event] : no_level; };
-    const std::span<const Transition> steps = known_.of(term.children[0]);
+    const std::span<const Transition> steps = known_.list_transitions(term.children[0]);
     std::uint32_t best = no_level;
     for (const Transition& step : steps) best = std::min(best, level_of(step.event));
     for (const Transition& step : steps) {
@@ -140,9 +140,9 @@ void FiringRules::prioritise(const Term& term, List& list) {
 // pairs of O generate; τ and ✓ are above all events of E except the maximal ones, M.
 //   P --x--> P',  no y with (y,x) in the order and P --y-->
 //   prioritisepo(P,E,O,M) --x--> prioritisepo(P',E,O,M)
-void FiringRules::prioritise_order(const Term& term, List& list) {
+void FiringRules::fire_prioritise_order(const Term& term, List& list) {
     const Renaming& order = terms_[RenamingId{term.payload}];
-    const std::span<const Transition> steps = known_.of(term.children[0]);
+    const std::span<const Transition> steps = known_.list_transitions(term.children[0]);
     const auto prevented = [&](Event event) {
         return std::ranges::any_of(steps, [&](const Transition& other) {
             return std::ranges::binary_search(order, EventPair{other.event, event});
@@ -154,7 +154,7 @@ void FiringRules::prioritise_order(const Term& term, List& list) {
                 {step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
 }
 
-const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
+const std::vector<std::uint32_t>& FiringRules::priority_levels(OrderId id) {
     const auto index = static_cast<std::uint32_t>(id);
     if (index >= levels_.size()) levels_.resize(index + 1U);
     std::vector<std::uint32_t>& level = levels_[index];
@@ -164,20 +164,21 @@ const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
 
 // FDR manual, chase(P): if P has taus, one of them is followed at once and the other actions of that state are dropped,
 // until no tau is left. This implementation follows the first. If the taus have no end, the result diverges.
-void FiringRules::chase(const Term& term, List& list) {
+void FiringRules::fire_chase(const Term& term, List& list) {
     const TermId end = end_of_chase(term.children[0]);
-    if (performs(end, tau)) {
+    if (can_perform(end, tau)) {
         list.push_back({tau, tau, with_operand(term, 0, end)});
         return;
     }
-    for (const Transition& step : known_.of(end))
+    for (const Transition& step : known_.list_transitions(end))
         list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
 }
 
 TermId FiringRules::end_of_chase(TermId operand) const {
     std::unordered_set<std::uint32_t> passed;
-    while (known_.knows(operand) && performs(operand, tau) && passed.insert(static_cast<std::uint32_t>(operand)).second)
-        operand = known_.of(operand).front().target;
+    while (known_.is_known(operand) && can_perform(operand, tau) &&
+           passed.insert(static_cast<std::uint32_t>(operand)).second)
+        operand = known_.list_transitions(operand).front().target;
     return operand;
 }
 

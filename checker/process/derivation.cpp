@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules are stated in firing_rules.cpp and composition_rules.cpp. If a step has several derivations (two operands
-// that can both perform it without a change of their states), the first operand is taken.
+// The rules are stated in firing_rules.cpp and composition_rules.cpp. A step has several derivations if two operands
+// can both perform it without a change of their states. The first operand is then taken.
 #include "checker/process/derivation.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ private:
     }
     /// Returns a transition of the operand with `event`, and to `target` if it is given. Prefers a transition with the
     /// same hidden event.
-    std::optional<Transition> move(std::size_t operand, Event event, std::optional<TermId> target) {
+    std::optional<Transition> find_move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
         for (const Transition& each : semantics_.successors(term_.children[operand])) {
             if (each.event != event || (target && each.target != *target)) continue;
@@ -46,57 +46,57 @@ private:
         return true;
     }
     /// All these operands move with the event of the step, and the operator stays.
-    Found together(const std::vector<std::size_t>& movers) {
+    Found move_together(const std::vector<std::size_t>& movers) {
         if (!frame_stays() || !others_stay(movers)) return std::nullopt;
         Derivation result;
         for (std::size_t each : movers) {
-            const std::optional<Transition> own = move(each, step_.event, target_.children[each]);
+            const std::optional<Transition> own = find_move(each, step_.event, target_.children[each]);
             if (!own) return std::nullopt;
             result.moves.emplace_back(each, *own);
         }
         return result;
     }
     /// One operand moves with this event, and the operator stays.
-    Found alone(std::size_t operand, Event event) {
+    Found move_alone(std::size_t operand, Event event) {
         if (!frame_stays() || !others_stay({operand})) return std::nullopt;
-        const std::optional<Transition> own = move(operand, event, target_.children[operand]);
+        const std::optional<Transition> own = find_move(operand, event, target_.children[operand]);
         if (!own) return std::nullopt;
         return Derivation{{{operand, *own}}, {}, false};
     }
-    Found anyone() {
+    Found move_any() {
         for (std::size_t i = 0; i < term_.children.size(); ++i)
-            if (Found found = alone(i, step_.event)) return found;
+            if (Found found = move_alone(i, step_.event)) return found;
         return std::nullopt;
     }
     /// One operand moves, and its successor replaces the operator.
-    Found resolved(std::size_t operand) {
-        const std::optional<Transition> own = move(operand, step_.event, step_.target);
+    Found resolve_by(std::size_t operand) {
+        const std::optional<Transition> own = find_move(operand, step_.event, step_.target);
         if (!own) return std::nullopt;
         return Derivation{{{operand, *own}}, operand, false};
     }
-    Found resolved_by_anyone() {
+    Found resolve_by_any() {
         for (std::size_t i = 0; i < term_.children.size(); ++i)
-            if (Found found = resolved(i)) return found;
+            if (Found found = resolve_by(i)) return found;
         return std::nullopt;
     }
     /// Operand 0 moves with `event`, and operand 1 replaces the operator.
-    Found handed_over(Event event) {
+    Found hand_over(Event event) {
         if (step_.target != term_.children[1]) return std::nullopt;
-        const std::optional<Transition> own = move(0, event, std::nullopt);
+        const std::optional<Transition> own = find_move(0, event, std::nullopt);
         if (!own) return std::nullopt;
         return Derivation{{{0, *own}}, 1, true};
     }
     /// All these operands terminate, and the result is Ω.
-    Found terminated(const std::vector<std::size_t>& movers) {
+    Found terminate_operands(const std::vector<std::size_t>& movers) {
         Derivation result;
         for (std::size_t each : movers) {
-            const std::optional<Transition> own = move(each, tick, std::nullopt);
+            const std::optional<Transition> own = find_move(each, tick, std::nullopt);
             if (!own) return std::nullopt;
             result.moves.emplace_back(each, *own);
         }
         return result;
     }
-    std::vector<std::size_t> everyone() const {
+    std::vector<std::size_t> all_operands() const {
         std::vector<std::size_t> all(term_.children.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
         return all;
@@ -108,44 +108,44 @@ private:
         return result;
     }
 
-    Found sliding() {
-        if (Found found = step_.event == tau ? alone(0, tau) : resolved(0)) return found;
+    Found derive_sliding() {
+        if (Found found = step_.event == tau ? move_alone(0, tau) : resolve_by(0)) return found;
         if (step_.event == tau && step_.target == term_.children[1]) return Derivation{{}, 1, true};
         return std::nullopt;
     }
-    Found sequential() {
-        if (Found found = alone(0, step_.event)) return found;
-        return step_.event == tau ? handed_over(tick) : std::nullopt;
+    Found derive_sequential() {
+        if (Found found = move_alone(0, step_.event)) return found;
+        return step_.event == tau ? hand_over(tick) : std::nullopt;
     }
-    Found interrupt() {
+    Found derive_interrupt() {
         if (step_.event == tick)
-            if (Found found = terminated({0})) return found;
-        if (Found found = alone(0, step_.event)) return found;
-        return step_.event == tau ? alone(1, tau) : resolved(1);
+            if (Found found = terminate_operands({0})) return found;
+        if (Found found = move_alone(0, step_.event)) return found;
+        return step_.event == tau ? move_alone(1, tau) : resolve_by(1);
     }
-    Found sync_interrupt() {
-        if (in_set(step_.event)) return together({0, 1});
-        return interrupt();
+    Found derive_sync_interrupt() {
+        if (in_set(step_.event)) return move_together({0, 1});
+        return derive_interrupt();
     }
-    Found hide() {
-        if (step_.event == tick) return terminated({0});
-        if (step_.event != tau) return alone(0, step_.event);
+    Found derive_hide() {
+        if (step_.event == tick) return terminate_operands({0});
+        if (step_.event != tau) return move_alone(0, step_.event);
         if (in_set(step_.revealed))
-            if (Found found = alone(0, step_.revealed)) return found;
-        if (Found found = alone(0, tau)) return found;
+            if (Found found = move_alone(0, step_.revealed)) return found;
+        if (Found found = move_alone(0, tau)) return found;
         for (const Event event : terms_[SetId{term_.payload}])
-            if (Found found = alone(0, event)) return found;
+            if (Found found = move_alone(0, event)) return found;
         return std::nullopt;
     }
-    Found rename() {
-        if (step_.event == tick) return terminated({0});
-        if (Found found = alone(0, step_.event); found && !renamed(step_.event)) return found;
+    Found derive_rename() {
+        if (step_.event == tick) return terminate_operands({0});
+        if (Found found = move_alone(0, step_.event); found && !is_renamed(step_.event)) return found;
         for (const auto& [from, to] : terms_[RenamingId{term_.payload}])
             if (to == step_.event)
-                if (Found found = alone(0, from)) return found;
+                if (Found found = move_alone(0, from)) return found;
         return std::nullopt;
     }
-    bool renamed(Event event) const {
+    bool is_renamed(Event event) const {
         const Renaming& pairs = terms_[RenamingId{term_.payload}];
         const auto at = std::ranges::lower_bound(pairs, EventPair{event, 0});
         return event != tau && at != pairs.end() && at->first == event;
@@ -162,34 +162,34 @@ std::optional<Derivation> Deriver::derive() {
     const Event event = step_.event;
     switch (term_.op) {
         case Op::parallel:
-            if (event == tick) return terminated(everyone());
-            return in_set(event) ? together(everyone()) : anyone();
+            if (event == tick) return terminate_operands(all_operands());
+            return in_set(event) ? move_together(all_operands()) : move_any();
         case Op::alphabetised:
-            if (event == tick) return terminated(everyone());
-            return event == tau ? anyone() : together(with_event_in_alphabet());
+            if (event == tick) return terminate_operands(all_operands());
+            return event == tau ? move_any() : move_together(with_event_in_alphabet());
         case Op::sync_choice:
-            if (in_set(event)) return together(everyone());
-            return event == tau ? anyone() : resolved_by_anyone();
+            if (in_set(event)) return move_together(all_operands());
+            return event == tau ? move_any() : resolve_by_any();
         case Op::external_choice:
-            return event == tau ? anyone() : resolved_by_anyone();
+            return event == tau ? move_any() : resolve_by_any();
         case Op::sync_interrupt:
-            return sync_interrupt();
+            return derive_sync_interrupt();
         case Op::interrupt:
-            return interrupt();
+            return derive_interrupt();
         case Op::sliding:
-            return sliding();
+            return derive_sliding();
         case Op::sequential:
-            return sequential();
+            return derive_sequential();
         case Op::exception:
-            if (event == tick) return terminated({0});
-            return in_set(event) ? handed_over(event) : alone(0, event);
+            if (event == tick) return terminate_operands({0});
+            return in_set(event) ? hand_over(event) : move_alone(0, event);
         case Op::hide:
-            return hide();
+            return derive_hide();
         case Op::rename:
-            return rename();
+            return derive_rename();
         case Op::prioritise:
         case Op::prioritise_order:
-            return event == tick ? terminated({0}) : alone(0, event);
+            return event == tick ? terminate_operands({0}) : move_alone(0, event);
         default:
             return std::nullopt;
     }

@@ -39,14 +39,14 @@ public:
                 return prefix(term);
             case Op::parallel:
             case Op::alphabetised:
-                return joined(term, " ‖ ", depth);
+                return join_children(term, " ‖ ", depth);
             case Op::external_choice:
             case Op::sync_choice:
-                return joined(term, " □ ", depth);
+                return join_children(term, " □ ", depth);
             case Op::internal_choice:
-                return joined(term, " ⊓ ", depth);
+                return join_children(term, " ⊓ ", depth);
             case Op::sync_interrupt:
-                return joined(term, " △ ", depth);
+                return join_children(term, " △ ", depth);
             // These operators behave like their first operand until it ends.
             case Op::sequential:
             case Op::interrupt:
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    std::string joined(const Term& term, const char* separator, int depth) {
+    std::string join_children(const Term& term, const char* separator, int depth) {
         std::string text;
         for (TermId child : term.children) {
             if (seen_ > largest_description) return text + separator + "…";

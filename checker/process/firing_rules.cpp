@@ -67,12 +67,12 @@ void refuse_unsupported(const Term& compressed) {
 FiringRules::FiringRules(TermStore& terms, const KnownTransitions& known)
     : terms_(terms),
       known_(known),
-      omega_(terms.make(Term{Op::omega, 0, {}, {}})),
-      stop_(terms.make(Term{Op::stop, 0, {}, {}})) {}
+      omega_(terms.intern_term(Term{Op::omega, 0, {}, {}})),
+      stop_(terms.intern_term(Term{Op::stop, 0, {}, {}})) {}
 
 std::optional<TermId> FiringRules::missing_operand(TermId id) {
     const auto unless_known = [this](TermId operand) {
-        return known_.knows(operand) ? std::nullopt : std::optional(operand);
+        return known_.is_known(operand) ? std::nullopt : std::optional(operand);
     };
     const Term& term = terms_[id];
     switch (term.op) {
@@ -92,7 +92,7 @@ std::optional<TermId> FiringRules::missing_operand(TermId id) {
             break;
     }
     for (TermId child : term.children)
-        if (!known_.knows(child)) return child;
+        if (!known_.is_known(child)) return child;
     return std::nullopt;
 }
 
@@ -146,17 +146,17 @@ void FiringRules::stop_family(const Term& term, List& list) {
             break;
         // FDR manual: DIV performs taus forever. DIV --τ--> DIV.
         case Op::div:
-            list.push_back({tau, tau, terms_.make(term)});
+            list.push_back({tau, tau, terms_.intern_term(term)});
             break;
         case Op::run:
         case Op::chaos_offer:
-            run(term, list);
+            fire_run(term, list);
             break;
         case Op::chaos:
-            chaos(term, list);
+            fire_chaos(term, list);
             break;
         case Op::prefix:
-            prefix(term, list);
+            fire_prefix(term, list);
             break;
         default:
             break;
@@ -166,16 +166,16 @@ void FiringRules::stop_family(const Term& term, List& list) {
 void FiringRules::choice_family(const Term& term, List& list) {
     switch (term.op) {
         case Op::external_choice:
-            external_choice(term, list);
+            fire_external_choice(term, list);
             break;
         case Op::internal_choice:
-            internal_choice(term, list);
+            fire_internal_choice(term, list);
             break;
         case Op::sliding:
-            sliding(term, list);
+            fire_sliding(term, list);
             break;
         default:
-            sync_choice(term, list);
+            fire_sync_choice(term, list);
             break;
     }
 }
@@ -183,29 +183,29 @@ void FiringRules::choice_family(const Term& term, List& list) {
 void FiringRules::parallel_family(const Term& term, List& list) {
     switch (term.op) {
         case Op::sequential:
-            sequential(term, list);
+            fire_sequential(term, list);
             break;
         case Op::interrupt:
-            interrupt(term, list);
+            fire_interrupt(term, list);
             break;
         case Op::sync_interrupt:
-            sync_interrupt(term, list);
+            fire_sync_interrupt(term, list);
             break;
         case Op::exception:
-            exception(term, list);
+            fire_exception(term, list);
             break;
         case Op::parallel:
-            parallel(term, list);
+            fire_parallel(term, list);
             break;
         default:
-            alphabetised(term, list);
+            fire_alphabetised(term, list);
             break;
     }
 }
 
 void FiringRules::unary_family(const Term& term, List& list) {
     const auto copy = [&](TermId operand) {
-        const std::span<const Transition> steps = known_.of(operand);
+        const std::span<const Transition> steps = known_.list_transitions(operand);
         list.assign(steps.begin(), steps.end());
     };
     switch (term.op) {
@@ -215,19 +215,19 @@ void FiringRules::unary_family(const Term& term, List& list) {
             copy(terms_.unfold(term.payload));
             break;
         case Op::hide:
-            hide(term, list);
+            fire_hide(term, list);
             break;
         case Op::rename:
-            rename(term, list);
+            fire_rename(term, list);
             break;
         case Op::prioritise:
-            prioritise(term, list);
+            fire_prioritise(term, list);
             break;
         case Op::prioritise_order:
-            prioritise_order(term, list);
+            fire_prioritise_order(term, list);
             break;
         case Op::chase:
-            chase(term, list);
+            fire_chase(term, list);
             break;
         case Op::machine:
             throw std::logic_error("a state of a machine that another semantics has made");
@@ -241,22 +241,22 @@ void FiringRules::unary_family(const Term& term, List& list) {
 
 // FDR manual: RUN(A) offers all of A forever. RUN(A) --a--> RUN(A), a ∈ A.
 // CHAOS(A) after its choice to offer: --a--> CHAOS(A), a ∈ A.
-void FiringRules::run(const Term& term, List& list) {
+void FiringRules::fire_run(const Term& term, List& list) {
     const Op next = term.op == Op::run ? Op::run : Op::chaos;
     const SetId set{term.payload};
-    const TermId target = terms_.make(Term{next, term.payload, {}, {}});
+    const TermId target = terms_.intern_term(Term{next, term.payload, {}, {}});
     for (Event event : terms_[set]) list.push_back({event, event, event == tick ? omega_ : target});
 }
 
 // UCS 1.3.3, FDR manual: CHAOS(A) = STOP |~| (?x:A -> CHAOS(A)).
 // CHAOS(A) --τ--> STOP;  CHAOS(A) --τ--> (?x:A -> CHAOS(A)).
-void FiringRules::chaos(const Term& term, List& list) {
+void FiringRules::fire_chaos(const Term& term, List& list) {
     list.push_back({tau, tau, stop_});
-    list.push_back({tau, tau, terms_.make(Term{Op::chaos_offer, term.payload, {}, {}})});
+    list.push_back({tau, tau, terms_.intern_term(Term{Op::chaos_offer, term.payload, {}, {}})});
 }
 
 // UCS 9.2: (e -> P) --a--> P(a) for each a that e allows.
-void FiringRules::prefix(const Term& term, List& list) {
+void FiringRules::fire_prefix(const Term& term, List& list) {
     const std::uint32_t payload = term.payload;
     for (const Branch& branch : terms_.branches(payload)) list.push_back({branch.event, branch.event, branch.target});
 }
@@ -266,22 +266,22 @@ void FiringRules::prefix(const Term& term, List& list) {
 //        P [] Q --τ--> P' [] Q     P [] Q --a--> P'
 // ✓ resolves the choice like any a; the models let an option terminate by itself
 // (checker/refine/search/stability.hpp).
-void FiringRules::external_choice(const Term& term, List& list) {
+void FiringRules::fire_external_choice(const Term& term, List& list) {
     for (std::size_t i = 0; i < term.children.size(); ++i)
-        for (const Transition& step : known_.of(term.children[i]))
+        for (const Transition& step : known_.list_transitions(term.children[i]))
             list.push_back(
                 {step.event, step.revealed, step.event == tau ? with_operand(term, i, step.target) : step.target});
 }
 
 // UCS 9.2: P |~| Q --τ--> P;  P |~| Q --τ--> Q.
-void FiringRules::internal_choice(const Term& term, List& list) {
+void FiringRules::fire_internal_choice(const Term& term, List& list) {
     for (TermId child : term.children) list.push_back({tau, tau, child});
 }
 
 // UCS 9.2, sliding choice (timeout): P [> Q --τ--> Q; a tau of P keeps the choice, any other action of P resolves it to
 // P'.
-void FiringRules::sliding(const Term& term, List& list) {
-    for (const Transition& step : known_.of(term.children[0]))
+void FiringRules::fire_sliding(const Term& term, List& list) {
+    for (const Transition& step : known_.list_transitions(term.children[0]))
         list.push_back(
             {step.event, step.revealed, step.event == tau ? with_operand(term, 0, step.target) : step.target});
     list.push_back({tau, tau, term.children[1]});
@@ -291,12 +291,12 @@ void FiringRules::sliding(const Term& term, List& list) {
 // leaves the choice open.
 //   P --τ--> P'                   P --a--> P'  (a ∉ A)      P --a--> P', Q --a--> Q'  (a ∈ A)
 //   P [+A+] Q --τ--> P' [+A+] Q   P [+A+] Q --a--> P'       P [+A+] Q --a--> P' [+A+] Q'
-void FiringRules::sync_choice(const Term& term, List& list) {
+void FiringRules::fire_sync_choice(const Term& term, List& list) {
     const SetId set{term.payload};
     std::vector<std::size_t> everyone(term.children.size());
     for (std::size_t i = 0; i < everyone.size(); ++i) {
         everyone[i] = i;
-        for (const Transition& step : known_.of(term.children[i])) {
+        for (const Transition& step : known_.list_transitions(term.children[i])) {
             if (step.event == tau)
                 list.push_back({tau, step.revealed, with_operand(term, i, step.target)});
             else if (!terms_.contains(set, step.event))
@@ -308,8 +308,8 @@ void FiringRules::sync_choice(const Term& term, List& list) {
 
 // UCS 9.2:  P --x--> P'  (x ≠ ✓)      P --✓--> P'
 //           P;Q --x--> P';Q           P;Q --τ--> Q
-void FiringRules::sequential(const Term& term, List& list) {
-    for (const Transition& step : known_.of(term.children[0])) {
+void FiringRules::fire_sequential(const Term& term, List& list) {
+    for (const Transition& step : known_.list_transitions(term.children[0])) {
         if (step.event == tick)
             list.push_back({tau, tau, term.children[1]});
         else
@@ -319,24 +319,24 @@ void FiringRules::sequential(const Term& term, List& list) {
 
 // UCS 9.2:  P --x--> P'  (x ≠ ✓)      P --✓--> P'        Q --τ--> Q'              Q --a--> Q'  (a ≠ τ)
 //           P /\ Q --x--> P' /\ Q     P /\ Q --✓--> Ω    P /\ Q --τ--> P /\ Q'    P /\ Q --a--> Q'
-void FiringRules::interrupt(const Term& term, List& list) {
-    for (const Transition& step : known_.of(term.children[0]))
+void FiringRules::fire_interrupt(const Term& term, List& list) {
+    for (const Transition& step : known_.list_transitions(term.children[0]))
         list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
-    for (const Transition& step : known_.of(term.children[1]))
+    for (const Transition& step : known_.list_transitions(term.children[1]))
         list.push_back(
             {step.event, step.revealed, step.event == tau ? with_operand(term, 1, step.target) : step.target});
 }
 
 // FDR manual, synchronising interrupt P /+A+\ Q: as /\, but an event of A happens in both and interrupts nothing.
-void FiringRules::sync_interrupt(const Term& term, List& list) {
+void FiringRules::fire_sync_interrupt(const Term& term, List& list) {
     const SetId set{term.payload};
-    for (const Transition& step : known_.of(term.children[0])) {
+    for (const Transition& step : known_.list_transitions(term.children[0])) {
         if (step.event == tick)
             list.push_back(step);
         else if (!terms_.contains(set, step.event))
             list.push_back({step.event, step.revealed, with_operand(term, 0, step.target)});
     }
-    for (const Transition& step : known_.of(term.children[1])) {
+    for (const Transition& step : known_.list_transitions(term.children[1])) {
         if (step.event == tau)
             list.push_back({tau, step.revealed, with_operand(term, 1, step.target)});
         else if (step.event == tick || !terms_.contains(set, step.event))
@@ -347,9 +347,9 @@ void FiringRules::sync_interrupt(const Term& term, List& list) {
 
 // UCS 7.2 (throw):  P --x--> P'  (x ∉ A, x ≠ ✓)           P --a--> P'  (a ∈ A)        P --✓--> P'
 //                   P [|A|> Q --x--> P' [|A|> Q           P [|A|> Q --a--> Q          P [|A|> Q --✓--> Ω
-void FiringRules::exception(const Term& term, List& list) {
+void FiringRules::fire_exception(const Term& term, List& list) {
     const SetId set{term.payload};
-    for (const Transition& step : known_.of(term.children[0])) {
+    for (const Transition& step : known_.list_transitions(term.children[0])) {
         if (step.event == tick)
             list.push_back(step);
         else if (step.event != tau && terms_.contains(set, step.event))
@@ -359,12 +359,12 @@ void FiringRules::exception(const Term& term, List& list) {
     }
 }
 
-bool FiringRules::performs(TermId term, Event event) const {
+bool FiringRules::can_perform(TermId term, Event event) const {
     return !by_event(term, event).empty();
 }
 
 std::span<const Transition> FiringRules::by_event(TermId term, Event event) const {
-    const std::span<const Transition> steps = known_.of(term);
+    const std::span<const Transition> steps = known_.list_transitions(term);
     const auto first = std::ranges::lower_bound(steps, event, {}, &Transition::event);
     auto last = first;
     while (last != steps.end() && last->event == event) ++last;
@@ -374,7 +374,7 @@ std::span<const Transition> FiringRules::by_event(TermId term, Event event) cons
 TermId FiringRules::with_operand(const Term& term, std::size_t position, TermId operand) {
     scratch_ = term;
     scratch_.children[position] = operand;
-    return terms_.make(scratch_);
+    return terms_.intern_term(scratch_);
 }
 
 }  // namespace robochart::process

@@ -15,8 +15,8 @@ namespace robochart::process {
 class KnownTransitions {
 public:
     virtual ~KnownTransitions() = default;
-    [[nodiscard]] virtual bool knows(TermId) const = 0;
-    [[nodiscard]] virtual std::span<const Transition> of(TermId) const = 0;
+    [[nodiscard]] virtual bool is_known(TermId) const = 0;
+    [[nodiscard]] virtual std::span<const Transition> list_transitions(TermId) const = 0;
 };
 
 /// Throws SemanticsError for `deter` and the watchdogs, which are not compressions in this sense.
@@ -32,7 +32,7 @@ public:
     /// Returns the transitions, sorted by event and without duplicates.
     std::vector<Transition> transitions(TermId);
     /// `poll` is called regularly if a term has many transitions; it may throw to stop. Empty: none.
-    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
 
 private:
     using List = std::vector<Transition>;
@@ -45,26 +45,26 @@ private:
     void parallel_family(const Term&, List&);
     void unary_family(const Term&, List&);
 
-    void run(const Term&, List&);
-    void chaos(const Term&, List&);
-    void prefix(const Term&, List&);
-    void external_choice(const Term&, List&);
-    void internal_choice(const Term&, List&);
-    void sliding(const Term&, List&);
-    void sequential(const Term&, List&);
-    void interrupt(const Term&, List&);
-    void exception(const Term&, List&);
-    void sync_choice(const Term&, List&);
-    void sync_interrupt(const Term&, List&);
-    void parallel(const Term&, List&);
-    void alphabetised(const Term&, List&);
-    void hide(const Term&, List&);
-    void rename(const Term&, List&);
-    void prioritise(const Term&, List&);
-    void prioritise_order(const Term&, List&);
-    void chase(const Term&, List&);
+    void fire_run(const Term&, List&);
+    void fire_chaos(const Term&, List&);
+    void fire_prefix(const Term&, List&);
+    void fire_external_choice(const Term&, List&);
+    void fire_internal_choice(const Term&, List&);
+    void fire_sliding(const Term&, List&);
+    void fire_sequential(const Term&, List&);
+    void fire_interrupt(const Term&, List&);
+    void fire_exception(const Term&, List&);
+    void fire_sync_choice(const Term&, List&);
+    void fire_sync_interrupt(const Term&, List&);
+    void fire_parallel(const Term&, List&);
+    void fire_alphabetised(const Term&, List&);
+    void fire_hide(const Term&, List&);
+    void fire_rename(const Term&, List&);
+    void fire_prioritise(const Term&, List&);
+    void fire_prioritise_order(const Term&, List&);
+    void fire_chase(const Term&, List&);
 
-    [[nodiscard]] bool performs(TermId, Event) const;
+    [[nodiscard]] bool can_perform(TermId, Event) const;
     [[nodiscard]] std::span<const Transition> by_event(TermId, Event) const;
     /// Returns the operand that determines the behaviour of chase: the end of its first taus, or a state on a tau loop.
     [[nodiscard]] TermId end_of_chase(TermId operand) const;
@@ -72,7 +72,7 @@ private:
     void synchronise_all(const Term&, const std::vector<std::size_t>& participants, List&);
     void synchronise(const Term&, const std::vector<std::size_t>& participants, Event, List&);
     void tick_together(const Term&, List&);
-    const std::vector<std::uint32_t>& levels(OrderId);
+    const std::vector<std::uint32_t>& priority_levels(OrderId);
 
     TermStore& terms_;
     const KnownTransitions& known_;

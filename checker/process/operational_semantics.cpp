@@ -16,8 +16,8 @@
 namespace robochart::process {
 namespace {
 
-/// Definitions that unfold each other this many times without an event are assumed to be endless. So are operators
-/// nested this deep.
+/// Definitions that unfold each other this many times without an event, and operators nested this deep, are assumed to
+/// be endless.
 constexpr std::size_t deepest_nesting = 1'000'000;
 
 enum class Progress : std::uint8_t { unknown, pending, known };
@@ -38,8 +38,10 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     std::vector<Progress> progress;
     std::deque<std::vector<Transition>> transitions;
 
-    std::span<const Transition> of(TermId term) const override { return transitions[static_cast<std::uint32_t>(term)]; }
-    bool knows(TermId term) const override {
+    std::span<const Transition> list_transitions(TermId term) const override {
+        return transitions[static_cast<std::uint32_t>(term)];
+    }
+    bool is_known(TermId term) const override {
         const auto index = static_cast<std::uint32_t>(term);
         return index < progress.size() && progress[index] == Progress::known;
     }
@@ -50,13 +52,13 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     }
 
     void begin(TermId term, std::vector<TermId>& stack);
-    void finish(TermId term);
+    void set_transitions_of(TermId term);
     void compute(TermId root);
     void compute_on(std::vector<TermId>& stack);
-    bool compresses(TermId term) const { return compressor != nullptr && terms[term].op == Op::compress; }
-    std::optional<Machine> smaller(TermId term);
-    std::vector<Transition> compressed(TermId term);
-    Machine explored(TermId operand);
+    bool is_compression(TermId term) const { return compressor != nullptr && terms[term].op == Op::compress; }
+    std::optional<Machine> compress_operand(TermId term);
+    std::vector<Transition> compressed_transitions(TermId term);
+    Machine explore_operand(TermId operand);
     void set(TermId term, std::vector<Transition> result);
 };
 
@@ -75,8 +77,8 @@ void OperationalSemantics::Impl::begin(TermId term, std::vector<TermId>& stack) 
     stack.push_back(term);
 }
 
-void OperationalSemantics::Impl::finish(TermId term) {
-    set(term, compresses(term) ? compressed(term) : rules.transitions(term));
+void OperationalSemantics::Impl::set_transitions_of(TermId term) {
+    set(term, is_compression(term) ? compressed_transitions(term) : rules.transitions(term));
 }
 
 void OperationalSemantics::Impl::set(TermId term, std::vector<Transition> result) {
@@ -90,11 +92,11 @@ void OperationalSemantics::Impl::compute_on(std::vector<TermId>& stack) {
     while (!stack.empty()) {
         if (poll) poll();
         const TermId top = stack.back();
-        const std::optional<TermId> missing = compresses(top) ? std::nullopt : rules.missing_operand(top);
+        const std::optional<TermId> missing = is_compression(top) ? std::nullopt : rules.missing_operand(top);
         if (missing) {
             begin(*missing, stack);
         } else {
-            finish(top);
+            set_transitions_of(top);
             stack.pop_back();
         }
     }
@@ -112,7 +114,7 @@ void OperationalSemantics::Impl::compute(TermId root) {
 }
 
 /// All reachable states of the operand in breadth-first order.
-Machine OperationalSemantics::Impl::explored(TermId operand) {
+Machine OperationalSemantics::Impl::explore_operand(TermId operand) {
     Machine machine;
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;
     const auto number = [&](TermId state) {
@@ -126,15 +128,15 @@ Machine OperationalSemantics::Impl::explored(TermId operand) {
         states_explored = machine.meaning.size();
         if (poll) poll();
         const TermId term = machine.meaning[state];
-        if (!knows(term)) compute(term);
+        if (!is_known(term)) compute(term);
         std::vector<Machine::Edge>& edges = machine.edges.emplace_back();
-        for (const Transition& step : of(term)) edges.push_back({step.event, number(step.target)});
+        for (const Transition& step : list_transitions(term)) edges.push_back({step.event, number(step.target)});
     }
     return machine;
 }
 
 /// Returns the compressed operand. No value if the operand has too many states.
-std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
+std::optional<Machine> OperationalSemantics::Impl::compress_operand(TermId term) {
     constexpr int deepest = 200;
     refuse_unsupported(terms[term]);
     if (compressions_under_way >= deepest)
@@ -145,7 +147,7 @@ std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
         const TermId operand = terms[term].children.front();
         const Compression kind{terms[term].payload};
         const std::optional<Machine> fast = compressor->explore(operand, kind, poll);
-        result = compressor->compress(fast ? *fast : explored(operand), kind, poll);
+        result = compressor->compress(fast ? *fast : explore_operand(operand), kind, poll);
     } catch (const TooManyStates&) {
     } catch (...) {
         --compressions_under_way;
@@ -159,13 +161,13 @@ std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
 
 /// Returns the transitions of the initial state of the compressed machine. The other states become terms whose
 /// transitions are known.
-std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
-    const std::optional<Machine> made = smaller(term);
+std::vector<Transition> OperationalSemantics::Impl::compressed_transitions(TermId term) {
+    const std::optional<Machine> made = compress_operand(term);
     if (!made) {
         const TermId operand = terms[term].children.front();
         left_out.insert(term);
-        if (!knows(operand)) compute(operand);
-        const auto same = of(operand);
+        if (!is_known(operand)) compute(operand);
+        const auto same = list_transitions(operand);
         return {same.begin(), same.end()};
     }
     const Machine& machine = *made;
@@ -175,7 +177,7 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     for (TermId meaning : machine.meaning) {
         std::vector<TermId> operands{meaning, term};
         if (!states.empty()) operands.push_back(states.front());
-        states.push_back(terms.make(Term{Op::machine, machine_states++, std::move(operands), {}}));
+        states.push_back(terms.intern_term(Term{Op::machine, machine_states++, std::move(operands), {}}));
     }
     const auto transitions_of = [&](std::size_t state) {
         std::vector<Transition> result;
@@ -193,8 +195,8 @@ OperationalSemantics::OperationalSemantics(TermStore& terms, Compressor* compres
 OperationalSemantics::~OperationalSemantics() = default;
 
 std::span<const Transition> OperationalSemantics::successors(TermId term) {
-    if (!impl_->knows(term)) impl_->compute(term);
-    return impl_->of(term);
+    if (!impl_->is_known(term)) impl_->compute(term);
+    return impl_->list_transitions(term);
 }
 
 TermStore& OperationalSemantics::terms() const {
@@ -209,8 +211,8 @@ std::size_t OperationalSemantics::states_explored() const {
     return impl_->states_explored;
 }
 
-void OperationalSemantics::watch(std::function<void()> poll) {
-    impl_->rules.watch(poll);
+void OperationalSemantics::set_poll(std::function<void()> poll) {
+    impl_->rules.set_poll(poll);
     impl_->poll = std::move(poll);
 }
 

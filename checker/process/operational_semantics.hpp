@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/diagnostics/budget.hpp"
 #include "checker/process/compressor.hpp"
 #include "checker/process/term.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace robochart::process {
 
@@ -57,7 +57,7 @@ public:
     /// The compressed terms so far that were not compressed, because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
     /// `poll` is called regularly while a compressed operand is explored; it may throw to stop. Empty: none.
-    void watch(std::function<void()> poll);
+    void set_poll(std::function<void()> poll);
     /// The number of known states of the compressed operand that is being explored; 0 if there is none.
     [[nodiscard]] std::size_t states_explored() const;
 

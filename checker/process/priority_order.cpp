@@ -15,7 +15,7 @@ bool contains(const EventSet& set, Event event) {
 }
 
 /// Returns the events that chains of pairs reach from `from`.
-std::set<Event> reached(const Below& direct, Event from) {
+std::set<Event> events_below(const Below& direct, Event from) {
     std::set<Event> found;
     std::vector<Event> work{from};
     while (!work.empty()) {
@@ -58,7 +58,7 @@ std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised, c
             result.emplace_back(tick, each);
         }
     for (const auto& [higher, lower] : direct)
-        for (Event each : reached(direct, higher)) {
+        for (Event each : events_below(direct, higher)) {
             if (each == higher) return OrderFault{Kind::cyclic, each};
             if (contains(maximal, each)) return OrderFault{Kind::not_maximal, each};
             result.emplace_back(higher, each);

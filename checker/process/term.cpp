@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::uint32_t empty_slot = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+std::uint64_t mix_hash(std::uint64_t hash, std::uint64_t value) {
     hash = (hash ^ value) * 0x9E3779B97F4A7C15ULL;
     return hash ^ (hash >> 29U);
 }
 
 std::uint32_t hash_of(const Term& term) {
-    std::uint64_t hash = mix(0x51ED270B7F4A7C15ULL, (static_cast<std::uint64_t>(term.op) << 32U) | term.payload);
-    for (TermId child : term.children) hash = mix(hash, static_cast<std::uint32_t>(child));
-    for (SetId set : term.sets) hash = mix(hash, 0x100000000ULL | static_cast<std::uint32_t>(set));
+    std::uint64_t hash = mix_hash(0x51ED270B7F4A7C15ULL, (static_cast<std::uint64_t>(term.op) << 32U) | term.payload);
+    for (TermId child : term.children) hash = mix_hash(hash, static_cast<std::uint32_t>(child));
+    for (SetId set : term.sets) hash = mix_hash(hash, 0x100000000ULL | static_cast<std::uint32_t>(set));
     return static_cast<std::uint32_t>(hash ^ (hash >> 32U));
 }
 
@@ -72,7 +72,7 @@ struct TermStore::Impl {
         return slot;
     }
 
-    void grow() {
+    void grow_slots() {
         std::vector<std::uint32_t> larger(slots.size() * 2, empty_slot);
         const std::size_t mask = larger.size() - 1;
         for (std::uint32_t id = 0; id < terms.size(); ++id) {
@@ -86,14 +86,14 @@ struct TermStore::Impl {
 
 TermStore::TermStore(EventTable& events) : events_(events), impl_(std::make_shared<Impl>()) {}
 
-TermId TermStore::make(const Term& term) {
+TermId TermStore::intern_term(const Term& term) {
     Impl& impl = *impl_;
     const std::uint32_t hash = hash_of(term);
     std::size_t slot = impl.find_slot(term, hash);
     if (impl.slots[slot] != empty_slot) return TermId{impl.slots[slot]};
     if (impl.terms.size() >= empty_slot) throw std::length_error("more than 2^32 process terms");
     if ((impl.terms.size() + 1) * 4 > impl.slots.size() * 3) {
-        impl.grow();
+        impl.grow_slots();
         slot = impl.find_slot(term, hash);
     }
     const auto id = static_cast<std::uint32_t>(impl.terms.size());
@@ -111,7 +111,7 @@ std::size_t TermStore::size() const {
     return impl_->terms.size();
 }
 
-SetId TermStore::set(EventSet events) {
+SetId TermStore::intern_set(EventSet events) {
     sort_unique(events);
     events.erase(std::remove(events.begin(), events.end(), tau), events.end());
     const SetId id = impl_->sets.intern(std::move(events));
@@ -133,7 +133,7 @@ bool TermStore::contains(SetId id, Event event) const {
     return event < bits.size() && bits[event];
 }
 
-RenamingId TermStore::renaming(Renaming pairs) {
+RenamingId TermStore::intern_renaming(Renaming pairs) {
     sort_unique(pairs);
     return impl_->renamings.intern(std::move(pairs));
 }
@@ -142,7 +142,7 @@ const Renaming& TermStore::operator[](RenamingId id) const {
     return impl_->renamings[id];
 }
 
-OrderId TermStore::order(PriorityOrder order) {
+OrderId TermStore::intern_order(PriorityOrder order) {
     for (EventSet& level : order) sort_unique(level);
     return impl_->orders.intern(std::move(order));
 }
@@ -161,7 +161,7 @@ TermId TermStore::unfold(std::uint32_t call) {
     return *impl_->unfoldings[call];
 }
 
-TermId TermStore::unfolded(TermId term, int most) {
+TermId TermStore::unfold_calls(TermId term, int most) {
     for (; most > 0 && (*this)[term].op == Op::call; --most) term = unfold((*this)[term].payload);
     return term;
 }

@@ -117,22 +117,22 @@ public:
     TermStore(const TermStore&) = delete;
     TermStore& operator=(const TermStore&) = delete;
 
-    TermId make(const Term&);  ///< hash-consed; no simplification
+    TermId intern_term(const Term&);  ///< hash-consed; no simplification
     [[nodiscard]] const Term& operator[](TermId) const;
     [[nodiscard]] std::size_t size() const;
 
-    SetId set(EventSet);  ///< sorted and deduplicated here
+    SetId intern_set(EventSet);  ///< sorted and deduplicated here
     [[nodiscard]] const EventSet& operator[](SetId) const;
     [[nodiscard]] bool contains(SetId, Event) const;
-    RenamingId renaming(Renaming);
+    RenamingId intern_renaming(Renaming);
     [[nodiscard]] const Renaming& operator[](RenamingId) const;
-    OrderId order(PriorityOrder);
+    OrderId intern_order(PriorityOrder);
     [[nodiscard]] const PriorityOrder& operator[](OrderId) const;
 
     void define(Definitions& definitions) { definitions_ = &definitions; }
     TermId unfold(std::uint32_t call);  ///< memoised
     /// Unfolds calls: returns the first term that is not a call, or the last one after `most` unfoldings.
-    TermId unfolded(TermId term, int most);
+    TermId unfold_calls(TermId term, int most);
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
     /// Returns the branches if they have already been computed. Evaluates nothing.
     [[nodiscard]] const std::vector<Branch>* known_branches(std::uint32_t prefix) const;

@@ -52,7 +52,7 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
                                                               refine::Budget& budget, refine::Statistics& statistics) {
     std::string sent = job;
     exchange_.broadcast(sent);
-    refine::together(exchange_, [] {});  // all ranks know the task
+    refine::run_together(exchange_, [] {});  // all ranks know the task
     return refine::search_by_threads(exchange_, threads, system, question, budget, statistics);
 }
 
@@ -63,7 +63,7 @@ void take_part(Exchange& exchange, const std::string& bytes, const std::string& 
     process::EventTable events;
     process::TermStore terms(events);
     Job job;
-    refine::together(exchange, [&] {
+    refine::run_together(exchange, [&] {
         if (sender_of(bytes) != program)
             throw storage::BadFile(
                 fmt::format("program {} is of another build than program 0: all must be one robochart-verify-mpi",
@@ -82,7 +82,7 @@ void take_part(Exchange& exchange, const std::string& bytes, const std::string& 
 
 }  // namespace
 
-void serve(Exchange& exchange, const std::string& program) {
+void serve_searches(Exchange& exchange, const std::string& program) {
     for (;;) {
         exchange.begin_together();
         std::string job;

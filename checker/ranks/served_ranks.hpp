@@ -48,6 +48,6 @@ private:
 /// ended. Throws errors that occur only in this program, because the others wait for it. `program`: the identity of
 /// this program. If another program has sent the search, rows and messages may differ, so all ranks leave the search
 /// together (storage::BadFile).
-void serve(refine::Exchange& exchange, const std::string& program);
+void serve_searches(refine::Exchange& exchange, const std::string& program);
 
 }  // namespace robochart::ranks

@@ -25,33 +25,33 @@ constexpr std::string_view title = "robochart-verify checkpoint 1";
 constexpr std::uintmax_t largest = std::uintmax_t{1} << 30U;
 
 template <class Bytes>
-std::string hex(const Bytes& bytes) {
+std::string hex_text(const Bytes& bytes) {
     std::string text;
     for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
     return text;
 }
 
-std::string seal(std::string_view text) {
+std::string check_line(std::string_view text) {
     diagnostics::Hasher hasher;
     hasher.add(text);
-    return "check " + hex(hasher.finish()) + "\n";
+    return "check " + hex_text(hasher.finish()) + "\n";
 }
 
-std::string line(const char* what, const SavedFile& file) {
-    return fmt::format("{} {} {} {}\n", what, file.name.empty() ? "-" : file.name, file.blocks, hex(file.check));
+std::string file_line(const char* what, const SavedFile& file) {
+    return fmt::format("{} {} {} {}\n", what, file.name.empty() ? "-" : file.name, file.blocks, hex_text(file.check));
 }
 
 std::string text_of(const RowKind& kind, const Checkpoint& checkpoint) {
     std::string text =
-        fmt::format("{}\nsearch {} {}\nnumber {}\nrank {} {}\nlevels {}\n", title, hex(kind.search), kind.width,
+        fmt::format("{}\nsearch {} {}\nnumber {}\nrank {} {}\nlevels {}\n", title, hex_text(kind.search), kind.width,
                     checkpoint.number, checkpoint.place.rank, checkpoint.place.ranks, checkpoint.levels);
     text += fmt::format("files {}\n", checkpoint.files.size());
-    for (const SavedFile& file : checkpoint.files) text += line("rows", file);
-    text += line("marks", checkpoint.marks) + line("unsure", checkpoint.unsure);
+    for (const SavedFile& file : checkpoint.files) text += file_line("rows", file);
+    text += file_line("marks", checkpoint.marks) + file_line("unsure", checkpoint.unsure);
     text += fmt::format("expanded {}\n", checkpoint.expanded.size());
     for (const SavedFigures& figures : checkpoint.expanded)
         text += fmt::format("{} {}\n", figures.transitions, figures.chased);
-    return text + seal(text);
+    return text + check_line(text);
 }
 
 /// Splits a text into words.
@@ -59,43 +59,44 @@ class Parser {
 public:
     Parser(std::string path, std::string_view text) : path_(std::move(path)), whole_(text), rest_(text) {}
 
-    [[noreturn]] void bad(const std::string& cause) const {
+    [[noreturn]] void throw_bad_file(const std::string& cause) const {
         const auto done = whole_.substr(0, whole_.size() - rest_.size());
-        throw BadFile(
-            fmt::format("{}: line {}: {}", diagnostics::shown(path_), 1 + std::ranges::count(done, '\n'), cause));
+        throw BadFile(fmt::format("{}: line {}: {}", diagnostics::escape_for_display(path_),
+                                  1 + std::ranges::count(done, '\n'), cause));
     }
-    std::string_view word() {
+    std::string_view read_word() {
         const std::size_t end = std::min(rest_.find_first_of(" \n"), rest_.size());
         const std::string_view found = rest_.substr(0, end);
         rest_.remove_prefix(std::min(end + 1, rest_.size()));
         return found;
     }
-    void expect(std::string_view wanted) {
-        if (word() != wanted) bad(fmt::format("'{}' is missing", wanted));
+    void expect_word(std::string_view wanted) {
+        if (read_word() != wanted) throw_bad_file(fmt::format("'{}' is missing", wanted));
     }
     template <class Number>
-    Number number() {
-        const std::string_view text = word();
+    Number read_number() {
+        const std::string_view text = read_word();
         Number value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size()) bad("a number is missing");
+        if (error != std::errc() || end != text.data() + text.size()) throw_bad_file("a number is missing");
         return value;
     }
     SavedFile file(std::string_view what) {
-        expect(what);
+        expect_word(what);
         SavedFile file;
-        const std::string_view name = word();
+        const std::string_view name = read_word();
         const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
         if (name != "-") {
-            if (name.empty() || !std::ranges::all_of(name, plain)) bad("a name is missing");
+            if (name.empty() || !std::ranges::all_of(name, plain)) throw_bad_file("a name is missing");
             file.name = name;
         }
-        file.blocks = number<std::uint64_t>();
-        const std::string_view check = word();
+        file.blocks = read_number<std::uint64_t>();
+        const std::string_view check = read_word();
         for (std::size_t i = 0; i < file.check.size(); ++i) {
             const std::string_view digits = check.substr(std::min(2 * i, check.size()), 2);
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), file.check[i], 16);
-            if (error != std::errc() || digits.size() != 2 || end != digits.data() + 2) bad("a check is missing");
+            if (error != std::errc() || digits.size() != 2 || end != digits.data() + 2)
+                throw_bad_file("a check is missing");
         }
         return file;
     }
@@ -105,36 +106,37 @@ private:
     std::string_view whole_, rest_;
 };
 
-Checkpoint parsed(const std::string& path, std::string_view text, const RowKind& kind) {
+Checkpoint parse_checkpoint(const std::string& path, std::string_view text, const RowKind& kind) {
     Parser parser(path, text);
     for (std::string_view rest = title; !rest.empty();) {
         const std::size_t end = std::min(rest.find(' '), rest.size());
-        if (parser.word() != rest.substr(0, end)) parser.bad("this is no checkpoint that this program reads");
+        if (parser.read_word() != rest.substr(0, end))
+            parser.throw_bad_file("this is no checkpoint that this program reads");
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     Checkpoint result;
-    parser.expect("search");
-    if (parser.word() != hex(kind.search) || parser.number<std::size_t>() != kind.width)
-        parser.bad("it belongs to another search");
-    parser.expect("number");
-    result.number = parser.number<std::uint64_t>();
-    parser.expect("rank");
-    result.place.rank = parser.number<std::uint32_t>();
-    result.place.ranks = parser.number<std::uint32_t>();
-    parser.expect("levels");
-    result.levels = parser.number<std::uint32_t>();
-    parser.expect("files");
-    const auto files = parser.number<std::size_t>();
+    parser.expect_word("search");
+    if (parser.read_word() != hex_text(kind.search) || parser.read_number<std::size_t>() != kind.width)
+        parser.throw_bad_file("it belongs to another search");
+    parser.expect_word("number");
+    result.number = parser.read_number<std::uint64_t>();
+    parser.expect_word("rank");
+    result.place.rank = parser.read_number<std::uint32_t>();
+    result.place.ranks = parser.read_number<std::uint32_t>();
+    parser.expect_word("levels");
+    result.levels = parser.read_number<std::uint32_t>();
+    parser.expect_word("files");
+    const auto files = parser.read_number<std::size_t>();
     for (std::size_t i = 0; i < files; ++i) result.files.push_back(parser.file("rows"));
     result.marks = parser.file("marks");
     result.unsure = parser.file("unsure");
-    parser.expect("expanded");
-    const auto levels = parser.number<std::size_t>();
+    parser.expect_word("expanded");
+    const auto levels = parser.read_number<std::size_t>();
     for (std::size_t i = 0; i < levels; ++i) {
-        const auto transitions = parser.number<std::uint64_t>();
-        result.expanded.push_back({transitions, parser.number<std::uint64_t>()});
+        const auto transitions = parser.read_number<std::uint64_t>();
+        result.expanded.push_back({transitions, parser.read_number<std::uint64_t>()});
     }
-    if (result.levels == 0 || levels >= result.levels) parser.bad("its levels do not fit");
+    if (result.levels == 0 || levels >= result.levels) parser.throw_bad_file("its levels do not fit");
     return result;
 }
 
@@ -143,7 +145,7 @@ struct Named {
     std::uint64_t number = 0;
     Place place;
 };
-std::optional<Named> named(const std::string& name) {
+std::optional<Named> parse_name(const std::string& name) {
     Named result;
     unsigned long long number = 0;
     int used = 0;
@@ -165,12 +167,12 @@ std::vector<std::string> names_in(const std::string& folder) {
 }
 
 [[noreturn]] void cannot_write(const std::string& path) {
-    throw CannotWrite(fmt::format("cannot write {}: {}", diagnostics::shown(path), std::strerror(errno)));
+    throw CannotWrite(fmt::format("cannot write {}: {}", diagnostics::escape_for_display(path), std::strerror(errno)));
 }
 
 void write_and_sync(const std::string& path, std::string_view text) {
     diagnostics::Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600));
-    if (!file.open()) cannot_write(path);
+    if (!file.is_open()) cannot_write(path);
     while (!text.empty()) {
         const ssize_t written = ::write(file.get(), text.data(), text.size());
         if (written < 0 && errno == EINTR) continue;
@@ -182,7 +184,7 @@ void write_and_sync(const std::string& path, std::string_view text) {
 
 void sync_folder(const std::string& folder) {
     const diagnostics::Descriptor open(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!open.open() || ::fsync(open.get()) != 0) cannot_write(folder);
+    if (!open.is_open() || ::fsync(open.get()) != 0) cannot_write(folder);
 }
 
 }  // namespace
@@ -209,9 +211,9 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
     const std::string path = folder + "/" + name;
     const diagnostics::Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     const auto bad = [&path](const std::string& cause) {
-        throw BadFile(fmt::format("{}: {}", diagnostics::shown(path), cause));
+        throw BadFile(fmt::format("{}: {}", diagnostics::escape_for_display(path), cause));
     };
-    if (!file.open()) cannot_open(path, errno);
+    if (!file.is_open()) cannot_open(path, errno);
     std::string text;
     std::array<char, 1U << 16U> piece{};
     for (;;) {
@@ -222,46 +224,47 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
         text.append(piece.data(), static_cast<std::size_t>(got));
         if (text.size() > largest) bad("it is too large for a checkpoint");
     }
-    const std::size_t sealed = seal("").size();
-    if (text.size() < sealed || text.substr(text.size() - sealed) != seal(text.substr(0, text.size() - sealed)))
+    const std::size_t sealed = check_line("").size();
+    if (text.size() < sealed || text.substr(text.size() - sealed) != check_line(text.substr(0, text.size() - sealed)))
         bad(fmt::format("the check at its end, after {} bytes, is not that of the text: it is damaged or cut off",
                         text.size()));
-    return parsed(path, std::string_view(text).substr(0, text.size() - sealed), kind);
+    return parse_checkpoint(path, std::string_view(text).substr(0, text.size() - sealed), kind);
 }
 
 namespace {
 
 /// Returns the checkpoints of all ranks with this number. Throws BadFile.
-std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind, std::uint64_t number,
-                                 std::uint32_t ranks) {
+std::vector<Checkpoint> read_all_ranks(const std::string& folder, const RowKind& kind, std::uint64_t number,
+                                       std::uint32_t ranks) {
     std::vector<Checkpoint> all;
     for (std::uint32_t rank = 0; rank < ranks; ++rank) {
         const std::string name = name_of(number, {rank, ranks});
         all.push_back(read(folder, kind, name));
         const Checkpoint& one = all.back();
         if (one.number != number || one.place != Place{rank, ranks})
-            throw BadFile(fmt::format("{}/{}: it does not belong to the others", diagnostics::shown(folder), name));
+            throw BadFile(
+                fmt::format("{}/{}: it does not belong to the others", diagnostics::escape_for_display(folder), name));
     }
     return all;
 }
 
 /// Counts checkpoint files by checkpoint number and number of ranks.
-std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> counted(const std::string& folder) {
+std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> count_checkpoints(const std::string& folder) {
     std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> found;
     for (const std::string& name : names_in(folder))
-        if (const auto parts = named(name)) ++found[{parts->number, parts->place.ranks}];
+        if (const auto parts = parse_name(name)) ++found[{parts->number, parts->place.ranks}];
     return found;
 }
 
 /// Returns the number of the newest complete checkpoint with this number of ranks, or 0 if there is none. Other ranks
 /// may write and remove checkpoints at the same time, so a checkpoint that cannot be read does not count.
 std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t wanted) {
-    const auto found = counted(folder);
+    const auto found = count_checkpoints(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {
         const auto [number, ranks] = at->first;
         if (ranks != wanted || at->second != ranks) continue;
         try {
-            (void)together(folder, kind, number, ranks);
+            (void)read_all_ranks(folder, kind, number, ranks);
             return number;
         } catch (const BadFile&) {
         }
@@ -272,7 +275,7 @@ std::uint64_t complete_number(const std::string& folder, const RowKind& kind, st
 }  // namespace
 
 Newest newest_in(const std::string& folder) {
-    const auto found = counted(folder);
+    const auto found = count_checkpoints(folder);
     Newest newest;
     if (!found.empty()) newest.greatest = found.rbegin()->first.first;
     for (auto at = found.rbegin(); at != found.rend() && newest.ranks == 0; ++at) {
@@ -285,7 +288,7 @@ Newest newest_in(const std::string& folder) {
 }
 
 std::vector<Checkpoint> read(const std::string& folder, const RowKind& kind, const Newest& newest) {
-    return together(folder, kind, newest.number, newest.ranks);
+    return read_all_ranks(folder, kind, newest.number, newest.ranks);
 }
 
 void remove_old(const std::string& folder, const RowKind& kind, const Place& place) {
@@ -296,7 +299,7 @@ void remove_old(const std::string& folder, const RowKind& kind, const Place& pla
     };
     std::set<std::string> needed;
     for (const std::string& name : names) {
-        const auto parts = named(name);
+        const auto parts = parse_name(name);
         if (!parts || !mine(parts->place)) continue;
         if (parts->number < number) {
             ::unlink((folder + "/" + name).c_str());

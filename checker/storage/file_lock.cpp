@@ -15,7 +15,7 @@ diagnostics::Descriptor open_to_lock(const std::string& path, bool make) {
     const int flags = O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | (make ? O_CREAT : 0);
     diagnostics::Descriptor file(::open(path.c_str(), flags, 0600));
     struct stat found {};
-    if (!file.open() || ::fstat(file.get(), &found) != 0) return diagnostics::Descriptor();
+    if (!file.is_open() || ::fstat(file.get(), &found) != 0) return diagnostics::Descriptor();
     if (S_ISREG(found.st_mode)) return file;
     errno = EINVAL;
     return diagnostics::Descriptor();

@@ -24,12 +24,12 @@ bool is_there(const std::string& path) {
     return ::lstat(path.c_str(), &found) == 0;
 }
 
-RowFile opened(const std::string& path, const RowKind& kind, const SavedFile& saved,
-               const std::function<void()>& poll) {
+RowFile open_saved(const std::string& path, const RowKind& kind, const SavedFile& saved,
+                   const std::function<void()>& poll) {
     RowFile file = RowFile::open(path, kind, poll);
     if (file.check() != saved.check || saved.blocks > file.blocks().size())
         throw BadFile(fmt::format("{}: it is not the file that the checkpoint was written with",
-                                  diagnostics::shown(file.path())));
+                                  diagnostics::escape_for_display(file.path())));
     return file;
 }
 
@@ -40,24 +40,24 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
     std::uint32_t level = 0;
     for (const SavedFile& saved : checkpoint.files) {
         const auto number = static_cast<std::uint32_t>(files_.size());
-        files_.push_back({std::make_unique<RowFile>(opened(path_in(where_, saved.name), where_.kind, saved, poll)),
+        files_.push_back({std::make_unique<RowFile>(open_saved(path_in(where_, saved.name), where_.kind, saved, poll)),
                           saved.name, saved.blocks, true});
         (void)to_read(number);
         const auto& blocks = files_.back().file->blocks();
         for (std::uint32_t i = 0; i < saved.blocks; ++i) {
             if (blocks[i].level < level || blocks[i].level >= checkpoint.levels)
                 throw BadFile(fmt::format("{}: block {} is of a level that does not follow",
-                                          diagnostics::shown(files_.back().file->path()), i));
+                                          diagnostics::escape_for_display(files_.back().file->path()), i));
             level = blocks[i].level;
             Level& entry = levels_[level];
             if (entry.count == 0) entry = {number, i, 0, 0};
             if (entry.file != number)
                 throw BadFile(fmt::format("{}: level {} is in another file too",
-                                          diagnostics::shown(files_.back().file->path()), level));
+                                          diagnostics::escape_for_display(files_.back().file->path()), level));
             // `read` finds rows by their position in the level.
             if (entry.count > 0 && blocks[i - 1].rows != RowFile::rows_of_block)
                 throw BadFile(fmt::format("{}: block {} has too few rows for one that others of its level follow",
-                                          diagnostics::shown(files_.back().file->path()), i - 1));
+                                          diagnostics::escape_for_display(files_.back().file->path()), i - 1));
             ++entry.count;
             entry.rows += blocks[i].rows;
             rows_ += blocks[i].rows;
@@ -67,13 +67,13 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>
     saved_levels_ = checkpoint.levels;
 }
 
-void LevelFiles::rest() {
-    if (open_file_ < files_.size()) files_[open_file_].file->rest();
+void LevelFiles::close_finished_files() {
+    if (open_file_ < files_.size()) files_[open_file_].file->close_until_read();
     open_file_ = none;
 }
 
 const RowFile& LevelFiles::to_read(std::uint32_t file) {
-    if (file != open_file_) rest();
+    if (file != open_file_) close_finished_files();
     open_file_ = file;
     return *files_[file].file;
 }
@@ -86,7 +86,7 @@ LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
     }
 }
 
-RowFile& LevelFiles::growing() {
+RowFile& LevelFiles::growing_file() {
     if (files_.empty() || files_.back().file->finished()) files_.push_back(new_file(where_.kind));
     return *files_.back().file;
 }
@@ -102,7 +102,7 @@ void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     RowFile* file = nullptr;  // null for a level without rows
     const auto take = [&](std::span<const Word> rows) {
         if (file == nullptr) {
-            file = &growing();
+            file = &growing_file();
             entry = {static_cast<std::uint32_t>(files_.size() - 1), static_cast<std::uint32_t>(file->blocks().size())};
         } else if (file->blocks().back().rows != RowFile::rows_of_block) {
             throw std::logic_error("a piece of a level that others follow is no whole number of blocks");
@@ -114,7 +114,7 @@ void LevelFiles::add_level(const std::function<void(const TakeRows&)>& give) {
     try {
         give(take);
     } catch (...) {
-        if (file != nullptr) file->cut(entry.first);
+        if (file != nullptr) file->remove_blocks_from(entry.first);
         throw;
     }
     if (file != nullptr) {
@@ -146,7 +146,7 @@ void LevelFiles::forget_from(std::uint32_t level) {
         if (!files_.back().named) ::unlink(files_.back().file->path().c_str());
     if (files_.empty() || files_.back().named) return;
     File& last = files_.back();
-    if (last.used < last.file->blocks().size()) last.file->cut(last.used);
+    if (last.used < last.file->blocks().size()) last.file->remove_blocks_from(last.used);
 }
 
 std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows) {
@@ -191,7 +191,8 @@ void LevelFiles::each_block_if(std::uint32_t level, const WantsBlock& wants, con
     const RowFile& file = to_read(entry.file);
     std::vector<Word> rows;
     for (std::uint32_t block = entry.first, end = block + entry.count; block < end; ++block) {
-        if (!wants(file.first(block), block + 1 < end ? file.first(block + 1) : std::span<const Word>())) continue;
+        if (!wants(file.first_row(block), block + 1 < end ? file.first_row(block + 1) : std::span<const Word>()))
+            continue;
         rows.clear();
         file.read(block, rows);
         visit(rows);
@@ -257,7 +258,8 @@ void LevelFiles::checkpoint(const Beside& beside) {
 void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, bool levels,
                              const std::function<void()>& poll, const TakeRows& visit) {
     if (saved.name.empty()) return;
-    const RowFile file = opened(path_in(where, saved.name), levels ? with_level(where.kind) : where.kind, saved, poll);
+    const RowFile file =
+        open_saved(path_in(where, saved.name), levels ? with_level(where.kind) : where.kind, saved, poll);
     std::vector<Word> rows;
     for (std::size_t block = 0; block < saved.blocks; ++block) {
         rows.clear();

@@ -57,7 +57,7 @@ public:
     void each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit);
 
     /// Closes finished files until they are read again. Otherwise one of them stays open.
-    void rest();
+    void close_finished_files();
 
     /// Passes rows piece by piece. The rows of each piece are ascending, without duplicates.
     using GivePieces = std::function<void(const TakeRows&)>;
@@ -71,7 +71,7 @@ public:
     /// Throws CannotWrite; then the previous one stays valid, and the call can be repeated.
     void checkpoint(const Beside& beside);
     /// The number of the last checkpoint, or 0 if there is none.
-    [[nodiscard]] std::uint64_t number() const { return number_; }
+    [[nodiscard]] std::uint64_t checkpoint_number() const { return number_; }
     /// The next checkpoint gets a number above this one.
     void number_from(std::uint64_t number) { number_ = number; }
 
@@ -96,7 +96,7 @@ private:
         std::uint64_t rows = 0;
     };
     [[nodiscard]] const RowFile& to_read(std::uint32_t file);
-    RowFile& growing();
+    RowFile& growing_file();
     File new_file(const RowKind& kind);
     void finish_last();
     SavedFile save(const RowKind& kind, const GivePieces& give);

@@ -7,7 +7,7 @@
 namespace robochart::storage {
 namespace {
 
-void put(std::uint64_t number, std::string& out) {
+void put_number(std::uint64_t number, std::string& out) {
     for (; number >= 0x80U; number >>= 7U) out.push_back(static_cast<char>(number | 0x80U));
     out.push_back(static_cast<char>(number));
 }
@@ -16,7 +16,7 @@ void put(std::uint64_t number, std::string& out) {
 class Numbers {
 public:
     explicit Numbers(std::string_view bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
-    std::uint64_t next() {
+    std::uint64_t read_number() {
         std::uint64_t number = 0;
         for (unsigned shift = 0; at_ != end_ && shift < 63; shift += 7) {
             const auto byte = static_cast<unsigned char>(*at_++);
@@ -27,12 +27,12 @@ public:
         return 0;
     }
     Word next_word() {
-        const std::uint64_t number = next();
+        const std::uint64_t number = read_number();
         if (number > std::numeric_limits<Word>::max()) failed_ = true;
         return static_cast<Word>(number);
     }
-    [[nodiscard]] bool failed() const { return failed_; }
-    [[nodiscard]] const char* at() const { return at_; }
+    [[nodiscard]] bool has_failed() const { return failed_; }
+    [[nodiscard]] const char* position() const { return at_; }
 
 private:
     const char* at_;
@@ -44,15 +44,15 @@ private:
 
 void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out) {
     if (width == 0) return;
-    for (std::size_t i = 0; i < width && i < rows.size(); ++i) put(rows[i], out);
+    for (std::size_t i = 0; i < width && i < rows.size(); ++i) put_number(rows[i], out);
     for (std::size_t at = width; at < rows.size(); at += width) {
         const Word* const row = &rows[at];
         const Word* const before = row - width;
         std::size_t k = 0;
         while (k < width && row[k] == before[k]) ++k;
         if (k == width) throw std::logic_error("a row is there twice");
-        put(std::uint64_t{row[k] - before[k] - 1} * width + (width - 1 - k), out);
-        for (std::size_t i = k + 1; i < width; ++i) put(row[i] ^ before[i], out);
+        put_number(std::uint64_t{row[k] - before[k] - 1} * width + (width - 1 - k), out);
+        for (std::size_t i = k + 1; i < width; ++i) put_number(row[i] ^ before[i], out);
     }
 }
 
@@ -71,8 +71,8 @@ bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
     if (last_.empty()) {
         Numbers numbers({at_, static_cast<std::size_t>(end_ - at_)});
         for (std::size_t i = 0; i < width_; ++i) row[i] = numbers.next_word();
-        at_ = numbers.at();
-        if (numbers.failed()) return false;
+        at_ = numbers.position();
+        if (numbers.has_failed()) return false;
         last_.assign(row, row + width_);
         row += width_;
         --count;
@@ -91,8 +91,8 @@ bool RowDecoder::decode_after(std::size_t count, Word* row) {
     const std::size_t width = fixed == 0 ? width_ : fixed;
     Numbers numbers({at_, static_cast<std::size_t>(end_ - at_)});
     const Word* before = last_.data();
-    for (; count > 0 && !numbers.failed(); --count) {
-        const std::uint64_t first = numbers.next();
+    for (; count > 0 && !numbers.has_failed(); --count) {
+        const std::uint64_t first = numbers.read_number();
         const std::size_t k = width - 1 - first % width;
         const std::uint64_t changed = before[k] + first / width + 1;
         if (changed > std::numeric_limits<Word>::max()) return false;
@@ -102,8 +102,8 @@ bool RowDecoder::decode_after(std::size_t count, Word* row) {
         before = row;
         row += width;
     }
-    at_ = numbers.at();
-    return !numbers.failed();
+    at_ = numbers.position();
+    return !numbers.has_failed();
 }
 
 }  // namespace robochart::storage

@@ -26,11 +26,11 @@ constexpr std::size_t check_size = sizeof(Check);
 constexpr std::size_t head_size = 8 + 4 + 4 + 32 + check_size;
 constexpr std::size_t block_head = 12;
 
-void put(std::string& out, std::uint64_t number, int bytes) {
+void write_number(std::string& out, std::uint64_t number, int bytes) {
     for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(number >> (8 * i)));
 }
 
-std::uint64_t get(std::string_view bytes, std::size_t at, int count) {
+std::uint64_t read_number(std::string_view bytes, std::size_t at, int count) {
     std::uint64_t number = 0;
     for (int i = 0; i < count; ++i)
         number |= std::uint64_t{static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)])} << (8 * i);
@@ -55,15 +55,15 @@ Check check_of_text(std::string_view text) {
 
 std::string head_of(const RowKind& kind) {
     std::string head(magic);
-    put(head, format, 4);
-    put(head, kind.width, 4);
+    write_number(head, format, 4);
+    write_number(head, kind.width, 4);
     head.append(reinterpret_cast<const char*>(kind.search.data()), kind.search.size());
     head += text_of(check_of_text(head));
     return head;
 }
 
 std::string cause_of_failure(const std::string& path, const char* cause) {
-    return fmt::format("cannot write {}: {}", diagnostics::shown(path), cause);
+    return fmt::format("cannot write {}: {}", diagnostics::escape_for_display(path), cause);
 }
 
 [[noreturn]] void cannot_write(const std::string& path, const char* cause) {
@@ -83,7 +83,7 @@ RowFile RowFile::create(const std::string& path, const RowKind& kind) {
     RowFile made(path, kind);
     made.file_ =
         diagnostics::Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
-    if (!made.file_.open()) cannot_write(path, std::strerror(errno));
+    if (!made.file_.is_open()) cannot_write(path, std::strerror(errno));
     const std::string head = head_of(kind);
     std::copy_n(head.end() - check_size, check_size, made.head_check_.begin());
     try {
@@ -124,17 +124,17 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
         for (std::size_t at = 0; at < rows.size(); at += words)
             write_block(level, rows.subspan(at, std::min(words, rows.size() - at)));
     } catch (...) {
-        cut(blocks);
+        remove_blocks_from(blocks);
         throw;
     }
 }
 
 /// Also removes data after the last block, such as an incomplete block or the end. A finished file may be closed, or
 /// open for reading.
-void RowFile::cut(std::size_t blocks) {
+void RowFile::remove_blocks_from(std::size_t blocks) {
     if (finished_) {
         file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
-        if (!file_.open()) lost_ = cause_of_failure(path_, std::strerror(errno));
+        if (!file_.is_open()) lost_ = cause_of_failure(path_, std::strerror(errno));
     }
     finished_ = false;
     for (; blocks_.size() > blocks; blocks_.pop_back()) rows_ -= blocks_.back().rows;
@@ -150,9 +150,9 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     encode_rows(rows, kind_.width, buffer_);
     const std::string_view code = std::string_view(buffer_).substr(block_head);
     std::string head;
-    put(head, level, 4);
-    put(head, count, 4);
-    put(head, code.size(), 4);
+    write_number(head, level, 4);
+    write_number(head, count, 4);
+    write_number(head, code.size(), 4);
     checks_.push_back(check_of(blocks_.size(), level, static_cast<std::uint32_t>(count), code));
     blocks_.push_back({level, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(code.size()), size_});
     buffer_.replace(0, block_head, head);
@@ -165,11 +165,11 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
 /// Returns the end without its check, and computes the check over the checks of all blocks.
 std::string RowFile::end_of() const {
     std::string end;
-    put(end, no_level, 4);
-    put(end, 0, 4);
-    put(end, 16, 4);
-    put(end, blocks_.size(), 8);
-    put(end, rows_, 8);
+    write_number(end, no_level, 4);
+    write_number(end, 0, 4);
+    write_number(end, 16, 4);
+    write_number(end, blocks_.size(), 8);
+    write_number(end, rows_, 8);
     return end;
 }
 
@@ -193,7 +193,7 @@ void RowFile::finish() {
         write(end + std::string(text_of(end_check_)));
         reach_disk();
     } catch (...) {
-        cut(blocks_.size());
+        remove_blocks_from(blocks_.size());
         throw;
     }
     finished_ = true;
@@ -205,28 +205,28 @@ void RowFile::reach_disk() {
     throw CannotWrite(lost_);
 }
 
-void RowFile::bad(std::uint64_t offset, const std::string& cause) const {
-    throw BadFile(fmt::format("{}: byte {}: {}", diagnostics::shown(path_), offset, cause));
+void RowFile::throw_bad_file(std::uint64_t offset, const std::string& cause) const {
+    throw BadFile(fmt::format("{}: byte {}: {}", diagnostics::escape_for_display(path_), offset, cause));
 }
 
-void RowFile::rest() {
+void RowFile::close_until_read() {
     if (finished_) file_ = diagnostics::Descriptor();
 }
 
 /// If another file now has this name, the checks of its blocks do not match.
 void RowFile::open_to_read() const {
     file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
-    if (!file_.open()) cannot_open(path_, errno);
+    if (!file_.is_open()) cannot_open(path_, errno);
 }
 
 void RowFile::read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const {
-    if (!file_.open()) open_to_read();
+    if (!file_.is_open()) open_to_read();
     bytes.resize(count);
     for (std::size_t have = 0; have < count;) {
         const ssize_t got = ::pread(file_.get(), bytes.data() + have, count - have, static_cast<off_t>(offset + have));
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) bad(offset, fmt::format("cannot be read: {}", std::strerror(errno)));
-        if (got == 0) bad(offset + have, "the file ends here; it was cut off");
+        if (got < 0) throw_bad_file(offset, fmt::format("cannot be read: {}", std::strerror(errno)));
+        if (got == 0) throw_bad_file(offset + have, "the file ends here; it was cut off");
         have += static_cast<std::size_t>(got);
     }
 }
@@ -236,7 +236,7 @@ Check RowFile::read_code(std::size_t block, std::string& code) const {
     read_bytes(at.offset + block_head, at.bytes + check_size, code);
     const Check check = check_of(block, at.level, at.rows, std::string_view(code).substr(0, at.bytes));
     if (std::string_view(code).substr(at.bytes) != text_of(check))
-        bad(at.offset, fmt::format("block {} is damaged", block));
+        throw_bad_file(at.offset, fmt::format("block {} is damaged", block));
     code.resize(at.bytes);
     return check;
 }
@@ -248,7 +248,8 @@ void RowFile::read(std::size_t block, std::vector<Word>& rows) const {
 Check RowFile::read_checked(std::size_t block, std::vector<Word>& rows) const {
     const Check check = read_code(block, buffer_);
     const Block& at = blocks_[block];
-    if (!decode_rows(buffer_, kind_.width, at.rows, rows)) bad(at.offset, fmt::format("block {} has no rows", block));
+    if (!decode_rows(buffer_, kind_.width, at.rows, rows))
+        throw_bad_file(at.offset, fmt::format("block {} has no rows", block));
     return check;
 }
 
@@ -256,7 +257,7 @@ RowFile RowFile::open(const std::string& path, const RowKind& kind, const std::f
     RowFile opened(path, kind);
     opened.open_to_read();
     struct stat found {};
-    if (fstat(opened.file_.get(), &found) != 0 || !S_ISREG(found.st_mode)) opened.bad(0, "this is no file");
+    if (fstat(opened.file_.get(), &found) != 0 || !S_ISREG(found.st_mode)) opened.throw_bad_file(0, "this is no file");
     opened.read_head();
     opened.read_blocks(poll);
     return opened;
@@ -265,12 +266,13 @@ RowFile RowFile::open(const std::string& path, const RowKind& kind, const std::f
 void RowFile::read_head() {
     std::string head;
     read_bytes(0, head_size, head);
-    if (!head.starts_with(magic)) bad(0, "this is no file of rows");
-    if (get(head, 8, 4) != format)
-        bad(8, fmt::format("the file has format {}, this program reads {}", get(head, 8, 4), format));
+    if (!head.starts_with(magic)) throw_bad_file(0, "this is no file of rows");
+    if (read_number(head, 8, 4) != format)
+        throw_bad_file(8,
+                       fmt::format("the file has format {}, this program reads {}", read_number(head, 8, 4), format));
     const Check check = check_of_text(std::string_view(head).substr(0, head_size - check_size));
-    if (head.substr(head_size - check_size) != text_of(check)) bad(0, "the head is damaged");
-    if (head != head_of(kind_)) bad(12, "the file belongs to another search");
+    if (head.substr(head_size - check_size) != text_of(check)) throw_bad_file(0, "the head is damaged");
+    if (head != head_of(kind_)) throw_bad_file(12, "the file belongs to another search");
     head_check_ = check;
     size_ = head_size;
 }
@@ -283,19 +285,20 @@ void RowFile::read_blocks(const std::function<void()>& poll) {
     for (;;) {
         if (poll) poll();
         read_bytes(size_, block_head, head);
-        const Block block{static_cast<std::uint32_t>(get(head, 0, 4)), static_cast<std::uint32_t>(get(head, 4, 4)),
-                          static_cast<std::uint32_t>(get(head, 8, 4)), size_};
+        const Block block{static_cast<std::uint32_t>(read_number(head, 0, 4)),
+                          static_cast<std::uint32_t>(read_number(head, 4, 4)),
+                          static_cast<std::uint32_t>(read_number(head, 8, 4)), size_};
         if (block.level == no_level) break;
         const std::size_t longest = rows_of_block * 10 * std::max<std::size_t>(kind_.width, 1);  // varints
         if (block.rows == 0 || block.rows > rows_of_block || block.bytes > longest)
-            bad(size_, fmt::format("block {} is damaged", blocks_.size()));
+            throw_bad_file(size_, fmt::format("block {} is damaged", blocks_.size()));
         blocks_.push_back(block);
         rows.clear();
         checks_.push_back(read_checked(blocks_.size() - 1, rows));
         const auto width = static_cast<std::ptrdiff_t>(kind_.width);
         const bool same_level = blocks_.size() > 1 && block.level == level;
         if (block.level < level || (same_level && !(last < std::vector<Word>(rows.begin(), rows.begin() + width))))
-            bad(size_, fmt::format("block {} is out of order", blocks_.size() - 1));
+            throw_bad_file(size_, fmt::format("block {} is out of order", blocks_.size() - 1));
         firsts_.insert(firsts_.end(), rows.begin(), rows.begin() + width);
         last.assign(rows.end() - width, rows.end());
         level = block.level;
@@ -306,10 +309,11 @@ void RowFile::read_blocks(const std::function<void()>& poll) {
     std::string found;
     read_bytes(size_, end.size() + check_size, found);
     end_check_ = check_of_end(head_check_, end, checks_);
-    if (found != end + std::string(text_of(end_check_))) bad(size_, "the end is damaged");
+    if (found != end + std::string(text_of(end_check_))) throw_bad_file(size_, "the end is damaged");
     size_ += found.size();
     std::string more(1, '\0');
-    if (::pread(file_.get(), more.data(), 1, static_cast<off_t>(size_)) != 0) bad(size_, "more follows the end");
+    if (::pread(file_.get(), more.data(), 1, static_cast<off_t>(size_)) != 0)
+        throw_bad_file(size_, "more follows the end");
     finished_ = true;
     checks_ = {};
 }

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-#include "checker/storage/row_codec.hpp"
-#include "checker/storage/storage_error.hpp"
 #include "base/cache/digest.hpp"
 #include "base/diagnostics/descriptor.hpp"
+#include "checker/storage/row_codec.hpp"
+#include "checker/storage/storage_error.hpp"
 
 namespace robochart::storage {
 
@@ -59,14 +59,14 @@ public:
     void append(std::uint32_t level, std::span<const Word> rows);
     /// Removes the blocks from this number on. The file must have been created by this object, and nothing may refer to
     /// it. It is then no longer finished.
-    void cut(std::size_t blocks);
+    void remove_blocks_from(std::size_t blocks);
     /// Completes the file: nothing more is appended, and its contents are on the disk. Throws CannotWrite and then
     /// leaves the file unchanged. If the contents could not be written to the disk, the file can be read, but neither
     /// finished nor extended.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
     /// Closes a finished file until it is read again, because few files can be open at a time.
-    void rest();
+    void close_until_read();
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
@@ -74,7 +74,7 @@ public:
     /// Current size of the file in bytes.
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// The first row of a block, stored in memory.
-    [[nodiscard]] std::span<const Word> first(std::size_t block) const {
+    [[nodiscard]] std::span<const Word> first_row(std::size_t block) const {
         return std::span(firsts_).subspan(block * kind_.width, kind_.width);
     }
     /// Appends the rows of a block to `rows`. Throws BadFile if they differ from what was written.
@@ -98,7 +98,7 @@ private:
     [[nodiscard]] std::string end_of() const;
     void reach_disk();
     void open_to_read() const;
-    [[noreturn]] void bad(std::uint64_t offset, const std::string& cause) const;
+    [[noreturn]] void throw_bad_file(std::uint64_t offset, const std::string& cause) const;
     Check read_checked(std::size_t block, std::vector<Word>& rows) const;
     void read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const;
     void read_head();

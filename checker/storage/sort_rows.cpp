@@ -25,8 +25,8 @@ void sort_few(std::vector<Word>& rows, std::size_t width, std::size_t count) {
 }
 
 template <std::size_t words>
-void scatter(const std::vector<Word>& from, std::vector<Word>& to, std::size_t width, std::size_t word, unsigned shift,
-             std::array<std::size_t, 256>& place) {
+void scatter_rows(const std::vector<Word>& from, std::vector<Word>& to, std::size_t width, std::size_t word,
+                  unsigned shift, std::array<std::size_t, 256>& place) {
     const std::size_t size = words == 0 ? width : words;
     for (std::size_t at = 0; at < from.size(); at += size) {
         const std::size_t target = place[(from[at + word] >> shift) & 0xFFU]++ * size;
@@ -50,13 +50,13 @@ void sort_rows(std::vector<Word>& rows, std::size_t width) {
             for (std::size_t at = word; at < rows.size(); at += width) ++place[(rows[at] >> shift) & 0xFFU];
             std::exclusive_scan(place.begin(), place.end(), place.begin(), std::size_t{0});
             if (width == 1)
-                scatter<1>(rows, other, width, word, shift, place);
+                scatter_rows<1>(rows, other, width, word, shift, place);
             else if (width == 2)
-                scatter<2>(rows, other, width, word, shift, place);
+                scatter_rows<2>(rows, other, width, word, shift, place);
             else if (width == 3)
-                scatter<3>(rows, other, width, word, shift, place);
+                scatter_rows<3>(rows, other, width, word, shift, place);
             else
-                scatter<0>(rows, other, width, word, shift, place);
+                scatter_rows<0>(rows, other, width, word, shift, place);
             rows.swap(other);
         }
     }

@@ -29,7 +29,7 @@ public:
         at_ += width_;
         if (at_ == rows_.size()) read();
     }
-    [[nodiscard]] bool before(const Reader& other) const {
+    [[nodiscard]] bool is_before(const Reader& other) const {
         return std::lexicographical_compare(row(), row() + width_, other.row(), other.row() + width_);
     }
 
@@ -46,7 +46,8 @@ private:
         }
         const std::size_t count = std::min(left_, most);
         if (!decoder_.decode(count, rows_))
-            throw BadFile(fmt::format("{}: block {} has no rows", diagnostics::shown(file_->path()), next_ - 1));
+            throw BadFile(
+                fmt::format("{}: block {} has no rows", diagnostics::escape_for_display(file_->path()), next_ - 1));
         left_ -= count;
     }
     const RowFile* file_;
@@ -65,7 +66,7 @@ void SortedRuns::add(std::span<const Word> rows) {
 }
 
 void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
-    if (runs_.size() >= most_runs) unite();
+    if (runs_.size() >= most_runs) merge_into_one();
     if (!file_) {
         ::unlink(path_.c_str());  // from a run that was killed before the following lines
         file_.emplace(RowFile::create(path_, kind_));
@@ -76,7 +77,7 @@ void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
     try {
         give([&](std::span<const Word> rows) { file_->append(static_cast<std::uint32_t>(runs_.size()), rows); });
     } catch (...) {
-        file_->cut(run.first);
+        file_->remove_blocks_from(run.first);
         throw;
     }
     run.end = file_->blocks().size();
@@ -85,13 +86,13 @@ void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
 }
 
 /// Merges all runs into one, so that later merges fit into memory.
-void SortedRuns::unite() {
+void SortedRuns::merge_into_one() {
     SortedRuns one(path_, kind_);
     one.add([this](const TakeRows& take) { merge(take); });
     *this = std::move(one);
 }
 
-std::uint64_t SortedRuns::longest() const {
+std::uint64_t SortedRuns::longest_run() const {
     std::uint64_t longest = 0;
     for (const Run& run : runs_) longest = std::max(longest, run.rows);
     return longest;
@@ -108,7 +109,7 @@ void SortedRuns::merge(const TakeRows& take) const {
     std::vector<Reader*> heap;  // a heap; the reader with the least row is first
     readers.reserve(runs_.size());
     for (const Run& run : runs_) heap.push_back(&readers.emplace_back(*file_, run, kind_.width));
-    const auto later = [](const Reader* a, const Reader* b) { return b->before(*a); };
+    const auto later = [](const Reader* a, const Reader* b) { return b->is_before(*a); };
     std::make_heap(heap.begin(), heap.end(), later);
     const std::size_t width = kind_.width;
     const std::size_t full = RowFile::rows_of_block * width;

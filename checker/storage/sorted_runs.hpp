@@ -25,7 +25,7 @@ public:
     /// The number of rows in all runs; rows in several runs count several times.
     [[nodiscard]] std::uint64_t rows() const;
     /// A lower bound on the number of different rows: the length of the longest run.
-    [[nodiscard]] std::uint64_t longest() const;
+    [[nodiscard]] std::uint64_t longest_run() const;
     /// Passes all rows to `take`, ascending, without duplicates, in pieces of RowFile::rows_of_block rows except for
     /// the last. Throws BadFile, and the exceptions of `take`.
     void merge(const TakeRows& take) const;
@@ -41,7 +41,7 @@ private:
         std::uint64_t rows = 0;
     };
     class Reader;
-    void unite();
+    void merge_into_one();
 
     std::string path_;
     RowKind kind_;

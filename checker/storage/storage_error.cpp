@@ -11,7 +11,8 @@
 namespace robochart::storage {
 
 void cannot_open(const std::string& path, int error) {
-    const std::string why = fmt::format("{}: cannot be read: {}", diagnostics::shown(path), std::strerror(error));
+    const std::string why =
+        fmt::format("{}: cannot be read: {}", diagnostics::escape_for_display(path), std::strerror(error));
     if (error == EMFILE || error == ENFILE) throw diagnostics::LimitReached(why);
     throw BadFile(why);
 }

@@ -10,7 +10,7 @@ namespace robochart::conformance {
 std::unique_ptr<Candidate> candidate(const ir::System& system, const ir::Instantiation& instantiation,
                                      const ir::ComponentRef& component, const Options& options,
                                      diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
-    const std::size_t errors = diagnostics.errors();
+    const std::size_t errors = diagnostics.error_count();
     auto result = std::make_unique<Candidate>();
     RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
     result->system = std::move(model.system);
@@ -19,10 +19,10 @@ std::unique_ptr<Candidate> candidate(const ir::System& system, const ir::Instant
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
     result->code = cpp_emit::emit(result->system, result->instantiation, result->component, generator, diagnostics);
-    if (diagnostics.errors() != errors || result->code.shim.empty()) return nullptr;
+    if (diagnostics.error_count() != errors || result->code.shim.empty()) return nullptr;
     result->script =
         csp_emit::emit(result->system, result->instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
-    return diagnostics.errors() == errors ? std::move(result) : nullptr;
+    return diagnostics.error_count() == errors ? std::move(result) : nullptr;
 }
 
 std::unique_ptr<Batch> Batch::build(std::vector<std::unique_ptr<Candidate>> candidates, const Options& options,
@@ -36,11 +36,11 @@ std::unique_ptr<Batch> Batch::build(std::vector<std::unique_ptr<Candidate>> cand
     return batch->code_ ? std::move(batch) : nullptr;
 }
 
-Result Batch::judge(std::size_t index, std::optional<std::chrono::steady_clock::time_point> deadline) const {
+Result Batch::judge_candidate(std::size_t index, std::optional<std::chrono::steady_clock::time_point> deadline) const {
     const Candidate& candidate = *candidates_.at(index);
     Result result;
     std::string fault;
-    const rc_interface* const code = code_->code(index, fault);
+    const rc_interface* const code = code_->code_at(index, fault);
     if (code == nullptr) {
         result.outcome = Outcome::differs;
         result.reason = "the exploration interface cannot be used: " + fault;

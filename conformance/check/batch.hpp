@@ -41,8 +41,8 @@ public:
     [[nodiscard]] std::size_t size() const { return candidates_.size(); }
     [[nodiscard]] const Candidate& candidate(std::size_t index) const { return *candidates_.at(index); }
     /// Checks schedulability and refinement of one candidate.
-    [[nodiscard]] Result judge(std::size_t index,
-                               std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
+    [[nodiscard]] Result judge_candidate(std::size_t index,
+                                         std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
 
 private:
     Batch() = default;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -21,10 +22,10 @@
 #include "conformance/model/normal_form_system.hpp"
 #include "conformance/model/provenance_text.hpp"
 #include "conformance/model/representatives.hpp"
+#include "counterexample/evaluation_failure.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
-#include "counterexample/evaluation_failure.hpp"
 
 namespace robochart::conformance {
 
@@ -37,8 +38,8 @@ Result not_generated(std::string reason) {
     return result;
 }
 
-std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options,
-                                    diagnostics::Budget& budget, std::string& error) {
+std::unique_ptr<SharedObject> build_code(const cpp_emit::Emission& emission, const Options& options,
+                                         diagnostics::Budget& budget, std::string& error) {
     std::vector<std::string> sources = emission.sources;
     sources.push_back(emission.shim);
     const BuildOptions wanted{options.compiler, options.flags, options.work_dir, &budget, options.cache};
@@ -54,14 +55,15 @@ std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprP
 
 /// Combines the search up to its limit with random walks. The walks follow the model term by term if it was not
 /// compiled as a whole.
-Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled, const cspm::ExprPtr& process,
-              const Interface& interface, const rc_interface& code, const Options& options) {
+Result combine_with_walks(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled,
+                          const cspm::ExprPtr& process, const Interface& interface, const rc_interface& code,
+                          const Options& options) {
     if (options.walks.cycles == 0) return bounded;
     process::OperationalSemantics semantics(session.terms());
     process::TermSystem terms(semantics, session.process(process));
     const Alphabet alphabet(interface, session.event_table());
     ModelGraph graph(compiled == nullptr ? terms : *compiled, alphabet);
-    Result result = walk(graph, alphabet, code, options.cycle_length, options.limits, options.walks);
+    Result result = run_random_walks(graph, alphabet, code, options.cycle_length, options.limits, options.walks);
     std::string before = bounded.reason;
     if (bounded.product.depth > 0)
         before +=
@@ -86,8 +88,9 @@ refine::Limits limits_of_search(const Options& options) {
 
 /// Used if all registers in all states have too many valuations: tries only readings on which the code or the model
 /// depends.
-void partially(Result& result, lts::TransitionSystem& model, cspm::Session& session, const Interface& interface,
-               const rc_interface& code, const Options& options, const EventPlaces& places) {
+void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Session& session,
+                          const Interface& interface, const rc_interface& code, const Options& options,
+                          const EventPlaces& places) {
     const Alphabet alphabet(interface, session.event_table());
     ModelGraph graph(model, alphabet);
     Result partial = judge_partially(graph, alphabet, code, options.cycle_length, limits_of_search(options), places);
@@ -98,24 +101,24 @@ void partially(Result& result, lts::TransitionSystem& model, cspm::Session& sess
     result = std::move(partial);
 }
 
-Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
-               const rc_interface& code, const Options& options, const EventPlaces& places) {
+Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
+                     const rc_interface& code, const Options& options, const EventPlaces& places) {
     std::unique_ptr<lts::TransitionSystem> model;
     Result result;
     try {
         const refine::Limits limits = limits_of_search(options);
         model = session.system(process, limits);
-        result = judge(*model, session.event_table(), interface, code, options.cycle_length, limits, options.relation,
-                       places);
+        result = judge_component(*model, session.event_table(), interface, code, options.cycle_length, limits,
+                                 options.relation, places);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     }
     const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
     if (result.outcome != Outcome::inconclusive || !wanted) return result;
     if (model && options.relation == Relation::failures_divergences)
-        partially(result, *model, session, interface, code, options, places);
+        try_partial_readings(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
-    return walked(std::move(result), session, model.get(), process, interface, code, options);
+    return combine_with_walks(std::move(result), session, model.get(), process, interface, code, options);
 }
 
 /// For each output, which of its arguments few values represent. Empty: no arguments of any output.
@@ -125,9 +128,9 @@ Represented represented_arguments(const ir::System& system, const Representative
                                   const cpp_emit::Component& component) {
     Represented result;
     if (few.types.empty()) return result;
-    for (const cpp_emit::Output& output : cpp_emit::outputs(component)) {
+    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(component)) {
         std::vector<bool>& arguments = result.emplace_back();
-        for (const ir::TypeId type : output.types) arguments.push_back(represented(system, few, type));
+        for (const ir::TypeId type : output.types) arguments.push_back(is_represented(system, few, type));
     }
     return result;
 }
@@ -155,14 +158,14 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
 }
 
 /// If a limit ended the check, reports the inputs whose values cause the large number of cycles.
-void say_inputs(Result& result, const Interface& interface) {
+void report_large_inputs(Result& result, const Interface& interface) {
     constexpr double many = 100;
     constexpr std::size_t most = 3;
     if (result.outcome != Outcome::inconclusive) return;
     double valuations = 1;
     std::vector<const Register*> inputs;
     for (const Register& each : interface.inputs) {
-        valuations *= each.readings();
+        valuations *= each.reading_count();
         inputs.push_back(&each);
     }
     if (valuations < many) return;
@@ -181,8 +184,8 @@ void say_inputs(Result& result, const Interface& interface) {
 
 /// Replaces definitions of the script by elements of the model after ", at " and at the end of cycles. Definitions that
 /// correspond to no element of the model are left out.
-void say_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
-                const diagnostics::SourceManager& sources) {
+void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
+                       const diagnostics::SourceManager& sources) {
     const auto in_words = [&](const std::string& state) {
         return fmt::format("{}", fmt::join(elements_of_state(state, provenance, sources), "; "));
     };
@@ -195,31 +198,34 @@ void say_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit:
 }
 
 /// Does the same for the parts of a result that concern the model, not the code.
-void say_places(Result& result, const csp_emit::Provenance& provenance, const diagnostics::SourceManager& sources) {
+void name_model_places(Result& result, const csp_emit::Provenance& provenance,
+                       const diagnostics::SourceManager& sources) {
     for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
-        if (*aside) say_places((*aside)->reason, (*aside)->cycles, provenance, sources);
-    if (result.outcome == Outcome::not_schedulable) say_places(result.reason, result.cycles, provenance, sources);
+        if (*aside) name_model_places((*aside)->reason, (*aside)->cycles, provenance, sources);
+    if (result.outcome == Outcome::not_schedulable)
+        name_model_places(result.reason, result.cycles, provenance, sources);
 }
 
 /// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
 /// terms.
-Result judged(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
-              const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
-              const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
+Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
+                    const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
+                    const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of(code);
-    complete(interface, system, instantiation, component, script.provenance);
+    complete_interface(interface, system, instantiation, component, script.provenance);
     try {
         cspm::Session session(script.definitions);
-        Result result = checked(session, process, interface, code, options, places);
+        Result result = check_process(session, process, interface, code, options, places);
         const Alphabet alphabet(interface, session.event_table());
         if (sources != nullptr) {
-            say_places(result, script.provenance, *sources);
-            explain(result, session, process, alphabet, {script.provenance, system, instantiation, *sources}, options);
+            name_model_places(result, script.provenance, *sources);
+            explain_result(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
+                           options);
         }
         decide_for_all(result, session, process, alphabet, represented, options);
-        say_inputs(result, interface);
+        report_large_inputs(result, interface);
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
         return result;
@@ -232,7 +238,7 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
         Result result;
         result.outcome = Outcome::error;
         result.reason =
-            sources == nullptr ? runs::failure(failed, system) : runs::placed_failure(failed, system, *sources);
+            sources == nullptr ? runs::failure_text(failed, system) : runs::placed_failure(failed, system, *sources);
         return result;
     }
 }
@@ -251,9 +257,9 @@ std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir
                                                diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;
     diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
-    const auto resolved = cpp_emit::resolve(model.system, model.instantiation, component, apart);
+    const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
     if (!resolved) return std::nullopt;
-    Representatives few = representatives(model.system, model.instantiation, *resolved);
+    Representatives few = choose_representatives(model.system, model.instantiation, *resolved);
     if (few.types.empty()) return std::nullopt;
     FewValuesModel result;
     result.represented = represented_arguments(model.system, few, *resolved);
@@ -268,22 +274,22 @@ std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir
 
 Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
                   const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
-    return judged(script, system, instantiation, component, code, {}, options, nullptr, {});
+    return judge_script(script, system, instantiation, component, code, {}, options, nullptr, {});
 }
 
 TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
                        diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
-    const std::size_t errors = diagnostics.errors();
+    const std::size_t errors = diagnostics.error_count();
     TimedModel timed{renamed_system(system, instantiation, diagnostics), {}, &sources};
     timed.script =
         csp_emit::emit(timed.model.system, timed.model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
-    timed.sound = diagnostics.errors() == errors;
+    timed.sound = diagnostics.error_count() == errors;
     return timed;
 }
 
 Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
                diagnostics::Diagnostics& diagnostics) {
-    const std::size_t errors = diagnostics.errors();
+    const std::size_t errors = diagnostics.error_count();
     const RenamedSystem& model = timed.model;
     const ir::ComponentRef component = renamed_component(model, named);
     if (!timed.sound || !component_process(timed.script.definitions, component))
@@ -295,7 +301,7 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     generator.cycle_length = options.cycle_length;
     generator.sources = timed.sources;
     const cpp_emit::Emission code = cpp_emit::emit(model.system, instantiation, component, generator, diagnostics);
-    if (diagnostics.errors() != errors || code.shim.empty())
+    if (diagnostics.error_count() != errors || code.shim.empty())
         return not_generated(fmt::format("no C++ is generated for {}", named.path));
 
     std::string error;
@@ -304,7 +310,7 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     std::unique_ptr<SharedObject> object;
     try {
         const diagnostics::Budget::Phase phase(budget, "compiling the generated code");
-        object = build(code, options, budget, error);
+        object = build_code(code, options, budget, error);
     } catch (const diagnostics::LimitReached& limit) {
         Result result;
         result.reason = limit.what();
@@ -316,8 +322,8 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     }
     if (!object) return not_generated(std::move(error));
     Result result =
-        judged(few ? few->script : timed.script, model.system, instantiation, component, object->interface(),
-               few ? few->represented : Represented(), options, timed.sources, code.event_places);
+        judge_script(few ? few->script : timed.script, model.system, instantiation, component, object->interface(),
+                     few ? few->represented : Represented(), options, timed.sources, code.event_places);
     if (few) result.represented = few->types;
     return result;
 }

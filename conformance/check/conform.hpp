@@ -3,11 +3,11 @@
 // inputs (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
 #pragma once
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/model/renamed_model.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
 #include "csp_emit/base/emission.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

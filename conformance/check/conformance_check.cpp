@@ -3,6 +3,7 @@
 #include "conformance/check/conformance_check.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <optional>
 #include <stdexcept>
@@ -38,9 +39,9 @@ void add_step(Witness& run, const Alphabet& alphabet, const refine::Step& step, 
     Cycle& cycle = run.cycles.back();
     if (role.kind == CycleRole::Kind::read) {
         run.readings.back().push_back(role.reading);
-        if (role.reading != 0) cycle.inputs.push_back(alphabet.tell(event));
+        if (role.reading != 0) cycle.inputs.push_back(alphabet.describe_event(event));
     } else if (role.kind == CycleRole::Kind::write) {
-        cycle.outputs.push_back(alphabet.tell(event));
+        cycle.outputs.push_back(alphabet.describe_event(event));
         run.writes.back().push_back(event);
     } else if (role.kind == CycleRole::Kind::tock && ++tocks == cycle_length) {
         cycle.state = step.state;
@@ -51,7 +52,7 @@ void add_step(Witness& run, const Alphabet& alphabet, const refine::Step& step, 
     }
 }
 
-Witness tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabet, std::uint32_t cycle_length) {
+Witness make_witness(const std::vector<refine::Step>& steps, const Alphabet& alphabet, std::uint32_t cycle_length) {
     Witness run;
     run.cycles.emplace_back();
     run.readings.emplace_back();
@@ -67,19 +68,19 @@ Witness tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabe
 }
 
 /// Adds the states of the code by running it again over the inputs of the counterexample.
-void replay(Witness& run, CodeSystem& code) {
-    std::uint32_t image = code.reset();
+void add_code_states(Witness& run, CodeSystem& code) {
+    std::uint32_t image = code.reset_image();
     for (std::size_t c = 0; c < run.cycles.size(); ++c) {
         image = code.step(image, run.readings[c], run.writes[c]).next;
-        run.cycles[c].state = code.print(image);
+        run.cycles[c].state = code.print_image(image);
     }
 }
 
-std::string tell_events(const process::EventSet& events, const Alphabet& alphabet) {
+std::string describe_events(const process::EventSet& events, const Alphabet& alphabet) {
     constexpr std::size_t shown = 6;
     std::string text;
     for (std::size_t i = 0; i < events.size() && i < shown; ++i)
-        text += (i == 0 ? "" : " or ") + alphabet.tell(events[i]);
+        text += (i == 0 ? "" : " or ") + alphabet.describe_event(events[i]);
     if (events.size() > shown) text += fmt::format(" or {} others", events.size() - shown);
     return text.empty() ? "nothing" : text;
 }
@@ -88,37 +89,37 @@ std::string expected_text(const refine::Counterexample& found, const Alphabet& a
     if (found.kind == refine::ViolationKind::divergence) return "an end of the cycle";
     std::string text;
     for (const process::EventSet& events : found.required)
-        text += (text.empty() ? "" : "; or all of: ") + tell_events(events, alphabet);
+        text += (text.empty() ? "" : "; or all of: ") + describe_events(events, alphabet);
     return text.empty() ? "nothing" : text;
 }
 
 /// The event of the code that the model does not allow. L(G) offers one event at a time, except for reads. If the model
 /// requires another event, the search stops before the code's event, at the refusal.
-std::optional<process::Event> offence(const refine::Counterexample& found) {
+std::optional<process::Event> forbidden_event(const refine::Counterexample& found) {
     if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
     if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
     return std::nullopt;
 }
 
-std::string difference(const refine::Counterexample& found, const Alphabet& alphabet, const CodeSystem& code) {
+std::string describe_difference(const refine::Counterexample& found, const Alphabet& alphabet, const CodeSystem& code) {
     if (found.kind == refine::ViolationKind::divergence && code.endless())
         return "the code's cycle does not end: `step` does not return";
     if (found.kind == refine::ViolationKind::divergence)
         return "the code's cycle does not end: its step bound is reached";
-    const auto event = offence(found);
+    const auto event = forbidden_event(found);
     // L(G) offers nothing only at a missed deadline (code_system.cpp).
     if (!event && found.offered.empty()) return "the code misses a deadline";
-    if (!event) return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
+    if (!event) return fmt::format("the code offers only {}", describe_events(found.offered, alphabet));
     const std::string& name = alphabet.events().name(*event);
     if (name == "code.precondition") return "the code calls an operation outside its precondition";
     if (alphabet.cycle_role(*event).kind == CycleRole::Kind::write)
-        return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(*event));
+        return fmt::format("the code writes {}, which the model does not allow here", alphabet.describe_event(*event));
     const bool stopped =
         std::ranges::all_of(found.required, [](const process::EventSet& allowed) { return allowed.empty(); });
     if (*event == alphabet.tock() && stopped)
         return "the code ends its cycle where time stops in the model: it misses a deadline and does not say so";
     if (*event == alphabet.tock()) return "the code ends its cycle although the model must go on";
-    return fmt::format("the code does {}, which the model does not allow here", alphabet.tell(*event));
+    return fmt::format("the code does {}, which the model does not allow here", alphabet.describe_event(*event));
 }
 
 const std::string& last_state(const refine::Counterexample& found) {
@@ -134,7 +135,7 @@ std::string timelock_reason(const refine::Counterexample& found) {
 
 void not_schedulable(Result& result, const refine::Counterexample& found, ModelGraph& model, const Alphabet& alphabet,
                      std::uint32_t cycle_length, const refine::Limits& limits) {
-    Witness run = tell_run(found.steps, alphabet, cycle_length);
+    Witness run = make_witness(found.steps, alphabet, cycle_length);
     if (!found.steps.empty()) run.cycles.back().state = found.steps.back().state;
     result.outcome = Outcome::not_schedulable;
     result.reason = timelock_reason(found);
@@ -144,9 +145,9 @@ void not_schedulable(Result& result, const refine::Counterexample& found, ModelG
     result.raw = std::move(run.raw);
 }
 
-Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refine::Counterexample& found,
-                  const Alphabet& alphabet, std::uint32_t cycle_length) {
-    Witness run = tell_run(found.steps, alphabet, cycle_length);
+Aside make_aside(const diagnostics::Rule& rule, std::string reason, const refine::Counterexample& found,
+                 const Alphabet& alphabet, std::uint32_t cycle_length) {
+    Witness run = make_witness(found.steps, alphabet, cycle_length);
     std::vector<process::Event> trace;
     for (const refine::Step& step : found.steps) {
         const process::Event event = step.event == process::tau ? step.revealed : step.event;
@@ -154,22 +155,22 @@ Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refin
         if (step.event != process::tau || write) trace.push_back(event);
     }
     trace.pop_back();  // removes the event that marks the violation
-    return {false, std::move(reason), std::move(run.cycles), &rule, traced(trace), {}};
+    return {false, std::move(reason), std::move(run.cycles), &rule, trace_as_run(trace), {}};
 }
 
-void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
-             std::uint32_t cycle_length) {
+void report_difference(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
+                       std::uint32_t cycle_length) {
     std::vector<refine::Step> steps = found.steps;
-    const auto event = offence(found);
+    const auto event = forbidden_event(found);
     if (found.kind == refine::ViolationKind::refusal && event) steps.push_back({*event, *event, ""});
     std::vector<process::Event> agreed;
     for (const refine::Step& step : found.steps) agreed.push_back(step.event);
     if (found.kind == refine::ViolationKind::trace && event) agreed.pop_back();
-    take_run(result, nullptr, agreed);
-    Witness run = tell_run(steps, alphabet, cycle_length);
-    replay(run, code);
+    set_model_run(result, nullptr, agreed);
+    Witness run = make_witness(steps, alphabet, cycle_length);
+    add_code_states(run, code);
     result.outcome = Outcome::differs;
-    result.reason = difference(found, alphabet, code);
+    result.reason = describe_difference(found, alphabet, code);
     result.expected = expected_text(found, alphabet);
     result.cycles = std::move(run.cycles);
     result.raw = std::move(run.raw);
@@ -177,8 +178,8 @@ void differs(Result& result, const refine::Counterexample& found, const Alphabet
 
 /// Checks the relation. NF_c(M) of a schedulable M has no divergence, so divergences of the code are searched
 /// separately.
-refine::Verdict related(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
-                        const refine::Limits& limits, Relation relation) {
+refine::Verdict check_relation(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
+                               const refine::Limits& limits, Relation relation) {
     if (relation == Relation::failures_divergences)
         return refine::refines(specification, code, refine::Model::failures_divergences, limits);
     refine::Verdict verdict = tick_tock_refines(specification, code, alphabet.tock(), limits);
@@ -189,11 +190,11 @@ refine::Verdict related(lts::TransitionSystem& specification, CodeSystem& code, 
     return verdict;
 }
 
-void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
+void record_counts(Result& result, const ModelGraph& model, const CodeSystem& code) {
     result.model_states = model.size();
-    result.code_states = code.images();
-    result.code_cycles = code.cycles();
-    if (code.alias_found())
+    result.code_states = code.image_count();
+    result.code_cycles = code.cycle_count();
+    if (code.has_alias())
         result.warnings.emplace_back("the code's state is not canonical: different bytes print alike");
 }
 
@@ -201,8 +202,8 @@ void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
 
 /// The first search checks two properties together: M can be run in cycles, and these cycles make each output once and
 /// miss no deadline. The search ends at the first violation, and the next search checks the remaining properties.
-Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
-                   const refine::Limits& limits) {
+Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
+                            const refine::Limits& limits) {
     Result result;
     Frame frame{AfterTermination::idle, Outputs::once, Deadlines::mark, false};
     for (;;) {
@@ -215,15 +216,15 @@ Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
         if (verdict.outcome != refine::Outcome::fails || !verdict.counterexample) return result;
         const refine::Counterexample& found = *verdict.counterexample;
         const process::Event last = found.steps.empty() ? process::tau : found.steps.back().event;
-        if (last == normal_form.repeats()) {
+        if (last == normal_form.repeat_event()) {
             result.register_cycles =
-                found_aside(rules::output_made_twice, last_state(found), found, alphabet, cycle_length);
+                make_aside(rules::output_made_twice, last_state(found), found, alphabet, cycle_length);
             frame.outputs = Outputs::sequence;
             frame.writes_hidden = true;
-        } else if (last == normal_form.deadline()) {
-            result.deadlines = found_aside(rules::input_not_in_time,
-                                           "time stops in the model, which waits for an input, at " + last_state(found),
-                                           found, alphabet, cycle_length);
+        } else if (last == normal_form.deadline_event()) {
+            result.deadlines = make_aside(rules::input_not_in_time,
+                                          "time stops in the model, which waits for an input, at " + last_state(found),
+                                          found, alphabet, cycle_length);
             frame.deadlines = Deadlines::idle;
         } else {
             not_schedulable(result, found, model, alphabet, cycle_length, limits);
@@ -241,31 +242,31 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
     Result result;
     NormalFormSystem specification(model, alphabet, cycle_length);
     CodeSystem code(compiled, alphabet, cycle_length);
-    const refine::Verdict verdict = related(specification, code, alphabet, limits, relation);
+    const refine::Verdict verdict = check_relation(specification, code, alphabet, limits, relation);
     result.product = verdict.statistics;
-    if (!code.unsound().empty()) {
+    if (!code.unsound_reason().empty()) {
         result.outcome = Outcome::differs;
-        result.reason = code.unsound();
+        result.reason = code.unsound_reason();
     } else if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
-        differs(result, *verdict.counterexample, alphabet, code, cycle_length);
+        report_difference(result, *verdict.counterexample, alphabet, code, cycle_length);
     } else {
         result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
         result.reason = verdict.reason;
     }
     compare_event_api(result, compiled, code, alphabet, limits);
     add_lost_events(result, code, alphabet, places);
-    count(result, model, code);
+    record_counts(result, model, code);
     return result;
 }
 
-Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
-             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
-             const EventPlaces& places) {
+Result judge_component(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
+                       const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits,
+                       Relation relation, const EventPlaces& places) {
     Result result;
     try {
         const Alphabet alphabet(interface, events);
         ModelGraph graph(model, alphabet);
-        result = schedulable(graph, alphabet, cycle_length, limits);
+        result = check_schedulability(graph, alphabet, cycle_length, limits);
         if (result.outcome != Outcome::conforms) return result;
         Result refined = refined_by(graph, alphabet, code, cycle_length, limits, relation, places);
         refined.schedulability = result.schedulability;

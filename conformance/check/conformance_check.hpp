@@ -13,7 +13,8 @@ namespace robochart::conformance {
 
 /// Checks that M is schedulable: no reachable state of NF_c(M) is a timelock or a divergence. In this case `outcome` is
 /// `conforms`.
-[[nodiscard]] Result schedulable(ModelGraph&, const Alphabet&, std::uint32_t cycle_length, const refine::Limits&);
+[[nodiscard]] Result check_schedulability(ModelGraph&, const Alphabet&, std::uint32_t cycle_length,
+                                          const refine::Limits&);
 
 /// Checks NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError if model and code do not fit together, and
 /// std::length_error if there are too many valuations.
@@ -21,10 +22,11 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the code's, completed with carriers and with
-/// `component` set to the CSP prefix of M's events; `events` is the model's table.
-[[nodiscard]] Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
-                           const rc_interface& code, std::uint32_t cycle_length, const refine::Limits&,
-                           Relation = Relation::failures_divergences, const EventPlaces& = {});
+/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the code's interface, completed with carriers, with
+/// `component` set to the CSP prefix of M's events. `events` is the table of M's events.
+[[nodiscard]] Result judge_component(lts::TransitionSystem& model, process::EventTable& events,
+                                     const Interface& interface, const rc_interface& code, std::uint32_t cycle_length,
+                                     const refine::Limits&, Relation = Relation::failures_divergences,
+                                     const EventPlaces& = {});
 
 }  // namespace robochart::conformance

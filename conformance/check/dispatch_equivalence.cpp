@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::vector<unsigned char>;
 using Registers = std::vector<rc_register>;
 
-const char* ends(rc_result result) {
+const char* result_text(rc_result result) {
     constexpr std::array<const char*, 5> words{"at rest", "terminated", "does not end", "outside a precondition",
                                                "misses a deadline"};
     const auto place = static_cast<std::size_t>(result);
@@ -44,17 +44,17 @@ struct Call {
     const rc_register* registers;
 };
 
-rc_result step(void* arguments) {
+rc_result call_step(void* arguments) {
     const auto* call = static_cast<const Call*>(arguments);
     return call->code->step(call->run->state.data(), call->registers, &call->run->log);
 }
 
-rc_result dispatch(void* arguments) {
+rc_result call_dispatch(void* arguments) {
     const auto* call = static_cast<const Call*>(arguments);
     return call->code->dispatch(call->run->state.data(), call->event, call->registers, &call->run->log);
 }
 
-rc_result pass(void* arguments) {
+rc_result call_pass(void* arguments) {
     const auto* call = static_cast<const Call*>(arguments);
     return call->code->pass(call->run->state.data(), &call->run->log);
 }
@@ -76,32 +76,32 @@ public:
 
     ApiComparison run() {
         if (code_.dispatch == nullptr) return {};
-        for (const std::uint32_t image : system_.begun()) {
+        for (const std::uint32_t image : system_.started_images()) {
             found_.image = image;
-            from_ = system_.bytes(image);
-            if (!in_state()) break;
+            from_ = system_.image_bytes(image);
+            if (!compare_in_state()) break;
         }
         return std::move(found_);
     }
 
 private:
     /// Each of these functions returns false if the APIs differ.
-    bool in_state() {
+    bool compare_in_state() {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         event_ = code_.events;
-        if (!on_event(0)) return false;
+        if (!compare_on_event(0)) return false;
         for (event_ = 0; event_ < code_.events; ++event_)
-            for (std::uint32_t reading = 1; reading < inputs[event_].readings(); ++reading)
-                if (!on_event(reading)) return false;
+            for (std::uint32_t reading = 1; reading < inputs[event_].reading_count(); ++reading)
+                if (!compare_on_event(reading)) return false;
         return true;
     }
 
-    bool on_event(std::uint32_t reading) {
+    bool compare_on_event(std::uint32_t reading) {
         reading_ = reading;
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         alone_.assign(inputs.size(), {0, 0});
         raised_.assign(inputs.size(), {0, 0});
-        for (std::size_t i = 0; i < inputs.size(); ++i) raised_[i] = {1, inputs[i].readings() - 2};
+        for (std::size_t i = 0; i < inputs.size(); ++i) raised_[i] = {1, inputs[i].reading_count() - 2};
         if (reading > 0) alone_[event_] = raised_[event_] = {1, reading - 1};
         ++found_.compared;
         cycle_.log.given = 0;
@@ -114,34 +114,35 @@ private:
 
     /// Uses the answers in cycle_.log.
     bool with_answers() {
-        perform(step, cycle_, alone_);
+        run_from_state(call_step, cycle_, alone_);
         take_answers(dispatched_);
-        perform(dispatch, dispatched_, raised_);
+        run_from_state(call_dispatch, dispatched_, raised_);
         if (cycle_.result == RC_STEP_BOUND || dispatched_.result == RC_STEP_BOUND)
-            return promise(cycle_.result == dispatched_.result, dispatched_, "only one of them ends");
-        if (dispatched_.result == RC_QUIESCENT && !promise(stays(), dispatched_, "it leaves something enabled"))
+            return check_promise(cycle_.result == dispatched_.result, dispatched_, "only one of them ends");
+        if (dispatched_.result == RC_QUIESCENT &&
+            !check_promise(is_quiescent(), dispatched_, "it leaves something enabled"))
             return false;
         whole_ = dispatched_;
-        if (whole_.result == RC_QUIESCENT) call(pass, whole_, raised_);
-        return alike(whole_) && (event_ != code_.events || passes_alone());
+        if (whole_.result == RC_QUIESCENT) call_guarded(call_pass, whole_, raised_);
+        return check_same_effect(whole_) && (event_ != code_.events || passes_alone());
     }
 
     /// After a dispatch no transition is enabled: another attempt to take transitions without events has no effect.
-    bool stays() {
+    bool is_quiescent() {
         again_.state = dispatched_.state;
         again_.log.given = 0;
         const std::uint32_t event = std::exchange(event_, code_.events);
-        call(dispatch, again_, raised_);
+        call_guarded(call_dispatch, again_, raised_);
         event_ = event;
         return again_.result == RC_QUIESCENT && again_.log.count == 0 && again_.state == dispatched_.state;
     }
 
-    bool alike(const Run& other) {
-        return promise(cycle_.result == other.result, other, "it ends otherwise") &&
-               promise(cycle_.log.overflow == other.log.overflow && same_writes(cycle_.log, other.log), other,
-                       "other outputs") &&
-               promise(same_asked(other.log), other, "other choices") &&
-               promise(cycle_.state == other.state, other, "another state");
+    bool check_same_effect(const Run& other) {
+        return check_promise(cycle_.result == other.result, other, "it ends otherwise") &&
+               check_promise(cycle_.log.overflow == other.log.overflow && same_writes(cycle_.log, other.log), other,
+                             "other outputs") &&
+               check_promise(same_asked(other.log), other, "other choices") &&
+               check_promise(cycle_.state == other.state, other, "another state");
     }
 
     /// After the machine has begun, a cycle without inputs is one call. Before that, the cycle begins the machine or
@@ -150,25 +151,25 @@ private:
         take_answers(whole_);
         whole_.state = from_;
         whole_.log.count = whole_.log.overflow = whole_.log.asked = 0;
-        call(pass, whole_, raised_);
+        call_guarded(call_pass, whole_, raised_);
         passed_ = true;
-        const bool before = found_.image == system_.reset() && !same(whole_);
-        const bool kept = before ? begins_late() : alike(whole_);
+        const bool before = found_.image == system_.reset_image() && !has_same_effect(whole_);
+        const bool kept = before ? begins_late() : check_same_effect(whole_);
         passed_ = false;
         return kept;
     }
 
     bool begins_late() {
-        if (!promise(whole_.log.count == 0, whole_, "outputs before the machine has begun")) return false;
+        if (!check_promise(whole_.log.count == 0, whole_, "outputs before the machine has begun")) return false;
         take_answers(again_);
         again_.state = whole_.state;
-        call(dispatch, again_, raised_);
+        call_guarded(call_dispatch, again_, raised_);
         const bool as_ever = again_.result == dispatched_.result && same_writes(again_.log, dispatched_.log) &&
                              again_.state == dispatched_.state;
-        return promise(as_ever, again_, "time that passes before the machine has begun is counted");
+        return check_promise(as_ever, again_, "time that passes before the machine has begun is counted");
     }
 
-    [[nodiscard]] bool same(const Run& other) const {
+    [[nodiscard]] bool has_same_effect(const Run& other) const {
         return cycle_.result == other.result && same_writes(cycle_.log, other.log) && cycle_.state == other.state;
     }
 
@@ -184,23 +185,24 @@ private:
         std::copy_n(cycle_.log.choice, cycle_.log.given, run.log.choice);
     }
 
-    void perform(Guarded what, Run& run, const Registers& registers) {
+    void run_from_state(Guarded what, Run& run, const Registers& registers) {
         run.state = from_;
-        call(what, run, registers);
+        call_guarded(what, run, registers);
     }
 
-    void call(Guarded what, Run& run, const Registers& registers) {
+    void call_guarded(Guarded what, Run& run, const Registers& registers) {
         Call arguments{&code_, &run, event_, registers.data()};
-        const Stepped stepped = watched(what, &arguments, endless_ ? Patience::short_ : Patience::seconds);
+        const Stepped stepped = call_watched(what, &arguments, endless_ ? Patience::short_ : Patience::seconds);
         endless_ = endless_ || stepped.endless;
         run.result = stepped.result;
     }
 
-    bool promise(bool kept, const Run& other, const char* what) {
+    bool check_promise(bool kept, const Run& other, const char* what) {
         if (kept) return true;
         ApiDifference difference;
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
-        if (event_ < inputs.size() && reading_ > 0) difference.event = alphabet_.tell(alphabet_.read(event_, reading_));
+        if (event_ < inputs.size() && reading_ > 0)
+            difference.event = alphabet_.describe_event(alphabet_.read_event(event_, reading_));
         const std::string called = passed_                    ? "`pass`"
                                    : difference.event.empty() ? "`begin` and `pass`"
                                                               : fmt::format("`dispatch` of {}", difference.event);
@@ -213,11 +215,11 @@ private:
 
     Behaviour behaviour_of(const Run& run) const {
         Behaviour behaviour;
-        behaviour.ends = ends(run.result);
+        behaviour.ends = result_text(run.result);
         for (std::uint32_t r = 0; r < run.log.count; ++r) {
             const rc_record& record = run.log.record[r];
             const bool known = record.output < code_.outputs && record.count <= ROBOCHART_MAX_ARGUMENTS;
-            behaviour.outputs.push_back(known ? alphabet_.tell(alphabet_.write(
+            behaviour.outputs.push_back(known ? alphabet_.describe_event(alphabet_.write_event(
                                                     record.output, {record.argument, record.argument + record.count}))
                                               : "an output without name");
         }
@@ -248,20 +250,20 @@ void apis_differ(Result& result, const ApiComparison& found, const CodeSystem& c
     result.api_difference = found.difference;
     result.reason = fmt::format("the event API differs from the cycle: {}", found.difference->what);
     std::vector<process::Event> trace;
-    for (const PassedCycle& passed : code.way_to(found.image)) {
+    for (const PassedCycle& passed : code.path_to_image(found.image)) {
         Cycle& cycle = result.cycles.emplace_back();
         for (std::uint32_t input = 0; input < passed.readings.size(); ++input) {
-            trace.push_back(alphabet.read(input, passed.readings[input]));
-            if (passed.readings[input] != 0) cycle.inputs.push_back(alphabet.tell(trace.back()));
+            trace.push_back(alphabet.read_event(input, passed.readings[input]));
+            if (passed.readings[input] != 0) cycle.inputs.push_back(alphabet.describe_event(trace.back()));
         }
         for (const process::Event write : passed.result->writes) {
             trace.push_back(write);
-            cycle.outputs.push_back(alphabet.tell(write));
+            cycle.outputs.push_back(alphabet.describe_event(write));
         }
         trace.insert(trace.end(), code.cycle_length(), alphabet.tock());
-        cycle.state = code.print(passed.result->next);
+        cycle.state = code.print_image(passed.result->next);
     }
-    take_run(result, nullptr, trace);
+    set_model_run(result, nullptr, trace);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::string script_text(const lts::Graph& graph, const CheckedCode& checked, std
 void export_code(Result& result, const CheckedCode& checked, const Options& options) {
     try {
         CodeSystem system(checked.code, checked.alphabet, options.cycle_length);
-        const lts::Graph graph = explored(system, options.limits);
+        const lts::Graph graph = explore_code(system, options.limits);
         std::ostringstream out;
         if (options.exported == Export::aut) lts::write_aut(graph, checked.alphabet.events(), out);
         if (options.exported == Export::dot) lts::write_dot(graph, checked.alphabet.events(), out);

@@ -26,40 +26,41 @@ Follower::Follower(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
       budget_(limits),
       form_(system_, budget_) {}
 
-std::optional<std::uint32_t> Follower::asked(Node node) {
+std::optional<std::uint32_t> Follower::asked_register(Node node) {
     if (!unread_) return std::nullopt;
     const process::EventSet possible = form_.initials(node);
     for (std::uint32_t input = 0; input < alphabet_.interface().inputs.size(); ++input)
-        if (std::ranges::binary_search(possible, system_.asks(input))) return input;
+        if (std::ranges::binary_search(possible, system_.ask_event(input))) return input;
     return std::nullopt;
 }
 
-std::optional<Mismatch> Follower::finish(Node& node, rc_result outcome, bool cut) {
+std::optional<Mismatch> Follower::finish_cycle(Node& node, rc_result outcome, bool cut) {
     if (auto stops = model_stops(node)) return stops;
     over_ = cut || outcome != RC_QUIESCENT;
     if (cut) return std::nullopt;
     switch (outcome) {
         case RC_PRECONDITION:
-            return differs(node, "the code calls an operation outside its precondition");
+            return make_mismatch(node, "the code calls an operation outside its precondition");
         case RC_DEADLINE:
             if (may_refuse(node, std::nullopt)) return std::nullopt;
-            return differs(node, "the code misses a deadline");
+            return make_mismatch(node, "the code misses a deadline");
         case RC_STEP_BOUND:
-            if (endless(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_outputs};
+            if (has_endless_run(node))
+                return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_outputs};
             return Mismatch{Outcome::differs, "the code's cycle does not end: its step bound is reached",
                             "an end of the cycle", nullptr};
         case RC_TERMINATED:
-            return follow(node, process::tick, false);
+            return follow_event(node, process::tick, false);
         case RC_QUIESCENT:
             break;
     }
     for (std::uint32_t t = 0; t < cycle_length_; ++t)
-        if (auto mismatch = follow(node, alphabet_.tock(), false)) return mismatch;
+        if (auto mismatch = follow_event(node, alphabet_.tock(), false)) return mismatch;
     return std::nullopt;
 }
 
-Mismatch Follower::differs(Node node, std::string reason) {
-    return {Outcome::differs, std::move(reason), allowed(node), nullptr};
+Mismatch Follower::make_mismatch(Node node, std::string reason) {
+    return {Outcome::differs, std::move(reason), describe_allowed(node), nullptr};
 }
 
 /// Whether the node allows a state that offers only this event or nothing, or has no stable state. Acceptances are
@@ -72,16 +73,16 @@ bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     return std::ranges::any_of(acceptances, fits);
 }
 
-std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool read) {
+std::optional<Mismatch> Follower::follow_event(Node& node, process::Event event, bool read) {
     if (auto stops = model_stops(node)) return stops;
-    const auto next = form_.after(node, event);
+    const auto next = form_.node_after(node, event);
     const bool insists = !read && !form_.acceptances(node).empty() && !may_refuse(node, event);
     if (!next || insists)
         return Mismatch{Outcome::differs,
                         event == alphabet_.tock() ? "the code ends its cycle where the model goes on"
                                                   : fmt::format("the code does {}, which the model does not allow here",
-                                                                alphabet_.tell(event)),
-                        allowed(node), nullptr};
+                                                                alphabet_.describe_event(event)),
+                        describe_allowed(node), nullptr};
     node = *next;
     return std::nullopt;
 }
@@ -94,13 +95,13 @@ std::optional<Mismatch> Follower::model_stops(Node node) {
     const bool stuck = std::ranges::any_of(acceptances, [](const auto& a) { return a.empty(); });
     if (!stuck) return std::nullopt;
     for (const lts::StateView state : form_.states(node))
-        if (const diagnostics::Rule* const rule = rule_of(system_.standstill(state)))
+        if (const diagnostics::Rule* const rule = rule_of(system_.standstill_kind(state)))
             return Mismatch{Outcome::not_schedulable, "the model can neither go on nor let time pass", "", rule};
     return std::nullopt;
 }
 
 /// Whether an infinite sequence of outputs is possible before time passes.
-bool Follower::endless(Node from) {
+bool Follower::has_endless_run(Node from) {
     std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
     struct Place {
         Node node;
@@ -118,7 +119,7 @@ bool Follower::endless(Node from) {
         }
         const process::Event event = at.events[at.next++];
         if (alphabet_.cycle_role(event).kind != CycleRole::Kind::write) continue;
-        const auto next = form_.after(at.node, event);
+        const auto next = form_.node_after(at.node, event);
         if (!next) continue;
         const auto [place, fresh] = open.emplace(*next, true);
         if (!fresh && place->second) return true;
@@ -127,11 +128,11 @@ bool Follower::endless(Node from) {
     return false;
 }
 
-std::string Follower::allowed(Node node) {
+std::string Follower::describe_allowed(Node node) {
     std::string text;
     std::size_t count = 0;
     for (const process::Event event : form_.initials(node))
-        if (count++ < 6) text += (text.empty() ? "" : " or ") + alphabet_.tell(event);
+        if (count++ < 6) text += (text.empty() ? "" : " or ") + alphabet_.describe_event(event);
     if (count > 6) text += fmt::format(" or {} others", count - 6);
     return text.empty() ? "nothing" : text;
 }

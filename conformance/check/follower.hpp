@@ -29,27 +29,27 @@ public:
     Follower(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length, const refine::Limits& limits,
              Frame frame = {});
 
-    [[nodiscard]] Node start() { return form_.initial(); }
-    [[nodiscard]] std::size_t nodes() const { return form_.size(); }
+    [[nodiscard]] Node initial_node() { return form_.initial(); }
+    [[nodiscard]] std::size_t node_count() const { return form_.size(); }
     [[nodiscard]] const NormalFormSystem& system() const { return system_; }
 
     /// L(G) offers only this event (or, with `read`, all readings of a register). NF_c(M) must allow it, and must not
     /// require others. Returns no value and advances `node` if this holds.
-    [[nodiscard]] std::optional<Mismatch> follow(Node& node, process::Event event, bool read);
+    [[nodiscard]] std::optional<Mismatch> follow_event(Node& node, process::Event event, bool read);
     /// Follows the end of a cycle, after its writes. `cut`: the code made more outputs than the log contains; the rest
     /// is not checked.
-    [[nodiscard]] std::optional<Mismatch> finish(Node& node, rc_result outcome, bool cut);
+    [[nodiscard]] std::optional<Mismatch> finish_cycle(Node& node, rc_result outcome, bool cut);
     /// Whether the code has terminated in the cycle that was finished last.
-    [[nodiscard]] bool over() const { return over_; }
+    [[nodiscard]] bool has_terminated() const { return over_; }
     /// With Frame::unread: a register whose reading affects the model in this node; no value if there is none.
-    [[nodiscard]] std::optional<std::uint32_t> asked(Node node);
+    [[nodiscard]] std::optional<std::uint32_t> asked_register(Node node);
 
 private:
-    [[nodiscard]] Mismatch differs(Node node, std::string reason);
+    [[nodiscard]] Mismatch make_mismatch(Node node, std::string reason);
     [[nodiscard]] bool may_refuse(Node node, std::optional<process::Event> but);
     [[nodiscard]] std::optional<Mismatch> model_stops(Node node);
-    [[nodiscard]] bool endless(Node from);
-    [[nodiscard]] std::string allowed(Node node);
+    [[nodiscard]] bool has_endless_run(Node from);
+    [[nodiscard]] std::string describe_allowed(Node node);
 
     const Alphabet& alphabet_;
     std::uint32_t cycle_length_;

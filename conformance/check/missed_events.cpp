@@ -19,12 +19,12 @@ public:
           alphabet_(alphabet),
           places_(places),
           inputs_(alphabet.interface().inputs.size()),
-          events_(std::min(inputs_, places_.events())) {}
+          events_(std::min(inputs_, places_.event_count())) {}
 
-    std::vector<MissedEvent> find() {
-        for (const std::uint32_t image : code_.begun()) look_at(image);
+    std::vector<MissedEvent> find_missed() {
+        for (const std::uint32_t image : code_.started_images()) check_image(image);
         std::vector<MissedEvent> result;
-        for (std::uint32_t event = 0; event < events_; ++event) add(event, result);
+        for (std::uint32_t event = 0; event < events_; ++event) add_result(event, result);
         return result;
     }
 
@@ -36,22 +36,22 @@ private:
         std::vector<std::string> places;
     };
 
-    Missed& missed(std::uint32_t event, MissedWhile why) {
+    Missed& missed_entry(std::uint32_t event, MissedWhile why) {
         return missed_[std::pair(event, why == MissedWhile::condition)];
     }
 
-    void look_at(std::uint32_t image) {
+    void check_image(std::uint32_t image) {
         std::vector<bool> lost;  // computed on first use
-        for (const cpp_emit::EventPlace* found : places_.in(code_.print(image))) {
+        for (const cpp_emit::EventPlace* found : places_.find_places(code_.print_image(image))) {
             const cpp_emit::EventPlace& place = *found;
             if (lost.empty()) lost = lost_below(code_.known_root(image), 0);
             for (std::uint32_t event = 0; event < events_; ++event)
-                if (place.events[event] && lost[event]) note(event, place, image);
+                if (place.events[event] && lost[event]) note_place(event, place, image);
         }
     }
 
-    void note(std::uint32_t event, const cpp_emit::EventPlace& place, std::uint32_t image) {
-        Missed& all = missed(event, place.busy ? MissedWhile::busy : MissedWhile::condition);
+    void note_place(std::uint32_t event, const cpp_emit::EventPlace& place, std::uint32_t image) {
+        Missed& all = missed_entry(event, place.busy ? MissedWhile::busy : MissedWhile::condition);
         if (all.known.insert(image).second) all.images.push_back(image);
         if (std::ranges::find(all.places, place.element) == all.places.end()) all.places.push_back(place.element);
     }
@@ -63,7 +63,7 @@ private:
         if (found != lost_[level].end()) return found->second;
         std::vector<bool> lost(inputs_ + 1, true);
         if (level < inputs_) {
-            const std::vector<std::uint32_t> below = code_.below(node);
+            const std::vector<std::uint32_t> below = code_.child_nodes(node);
             lost[level] = std::ranges::all_of(below, [&](std::uint32_t each) { return each == below[0]; });
             for (const std::uint32_t each : std::set<std::uint32_t>(below.begin(), below.end())) {
                 const std::vector<bool>& inner = lost_below(each, level + 1);
@@ -74,32 +74,32 @@ private:
     }
 
     /// The images to which a cycle in this image may lead.
-    const std::vector<std::uint32_t>& behind(std::uint32_t image) {
+    const std::vector<std::uint32_t>& next_images(std::uint32_t image) {
         const auto known = behind_.find(image);
         if (known != behind_.end()) return known->second;
         std::set<std::uint32_t> level{code_.known_root(image)};
         for (std::size_t i = 0; i < inputs_; ++i) {
             std::set<std::uint32_t> next;
             for (const std::uint32_t node : level)
-                for (const std::uint32_t each : code_.below(node)) next.insert(each);
+                for (const std::uint32_t each : code_.child_nodes(node)) next.insert(each);
             level = std::move(next);
         }
         std::set<std::uint32_t> images;
         for (const std::uint32_t number : level) {
-            const CycleResult& result = code_.result(number);
+            const CycleResult& result = code_.cycle_result(number);
             if (result.ways.empty() && result.outcome == RC_QUIESCENT) images.insert(result.next);
             for (const std::uint32_t way : result.ways)
-                if (code_.result(way).outcome == RC_QUIESCENT) images.insert(code_.result(way).next);
+                if (code_.cycle_result(way).outcome == RC_QUIESCENT) images.insert(code_.cycle_result(way).next);
         }
         return behind_.emplace(image, std::vector<std::uint32_t>(images.begin(), images.end())).first->second;
     }
 
-    void add(std::uint32_t event, std::vector<MissedEvent>& result) {
-        const std::string text = alphabet_.tell(alphabet_.read(event, 1));
+    void add_result(std::uint32_t event, std::vector<MissedEvent>& result) {
+        const std::string text = alphabet_.describe_event(alphabet_.read_event(event, 1));
         MissedEvent found{text.substr(0, text.find(" = ")), {}, {}};
         Missed either;
         for (const MissedWhile why : {MissedWhile::busy, MissedWhile::condition}) {
-            const Missed& all = missed(event, why);
+            const Missed& all = missed_entry(event, why);
             if (all.images.empty()) continue;
             found.reasons.push_back({why, longest_run(all), all.places});
             for (const std::uint32_t image : all.images)
@@ -124,7 +124,7 @@ private:
             length[start] = 0;
             while (!path.empty()) {
                 Visit& visit = path.back();
-                const std::vector<std::uint32_t>& next = behind(visit.image);
+                const std::vector<std::uint32_t>& next = next_images(visit.image);
                 if (visit.next == next.size()) {
                     std::uint64_t most = 0;
                     for (const std::uint32_t each : next)
@@ -157,7 +157,7 @@ private:
 }  // namespace
 
 std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places) {
-    return Finder(code, alphabet, places).find();
+    return Finder(code, alphabet, places).find_missed();
 }
 
 }  // namespace robochart::conformance

@@ -21,7 +21,7 @@ namespace {
 constexpr std::chrono::seconds longest_explanation{10};
 
 /// The actions of a run as the frame shows them: reports of writes are visible or hidden.
-refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
+refine::Run run_of_frame(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
     refine::Run run;
     for (const refine::Step& step : steps) {
         const process::Event event = step.event == process::tau ? step.revealed : step.event;
@@ -37,13 +37,13 @@ refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, c
 
 /// Follows hidden steps of M that are not outputs, always the first of each state. Ends if there is no such step or a
 /// state repeats.
-void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
+void follow_hidden_steps(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
     const auto silent = [&](const refine::RunStep& step) {
         return step.event == process::tau && alphabet.model_role(step.revealed).kind != ModelRole::Kind::output;
     };
-    std::set<std::vector<lts::Word>> met{run.last()};
+    std::set<std::vector<lts::Word>> met{run.last_state()};
     for (;;) {
-        const std::vector<refine::RunStep> steps = refine::steps_from(system, run.last(), budget);
+        const std::vector<refine::RunStep> steps = refine::steps_from(system, run.last_state(), budget);
         const auto next = std::ranges::find_if(steps, silent);
         if (next == steps.end() || !met.insert(next->state).second) return;
         run.steps.push_back(*next);
@@ -56,18 +56,18 @@ public:
     RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
         : graph_(graph), normal_form_(normal_form), alphabet_(alphabet) {}
 
-    refine::Counterexample read(const refine::Violation& violation) {
+    refine::Counterexample read_violation(const refine::Violation& violation) {
         refine::Counterexample result;
         const bool diverges = violation.kind == refine::ViolationKind::divergence;
         result.kind = diverges                                            ? refine::ViolationKind::divergence
                       : violation.kind == refine::ViolationKind::no_trace ? violation.kind
                                                                           : refine::ViolationKind::refusal;
         result.initial = graph_.describe(graph_.initial());
-        result.terms.push_back(term(graph_.initial()));
-        ModelState at = follow(violation.run, result.steps, result.terms);
+        result.terms.push_back(term_of(graph_.initial()));
+        ModelState at = follow_run(violation.run, result.steps, result.terms);
         if (diverges) {
-            result.loop_terms.push_back(term(at));
-            at = follow(violation.loop, result.loop, result.loop_terms);
+            result.loop_terms.push_back(term_of(at));
+            at = follow_run(violation.loop, result.loop, result.loop_terms);
         }
         for (const ModelEdge& edge : graph_.edges(at))
             if (edge.event != process::tau) result.offered.push_back(edge.event);
@@ -77,13 +77,16 @@ public:
     }
 
 private:
-    [[nodiscard]] process::TermId term(ModelState state) const { return process::TermId{graph_.view(state).front()}; }
+    [[nodiscard]] process::TermId term_of(ModelState state) const {
+        return process::TermId{graph_.packed_state(state).front()};
+    }
 
     /// Follows the run and returns the last state of M before it terminates.
-    ModelState follow(const refine::Run& run, std::vector<refine::Step>& steps, std::vector<process::TermId>& terms) {
-        ModelState at = normal_form_.model(run.initial).value_or(graph_.initial());
+    ModelState follow_run(const refine::Run& run, std::vector<refine::Step>& steps,
+                          std::vector<process::TermId>& terms) {
+        ModelState at = normal_form_.model_state_of(run.initial).value_or(graph_.initial());
         for (const refine::RunStep& step : run.steps) {
-            const auto next = normal_form_.model(step.state);
+            const auto next = normal_form_.model_state_of(step.state);
             if (!next) break;
             const process::Event event = step.event == process::tau ? step.revealed : step.event;
             const auto role = alphabet_.cycle_role(event).kind;
@@ -94,7 +97,7 @@ private:
             });
             if (edge == edges.end()) continue;
             steps.push_back({edge->event, edge->revealed, graph_.describe(*next)});
-            terms.push_back(term(*next));
+            terms.push_back(term_of(*next));
             at = *next;
         }
         return at;
@@ -114,22 +117,23 @@ refine::Limits limits_of_explanation(refine::Limits limits) {
     return limits;
 }
 
-std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const Frame& frame,
-                                          const refine::Counterexample& found, const Alphabet& alphabet,
-                                          const refine::Limits& limits) {
+std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, const Frame& frame,
+                                                const refine::Counterexample& found, const Alphabet& alphabet,
+                                                const refine::Limits& limits) {
     refine::Budget budget(limits);
-    normal_form.watch([&budget] { budget.charge(); });
+    normal_form.set_poll([&budget] { budget.charge(); });
     std::optional<refine::Violation> result;
     try {
-        const refine::Violation violation{found.kind, run_in(frame, found.steps, alphabet),
-                                          run_in(frame, found.loop, alphabet), std::nullopt};
+        const refine::Violation violation{found.kind, run_of_frame(frame, found.steps, alphabet),
+                                          run_of_frame(frame, found.loop, alphabet), std::nullopt};
         result = refine::found_again(normal_form, normal_form, violation, budget);
-        if (result->kind == refine::ViolationKind::no_trace) settle(normal_form, alphabet, result->run, budget);
+        if (result->kind == refine::ViolationKind::no_trace)
+            follow_hidden_steps(normal_form, alphabet, result->run, budget);
     } catch (const process::Interrupted&) {
     } catch (const std::logic_error&) {
         // If the run is not found in this form, it is not displayed; the verdict does not depend on that.
     }
-    normal_form.watch({});
+    normal_form.set_poll({});
     return result;
 }
 
@@ -141,18 +145,18 @@ std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const
     process::TermSystem terms(semantics, session.process(process));
     ModelGraph graph(terms, alphabet);
     NormalFormSystem normal_form(graph, alphabet, cycle_length, frame);
-    const auto again = found_in(normal_form, frame, found, alphabet, limits);
+    const auto again = find_violation(normal_form, frame, found, alphabet, limits);
     if (!again) return std::nullopt;
-    return RunOfModel(graph, normal_form, alphabet).read(*again);
+    return RunOfModel(graph, normal_form, alphabet).read_violation(*again);
 }
 
-runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
-                   const ModelWords& words) {
+runs::Run interpret_run(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
+                        const ModelWords& words) {
     csp_emit::Obligation asked;
     asked.time = csp_emit::Time::timed;
     asked.kind = kind;
     const runs::Context context{words.provenance, words.system, words.instantiation, words.sources, session};
-    return runs::interpret(context, asked, run);
+    return runs::interpret_counterexample(context, asked, run);
 }
 
 }  // namespace robochart::conformance

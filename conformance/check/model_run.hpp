@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/diagnostics/source.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/verdict.hpp"
 #include "conformance/model/normal_form_system.hpp"
-#include "csp_emit/emit.hpp"
-#include "base/diagnostics/source.hpp"
 #include "counterexample/run.hpp"
+#include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -31,9 +31,9 @@ struct ModelWords {
 
 /// A run of NF_c(M), found again in its normal form with this frame; no value if that takes too long, or if there is
 /// none. For a run of kind `no_trace` only the trace counts.
-[[nodiscard]] std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const Frame& frame,
-                                                        const refine::Counterexample& found, const Alphabet& alphabet,
-                                                        const refine::Limits& limits);
+[[nodiscard]] std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, const Frame& frame,
+                                                              const refine::Counterexample& found,
+                                                              const Alphabet& alphabet, const refine::Limits& limits);
 
 /// The behaviour of M in a run of NF_c(M) with this frame, found again in the terms of `process`; no value if that
 /// takes too long, or if there is none. After a run of kind `no_trace`, M continues as long as it needs no event of the
@@ -46,7 +46,7 @@ struct ModelWords {
                                                                  const refine::Limits& limits);
 
 /// The run of M in terms of the model. `kind` is the kind of the timed claim that the run would refute.
-[[nodiscard]] runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
-                                 const ModelWords& words);
+[[nodiscard]] runs::Run interpret_run(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
+                                      const ModelWords& words);
 
 }  // namespace robochart::conformance

@@ -17,19 +17,19 @@ using Rest = std::vector<std::string>;
 Rest rest_of(process::Event event, const Alphabet& alphabet, const std::vector<std::vector<bool>>& represented) {
     const std::uint32_t output = alphabet.cycle_role(event).index;
     Rest rest{alphabet.output_constructor(output)};
-    const std::vector<std::string> arguments = alphabet.arguments(event);
+    const std::vector<std::string> arguments = alphabet.written_arguments(event);
     for (std::size_t i = 0; i < arguments.size(); ++i)
         rest.push_back(represented[output].at(i) ? std::string() : arguments[i]);
     return rest;
 }
 
-std::optional<OpenChoice> among(const process::EventSet& possible, const Alphabet& alphabet,
-                                const std::vector<std::vector<bool>>& represented) {
+std::optional<OpenChoice> find_choice_among(const process::EventSet& possible, const Alphabet& alphabet,
+                                            const std::vector<std::vector<bool>>& represented) {
     std::map<Rest, process::Event> writes;
     for (const process::Event event : possible) {
         if (alphabet.cycle_role(event).kind != CycleRole::Kind::write) continue;
         const auto [first, fresh] = writes.emplace(rest_of(event, alphabet, represented), event);
-        if (!fresh) return OpenChoice{alphabet.tell(first->second), alphabet.tell(event)};
+        if (!fresh) return OpenChoice{alphabet.describe_event(first->second), alphabet.describe_event(event)};
     }
     return std::nullopt;
 }
@@ -47,9 +47,9 @@ std::optional<OpenChoice> open_choice(lts::TransitionSystem& normal_form, const 
         const refine::NormalForm::Node node = waiting.front();
         waiting.pop_front();
         const process::EventSet possible = nodes.initials(node);
-        if (auto found = among(possible, alphabet, represented)) return found;
+        if (auto found = find_choice_among(possible, alphabet, represented)) return found;
         for (const process::Event event : possible) {
-            const auto next = nodes.after(node, event);
+            const auto next = nodes.node_after(node, event);
             if (!next) continue;
             if (*next >= seen.size()) seen.resize(nodes.size(), false);
             if (seen[*next]) continue;

@@ -27,13 +27,14 @@ public:
           alphabet_(alphabet),
           places_(places),
           inputs_(alphabet.interface().inputs.size()),
-          events_(std::min(inputs_, places_.events())) {}
+          events_(std::min(inputs_, places_.event_count())) {}
 
-    std::vector<OvertakenEvent> find() {
-        for (const std::uint32_t image : code_.begun())
-            for (const cpp_emit::EventPlace* place : places_.in(code_.print(image))) look_at(image, *place);
+    std::vector<OvertakenEvent> find_overtaken() {
+        for (const std::uint32_t image : code_.started_images())
+            for (const cpp_emit::EventPlace* place : places_.find_places(code_.print_image(image)))
+                check_place(image, *place);
         std::vector<OvertakenEvent> all;
-        for (const auto& [event, found] : found_) all.push_back(result(event, found));
+        for (const auto& [event, found] : found_) all.push_back(make_result(event, found));
         return all;
     }
 
@@ -47,66 +48,66 @@ private:
         std::vector<std::string> places;
     };
 
-    void look_at(std::uint32_t image, const cpp_emit::EventPlace& place) {
+    void check_place(std::uint32_t image, const cpp_emit::EventPlace& place) {
         const std::uint32_t root = code_.known_root(image);
         if (!looked_at_.emplace(root, &place).second) return;  // equal trees have equal behaviour
         for (std::size_t event = 0; event < events_; ++event)
             if (place.level[event] > 0 && place.level[event] != cpp_emit::EventPlace::no_level)
-                look_at(root, place, event);
+                check_place(root, place, event);
     }
 
-    void look_at(std::uint32_t root, const cpp_emit::EventPlace& place, std::size_t event) {
-        const Writes& nothing = writes(root, {});
-        for (const std::uint32_t reading : readings(event)) {
+    void check_place(std::uint32_t root, const cpp_emit::EventPlace& place, std::size_t event) {
+        const Writes& nothing = cycle_writes(root, {});
+        for (const std::uint32_t reading : extreme_readings(event)) {
             const Raised raised{event, reading};
-            const Writes& alone = writes(root, {raised});
+            const Writes& alone = cycle_writes(root, {raised});
             if (alone.empty()) continue;
             if (!nothing.empty() && alone.size() > nothing.size() && starts_with(alone, nothing))
-                note(event, place).due = true;
+                note_place(event, place).due = true;
             for (std::size_t other = 0; other < events_; ++other)
                 if (place.level[other] < place.level[event] && comes_first(root, other, raised, alone))
-                    note(event, place).by.insert(other);
+                    note_place(event, place).by.insert(other);
         }
     }
 
     [[nodiscard]] bool comes_first(std::uint32_t root, std::size_t other, const Raised& raised,
                                    const Writes& alone) const {
-        return std::ranges::any_of(readings(other), [&](std::uint32_t reading) {
-            const Writes& others = writes(root, {{other, reading}});
-            const Writes& both = writes(root, {raised, {other, reading}});
+        return std::ranges::any_of(extreme_readings(other), [&](std::uint32_t reading) {
+            const Writes& others = cycle_writes(root, {{other, reading}});
+            const Writes& both = cycle_writes(root, {raised, {other, reading}});
             return !others.empty() && starts_with(both, others) && !starts_with(both, alone);
         });
     }
 
-    Found& note(std::size_t event, const cpp_emit::EventPlace& place) {
+    Found& note_place(std::size_t event, const cpp_emit::EventPlace& place) {
         Found& found = found_[event];
         if (std::ranges::find(found.places, place.element) == found.places.end()) found.places.push_back(place.element);
         return found;
     }
 
     /// The readings to try: the least and the greatest value represent all values.
-    [[nodiscard]] std::set<std::uint32_t> readings(std::size_t event) const {
-        return {1U, alphabet_.interface().inputs[event].readings() - 1};
+    [[nodiscard]] std::set<std::uint32_t> extreme_readings(std::size_t event) const {
+        return {1U, alphabet_.interface().inputs[event].reading_count() - 1};
     }
 
     /// The outputs of a cycle in which only these events are raised; no value if probabilistic junctions decide.
-    [[nodiscard]] const Writes& writes(std::uint32_t root, const std::vector<Raised>& raised) const {
+    [[nodiscard]] const Writes& cycle_writes(std::uint32_t root, const std::vector<Raised>& raised) const {
         std::uint32_t node = root;
         for (std::size_t input = 0; input < inputs_; ++input) {
             const auto found = std::ranges::find(raised, input, &Raised::first);
-            node = code_.below(node)[found == raised.end() ? 0 : found->second];
+            node = code_.child_nodes(node)[found == raised.end() ? 0 : found->second];
         }
-        return code_.result(node).ways.empty() ? code_.result(node).writes : none_;
+        return code_.cycle_result(node).ways.empty() ? code_.cycle_result(node).writes : none_;
     }
 
-    [[nodiscard]] std::string name(std::size_t event) const {
-        const std::string text = alphabet_.tell(alphabet_.read(static_cast<std::uint32_t>(event), 1));
+    [[nodiscard]] std::string event_name(std::size_t event) const {
+        const std::string text = alphabet_.describe_event(alphabet_.read_event(static_cast<std::uint32_t>(event), 1));
         return text.substr(0, text.find(" = "));
     }
 
-    [[nodiscard]] OvertakenEvent result(std::size_t event, const Found& found) const {
-        OvertakenEvent result{name(event), {}, found.due, found.places};
-        for (const std::size_t other : found.by) result.by.push_back(name(other));
+    [[nodiscard]] OvertakenEvent make_result(std::size_t event, const Found& found) const {
+        OvertakenEvent result{event_name(event), {}, found.due, found.places};
+        for (const std::size_t other : found.by) result.by.push_back(event_name(other));
         return result;
     }
 
@@ -124,7 +125,7 @@ private:
 
 std::vector<OvertakenEvent> overtaken_events(const CodeSystem& code, const Alphabet& alphabet,
                                              const EventPlaces& places) {
-    return Overtaking(code, alphabet, places).find();
+    return Overtaking(code, alphabet, places).find_overtaken();
 }
 
 }  // namespace robochart::conformance

@@ -25,7 +25,7 @@ using Node = Follower::Node;
 constexpr std::uint32_t not_read = 0xffffffffU;
 using Readings = std::vector<std::uint32_t>;  ///< for one cycle: a reading or not_read for each register
 
-Frame frame() {
+Frame frame_with_unread() {
     Frame frame;
     frame.unread = true;
     return frame;
@@ -37,36 +37,36 @@ public:
                   const refine::Limits& limits)
         : alphabet_(alphabet),
           code_(code),
-          follower_(model, alphabet, cycle_length, limits, frame()),
+          follower_(model, alphabet, cycle_length, limits, frame_with_unread()),
           budget_(limits),
           cycle_length_(std::max(1U, cycle_length)),
           inputs_(alphabet.interface().inputs.size()) {
-        code_.watch([this] { budget_.charge(); });
+        code_.set_poll([this] { budget_.charge(); });
     }
-    ~PartialSearch() { code_.watch({}); }
+    ~PartialSearch() { code_.set_poll({}); }
     PartialSearch(const PartialSearch&) = delete;
     PartialSearch& operator=(const PartialSearch&) = delete;
 
     Result run() {
-        add(code_.reset(), follower_.start(), 0, {}, nullptr);
+        add_position(code_.reset_image(), follower_.initial_node(), 0, {}, nullptr);
         for (at_ = 0; at_ < positions_.size() && !found_; ++at_) {
             Readings readings(inputs_, not_read);
             const std::uint32_t image = positions_[at_].image;
-            through_tree(code_.root(image), 0, readings);
+            visit_tree(code_.reading_tree(image), 0, readings);
         }
         Result result;
         result.outcome = Outcome::conforms;
-        if (found_) differs(result);
-        if (!code_.unsound().empty()) {
+        if (found_) report_mismatch(result);
+        if (!code_.unsound_reason().empty()) {
             result.outcome = Outcome::differs;
-            result.reason = code_.unsound();
+            result.reason = code_.unsound_reason();
         }
         result.product.states = positions_.size();
         result.product.transitions = cycles_;
-        result.product.spec_nodes = follower_.nodes();
+        result.product.spec_nodes = follower_.node_count();
         if (missed_)
             result.deadlines = {false,   "the code reports a missed deadline", cycles_to(missed_way_),
-                                nullptr, traced(trace_to(missed_way_)),        {}};
+                                nullptr, trace_as_run(trace_to(missed_way_)),  {}};
         return result;
     }
 
@@ -87,7 +87,8 @@ private:
         std::size_t agreed = 0;  ///< number of its reads and writes before the difference
     };
 
-    void add(std::uint32_t image, Node node, std::size_t from, const Readings& readings, const CycleResult* result) {
+    void add_position(std::uint32_t image, Node node, std::size_t from, const Readings& readings,
+                      const CycleResult* result) {
         if (!known_.emplace(std::pair{image, node}, true).second) return;
         positions_.push_back({image, node, from, readings, result});
         budget_.states(positions_.size());
@@ -95,20 +96,20 @@ private:
 
     /// A register whose readings all lead to the same tree makes no difference to the code. Recursion depth: the number
     /// of registers.
-    void through_tree(std::uint32_t node, std::size_t level, Readings& readings) {
+    void visit_tree(std::uint32_t node, std::size_t level, Readings& readings) {
         if (found_) return;
         if (level == inputs_) {
-            const CycleResult& result = code_.result(node);
+            const CycleResult& result = code_.cycle_result(node);
             if (result.ways.empty()) return try_cycle(result, readings);
-            for (const std::uint32_t way : result.ways) try_cycle(code_.result(way), readings);
+            for (const std::uint32_t way : result.ways) try_cycle(code_.cycle_result(way), readings);
             return;
         }
-        const std::vector<std::uint32_t> below = code_.below(node);
+        const std::vector<std::uint32_t> below = code_.child_nodes(node);
         const bool same = std::ranges::all_of(below, [&](std::uint32_t each) { return each == below[0]; });
-        if (same) return through_tree(below.front(), level + 1, readings);
+        if (same) return visit_tree(below.front(), level + 1, readings);
         for (std::uint32_t reading = 0; reading < below.size(); ++reading) {
             readings[level] = reading;
-            through_tree(below[reading], level + 1, readings);
+            visit_tree(below[reading], level + 1, readings);
         }
         readings[level] = not_read;
     }
@@ -116,9 +117,9 @@ private:
     /// Tries every reading of a register on which the model depends. Recursion depth: the number of registers.
     void try_cycle(const CycleResult& result, Readings& readings) {
         if (found_) return;
-        const std::optional<std::uint32_t> asked = cycle(result, readings);
+        const std::optional<std::uint32_t> asked = check_cycle(result, readings);
         if (!asked) return;
-        const std::uint32_t all = alphabet_.interface().inputs[*asked].readings();
+        const std::uint32_t all = alphabet_.interface().inputs[*asked].reading_count();
         for (std::uint32_t reading = 0; reading < all; ++reading) {
             readings[*asked] = reading;
             try_cycle(result, readings);
@@ -128,33 +129,36 @@ private:
 
     /// Follows the cycle in the model. Returns the register on which the model depends; no value if the cycle is
     /// complete.
-    std::optional<std::uint32_t> cycle(const CycleResult& result, const Readings& readings) {
+    std::optional<std::uint32_t> check_cycle(const CycleResult& result, const Readings& readings) {
         budget_.charge();
         ++cycles_;
         Node node = positions_[at_].node;
         for (std::uint32_t i = 0; i < inputs_; ++i) {
             const bool unread = readings[i] == not_read;
-            const process::Event event = unread ? follower_.system().unread(i) : alphabet_.read(i, readings[i]);
-            if (part(follower_.follow(node, event, true), {at_, readings, &result, 0, i})) return std::nullopt;
-        }
-        for (std::size_t w = 0; w < result.writes.size(); ++w) {
-            if (const auto asked = follower_.asked(node)) return asked;
-            if (part(follower_.follow(node, result.writes[w], false), {at_, readings, &result, w + 1, inputs_ + w}))
+            const process::Event event =
+                unread ? follower_.system().unread_event(i) : alphabet_.read_event(i, readings[i]);
+            if (record_mismatch(follower_.follow_event(node, event, true), {at_, readings, &result, 0, i}))
                 return std::nullopt;
         }
-        if (const auto asked = follower_.asked(node)) return asked;
+        for (std::size_t w = 0; w < result.writes.size(); ++w) {
+            if (const auto asked = follower_.asked_register(node)) return asked;
+            if (record_mismatch(follower_.follow_event(node, result.writes[w], false),
+                                {at_, readings, &result, w + 1, inputs_ + w}))
+                return std::nullopt;
+        }
+        if (const auto asked = follower_.asked_register(node)) return asked;
         const std::size_t writes = result.writes.size();
         const Last whole{at_, readings, &result, writes, inputs_ + writes};
-        if (part(follower_.finish(node, result.outcome, false), whole)) return std::nullopt;
+        if (record_mismatch(follower_.finish_cycle(node, result.outcome, false), whole)) return std::nullopt;
         if (result.outcome == RC_DEADLINE && !missed_) {
             missed_ = true;
             missed_way_ = whole;
         }
-        if (!follower_.over()) add(result.next, node, at_, readings, &result);
+        if (!follower_.has_terminated()) add_position(result.next, node, at_, readings, &result);
         return std::nullopt;
     }
 
-    bool part(std::optional<Mismatch> mismatch, const Last& here) {
+    bool record_mismatch(std::optional<Mismatch> mismatch, const Last& here) {
         if (!mismatch) return false;
         found_ = std::move(mismatch);
         found_way_ = here;
@@ -165,9 +169,9 @@ private:
         Cycle cycle;
         for (std::uint32_t i = 0; i < inputs_; ++i)
             if (readings[i] != not_read && readings[i] != 0)
-                cycle.inputs.push_back(alphabet_.tell(alphabet_.read(i, readings[i])));
-        for (std::size_t w = 0; w < writes; ++w) cycle.outputs.push_back(alphabet_.tell(result.writes[w]));
-        cycle.state = code_.print(result.next);
+                cycle.inputs.push_back(alphabet_.describe_event(alphabet_.read_event(i, readings[i])));
+        for (std::size_t w = 0; w < writes; ++w) cycle.outputs.push_back(alphabet_.describe_event(result.writes[w]));
+        cycle.state = code_.print_image(result.next);
         return cycle;
     }
 
@@ -181,19 +185,19 @@ private:
         return cycles;
     }
 
-    void differs(Result& result) const {
+    void report_mismatch(Result& result) const {
         result.outcome = found_->outcome;
         result.reason = found_->reason;
         result.expected = found_->expected;
         result.cycles = cycles_to(found_way_);
-        take_run(result, found_->rule, trace_to(found_way_));
+        set_model_run(result, found_->rule, trace_to(found_way_));
     }
 
     /// The reads and writes of a cycle.
-    [[nodiscard]] std::vector<process::Event> events(const Readings& readings, const CycleResult& result) const {
+    [[nodiscard]] std::vector<process::Event> cycle_events(const Readings& readings, const CycleResult& result) const {
         std::vector<process::Event> events;
         for (std::uint32_t i = 0; i < inputs_; ++i)
-            events.push_back(alphabet_.read(i, readings[i] == not_read ? 0 : readings[i]));
+            events.push_back(alphabet_.read_event(i, readings[i] == not_read ? 0 : readings[i]));
         events.insert(events.end(), result.writes.begin(), result.writes.end());
         return events;
     }
@@ -205,11 +209,11 @@ private:
         std::vector<process::Event> trace;
         for (auto at = way.rbegin(); at != way.rend(); ++at) {
             const Position& position = positions_[*at];
-            const std::vector<process::Event> cycle = events(position.readings, *position.result);
+            const std::vector<process::Event> cycle = cycle_events(position.readings, *position.result);
             trace.insert(trace.end(), cycle.begin(), cycle.end());
             trace.insert(trace.end(), cycle_length_, alphabet_.tock());
         }
-        const std::vector<process::Event> cycle = events(last.readings, *last.result);
+        const std::vector<process::Event> cycle = cycle_events(last.readings, *last.result);
         trace.insert(trace.end(), cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(last.agreed));
         return trace;
     }
@@ -240,8 +244,8 @@ Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_int
         result = PartialSearch(model, alphabet, code, cycle_length, limits).run();
         compare_event_api(result, compiled, code, alphabet, limits);
         add_lost_events(result, code, alphabet, places);
-        result.code_states = code.images();
-        result.code_cycles = code.cycles();
+        result.code_states = code.image_count();
+        result.code_cycles = code.cycle_count();
     } catch (const process::Interrupted& limit) {
         result.reason = limit.what();
     } catch (const std::length_error& limit) {

@@ -26,7 +26,7 @@ PlacesInState::PlacesInState(const EventPlaces& places) {
     if (!places.empty()) events_ = places.front().events.size();
 }
 
-std::vector<const cpp_emit::EventPlace*> PlacesInState::in(std::string_view state) const {
+std::vector<const cpp_emit::EventPlace*> PlacesInState::find_places(std::string_view state) const {
     std::vector<const cpp_emit::EventPlace*> result;
     for (const std::string& member : members_) {
         const auto found = by_name_.find(member + "=" + std::string(value_in(state, member)));

@@ -21,9 +21,9 @@ public:
     explicit PlacesInState(const EventPlaces& places);
 
     /// The places of the machines in a state, in the order of the members. `state` is the text of CodeSystem::print.
-    [[nodiscard]] std::vector<const cpp_emit::EventPlace*> in(std::string_view state) const;
+    [[nodiscard]] std::vector<const cpp_emit::EventPlace*> find_places(std::string_view state) const;
     /// The number of events that the platform raises.
-    [[nodiscard]] std::size_t events() const { return events_; }
+    [[nodiscard]] std::size_t event_count() const { return events_; }
 
 private:
     std::unordered_map<std::string, const cpp_emit::EventPlace*> by_name_;  ///< never iterated

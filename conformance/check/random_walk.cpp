@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See random_walk.hpp. The code is executed directly; the model is followed in NF_c(M), determinised on the fly.
+// See random_walk.hpp. Executes the code directly, and follows the model in NF_c(M), determinised on the fly.
 #include "conformance/check/random_walk.hpp"
 
 #include <fmt/format.h>
@@ -40,48 +40,48 @@ public:
           cycle_length_(std::max(1U, cycle_length)),
           follower_(model, alphabet, cycle_length, limits) {}
 
-    [[nodiscard]] Position start() {
-        Position position{Bytes(code_.state_size), follower_.start()};
+    [[nodiscard]] Position start_position() {
+        Position position{Bytes(code_.state_size), follower_.initial_node()};
         code_.initial(position.image.data());
         return position;
     }
 
-    /// Executes one cycle. Returns no value if code and model agree, or if the code has terminated (`over`). Appends to
-    /// `agreed` the common events before the tocks.
-    std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
-                                  std::vector<process::Event>* agreed = nullptr) {
+    /// Executes one cycle. Returns no value if code and model agree, or if the code has terminated. Appends to `agreed`
+    /// the common events before the tocks.
+    std::optional<Mismatch> run_cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
+                                      std::vector<process::Event>* agreed = nullptr) {
         std::vector<rc_register> registers;
         for (const std::uint32_t reading : readings)
             registers.push_back({reading == 0 ? 0U : 1U, reading == 0 ? 0U : reading - 1});
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
-            const process::Event read = alphabet_.read(i, readings[i]);
-            if (reported != nullptr && readings[i] != 0) reported->inputs.push_back(alphabet_.tell(read));
-            if (auto mismatch = follower_.follow(at.node, read, true)) return mismatch;
+            const process::Event read = alphabet_.read_event(i, readings[i]);
+            if (reported != nullptr && readings[i] != 0) reported->inputs.push_back(alphabet_.describe_event(read));
+            if (auto mismatch = follower_.follow_event(at.node, read, true)) return mismatch;
             if (agreed != nullptr) agreed->push_back(read);
         }
         CycleLog log;
         const Bytes before = at.image;
-        rc_result outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
-        while (log.cut() && log.grow()) {
+        rc_result outcome = step_watched(code_, at.image.data(), registers.data(), &log).result;
+        while (log.is_cut() && log.grow()) {
             at.image = before;
-            outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
+            outcome = step_watched(code_, at.image.data(), registers.data(), &log).result;
         }
-        if (reported != nullptr) reported->state = print(at.image);
+        if (reported != nullptr) reported->state = print_state(at.image);
         for (std::uint32_t r = 0; r < log.count; ++r) {
             const rc_record& record = log.record[r];
             const process::Event write =
-                alphabet_.write(record.output, {record.argument, record.argument + record.count});
-            if (reported != nullptr) reported->outputs.push_back(alphabet_.tell(write));
-            if (auto mismatch = follower_.follow(at.node, write, false)) return mismatch;
+                alphabet_.write_event(record.output, {record.argument, record.argument + record.count});
+            if (reported != nullptr) reported->outputs.push_back(alphabet_.describe_event(write));
+            if (auto mismatch = follower_.follow_event(at.node, write, false)) return mismatch;
             if (agreed != nullptr) agreed->push_back(write);
         }
-        return follower_.finish(at.node, outcome, log.overflow != 0);
+        return follower_.finish_cycle(at.node, outcome, log.overflow != 0);
     }
 
-    [[nodiscard]] bool over() const { return follower_.over(); }
+    [[nodiscard]] bool has_terminated() const { return follower_.has_terminated(); }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
-    [[nodiscard]] std::size_t nodes() const { return follower_.nodes(); }
-    [[nodiscard]] std::string print(const Bytes& image) const { return state_text(code_, image.data()); }
+    [[nodiscard]] std::size_t node_count() const { return follower_.node_count(); }
+    [[nodiscard]] std::string print_state(const Bytes& image) const { return state_text(code_, image.data()); }
 
 private:
     const Alphabet& alphabet_;
@@ -102,8 +102,8 @@ class Search {
 public:
     Search(Walker& walker, const Alphabet& alphabet, const WalkOptions& options)
         : walker_(walker), alphabet_(alphabet), options_(options), random_(options.seed) {
-        finds_.push_back({walker.start(), 0, {}, 0});
-        remember(finds_.front().position);
+        finds_.push_back({walker.start_position(), 0, {}, 0});
+        remember_position(finds_.front().position);
     }
 
     Result run() {
@@ -111,62 +111,64 @@ public:
         while (cycles_ < options_.cycles && std::chrono::steady_clock::now() < end)
             if (auto mismatch = one_walk()) return result_of(std::move(*mismatch));
         Result result;
-        result.reason = summary();
-        count(result);
+        result.reason = coverage_summary();
+        count_coverage(result);
         return result;
     }
 
-    [[nodiscard]] std::string summary() const {
+    [[nodiscard]] std::string coverage_summary() const {
         return fmt::format(
             "no difference in {} guided walks of {} cycles together, which met {} states of the code and "
             "{} of the normal form",
-            walks_, cycles_, images_.size(), walker_.nodes());
+            walks_, cycles_, images_.size(), walker_.node_count());
     }
 
 private:
-    std::uint32_t below(std::uint32_t bound) { return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound); }
+    std::uint32_t random_below(std::uint32_t bound) {
+        return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound);
+    }
 
     /// Of three randomly chosen positions, the least used.
-    std::size_t pick() {
-        std::size_t best = below(static_cast<std::uint32_t>(finds_.size()));
+    std::size_t pick_find() {
+        std::size_t best = random_below(static_cast<std::uint32_t>(finds_.size()));
         for (int n = 0; n < 2; ++n) {
-            const std::size_t other = below(static_cast<std::uint32_t>(finds_.size()));
+            const std::size_t other = random_below(static_cast<std::uint32_t>(finds_.size()));
             if (finds_[other].used < finds_[best].used) best = other;
         }
         ++finds_[best].used;
         return best;
     }
 
-    Readings readings(std::uint32_t percent) {
+    Readings random_readings(std::uint32_t percent) {
         Readings result;
         for (const Register& input : alphabet_.interface().inputs)
-            result.push_back(below(100) < percent ? 1 + below(input.readings() - 1) : 0);
+            result.push_back(random_below(100) < percent ? 1 + random_below(input.reading_count() - 1) : 0);
         return result;
     }
 
     std::optional<Mismatch> one_walk() {
         ++walks_;
-        const std::size_t from = pick();
+        const std::size_t from = pick_find();
         Position at = finds_[from].position;
         std::vector<Readings> way;
         constexpr std::array<std::uint32_t, 5> shares{0, 10, 30, 60, 95};
-        const std::uint32_t percent = shares[below(shares.size())];
-        const std::uint32_t length = 1 + below(40);
+        const std::uint32_t percent = shares[random_below(shares.size())];
+        const std::uint32_t length = 1 + random_below(40);
         for (std::uint32_t c = 0; c < length && cycles_ < options_.cycles; ++c) {
-            way.push_back(readings(percent));
+            way.push_back(random_readings(percent));
             ++cycles_;
-            auto mismatch = walker_.cycle(at, way.back());
+            auto mismatch = walker_.run_cycle(at, way.back());
             if (mismatch) {
                 way_ = whole_way(from, way);
                 return mismatch;
             }
-            if (walker_.over()) return std::nullopt;
-            if (remember(at) && finds_.size() < most_finds) finds_.push_back({at, from, way, 0});
+            if (walker_.has_terminated()) return std::nullopt;
+            if (remember_position(at) && finds_.size() < most_finds) finds_.push_back({at, from, way, 0});
         }
         return std::nullopt;
     }
 
-    bool remember(const Position& at) {
+    bool remember_position(const Position& at) {
         const bool image = images_.emplace(at.image.begin(), at.image.end()).second;
         return nodes_.insert(at.node).second || image;
     }
@@ -183,24 +185,24 @@ private:
     // ------------------------------------------------------------ smaller witnesses
 
     /// Whether code and model differ on this path; if so, it is truncated after that cycle.
-    std::optional<Mismatch> parts(std::vector<Readings>& way) {
-        Position at = walker_.start();
+    std::optional<Mismatch> find_difference(std::vector<Readings>& way) {
+        Position at = walker_.start_position();
         for (std::size_t c = 0; c < way.size(); ++c) {
-            if (auto mismatch = walker_.cycle(at, way[c])) {
+            if (auto mismatch = walker_.run_cycle(at, way[c])) {
                 way.resize(c + 1);
                 return mismatch;
             }
-            if (walker_.over()) return std::nullopt;
+            if (walker_.has_terminated()) return std::nullopt;
         }
         return std::nullopt;
     }
 
     /// Removes cycles, then inputs, while the difference stays the same.
-    void shrink(Mismatch& mismatch) {
+    void shrink_run(Mismatch& mismatch) {
         std::size_t tries = 2000;
         const auto attempt = [&](std::vector<Readings> smaller) {
             if (tries-- == 0) return false;
-            auto found = parts(smaller);
+            auto found = find_difference(smaller);
             if (!found || found->outcome != mismatch.outcome) return false;
             way_ = std::move(smaller);
             mismatch = std::move(*found);
@@ -223,24 +225,24 @@ private:
     }
 
     Result result_of(Mismatch mismatch) {
-        shrink(mismatch);
+        shrink_run(mismatch);
         Result result;
         result.outcome = mismatch.outcome;
         result.reason = fmt::format("{} (found by guided walks)", mismatch.reason);
         result.expected = mismatch.expected;
-        Position at = walker_.start();
+        Position at = walker_.start_position();
         std::vector<process::Event> trace;
         for (const Readings& readings : way_) {
             Cycle& cycle = result.cycles.emplace_back();
-            if (walker_.cycle(at, readings, &cycle, &trace)) break;
+            if (walker_.run_cycle(at, readings, &cycle, &trace)) break;
             trace.insert(trace.end(), walker_.cycle_length(), alphabet_.tock());
         }
-        take_run(result, mismatch.rule, trace);
-        count(result);
+        set_model_run(result, mismatch.rule, trace);
+        count_coverage(result);
         return result;
     }
 
-    void count(Result& result) const {
+    void count_coverage(Result& result) const {
         result.code_states = images_.size();
         result.code_cycles = cycles_;
     }
@@ -260,8 +262,8 @@ private:
 
 }  // namespace
 
-Result walk(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
-            const refine::Limits& limits, const WalkOptions& options) {
+Result run_random_walks(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
+                        std::uint32_t cycle_length, const refine::Limits& limits, const WalkOptions& options) {
     refine::Limits bounds = limits;
     // a cycle of the model may take long; the time limit of walks is checked between cycles
     bounds.deadline =
@@ -275,7 +277,7 @@ Result walk(ModelGraph& model, const Alphabet& alphabet, const rc_interface& cod
         return search->run();
     } catch (const process::Interrupted& limit) {
         Result result;
-        result.reason = search ? fmt::format("{} ({})", search->summary(), limit.what()) : limit.what();
+        result.reason = search ? fmt::format("{} ({})", search->coverage_summary(), limit.what()) : limit.what();
         return result;
     }
 }

@@ -12,7 +12,7 @@ namespace robochart::conformance {
 
 /// Returns `differs` or `not_schedulable` with a minimised witness, otherwise `inconclusive` with the coverage.
 /// `limits.deadline` is ignored; `walks.seconds` applies.
-[[nodiscard]] Result walk(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
-                          const refine::Limits&, const WalkOptions&);
+[[nodiscard]] Result run_random_walks(ModelGraph&, const Alphabet&, const rc_interface& code,
+                                      std::uint32_t cycle_length, const refine::Limits&, const WalkOptions&);
 
 }  // namespace robochart::conformance

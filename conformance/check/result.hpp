@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The check of a component and its code: options and results.
+// Options and results of the check of a component and its code.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "checker/refine/verdict/verdict.hpp"
-#include "cpp_emit/plan/options.hpp"
 #include "base/cache/cache.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "checker/refine/verdict/verdict.hpp"
 #include "counterexample/run.hpp"
+#include "cpp_emit/plan/options.hpp"
 
 namespace robochart::conformance {
 
@@ -58,7 +58,7 @@ struct Aside {
 
 /// The reason why an event is not taken in the cycles in which its register holds it.
 enum class MissedWhile {
-    busy,       ///< an action of the machine that uses it is in progress
+    busy,       ///< the machine that uses the event is executing an action
     condition,  ///< the machine rests, and the conditions of all transitions that await it are false
 };
 

@@ -44,7 +44,7 @@ std::string words_of(const runs::Event& event) {
     return with_place(known ? fmt::format("{}, {}", what, event.via) : what, event.place);
 }
 
-void add(std::vector<std::string>& list, std::string text) {
+void add_unique(std::vector<std::string>& list, std::string text) {
     const bool known = std::ranges::find(list, text) != list.end();
     if (!known && list.size() < most_listed) list.push_back(std::move(text));
 }
@@ -63,15 +63,15 @@ public:
     Words(Explanation& explanation, const runs::Run& run, std::uint32_t cycle_length)
         : explanation_(explanation), run_(run), cycle_length_(cycle_length) {}
 
-    void write() {
+    void write_explanation() {
         const diagnostics::Rule* const rule = explanation_.rule;
-        if (rule == &rules::endless_steps || rule == &rules::endless_outputs) return loop();
-        if (rule == &rules::time_stops) return stops();
+        if (rule == &rules::endless_steps || rule == &rules::endless_outputs) return explain_loop();
+        if (rule == &rules::time_stops) return explain_stop();
         in_mid_cycle(rule);
     }
 
 private:
-    void loop() {
+    void explain_loop() {
         const auto first = run_.steps.begin() + static_cast<std::ptrdiff_t>(run_.loop_start.value_or(0));
         const runs::Event* transition = nullptr;
         bool calls = false;
@@ -80,7 +80,7 @@ private:
             const bool passing = event.kind == runs::Kind::internal || event.kind == runs::Kind::entered ||
                                  event.kind == runs::Kind::exited || event.kind == runs::Kind::tock;
             if (passing) continue;
-            add(explanation_.where, words_of(event));
+            add_unique(explanation_.where, words_of(event));
             calls = calls || event.kind == runs::Kind::call;
             if (event.kind == runs::Kind::transition && transition == nullptr) transition = &event;
         }
@@ -97,7 +97,7 @@ private:
                 "controller or module";
     }
 
-    void stops() {
+    void explain_stop() {
         std::int64_t lacking = 0;
         for (const runs::Machine& machine : last_machines(run_)) {
             bool late = false;
@@ -107,22 +107,23 @@ private:
                 if (!variable.deadline.empty()) {
                     if (*variable.value != "0" && !variable.value->starts_with("-")) continue;
                     late = true;
-                    add(explanation_.where,
+                    add_unique(
+                        explanation_.where,
                         with_place(fmt::format("the deadline of {} is over", variable.deadline), variable.place));
                 } else if (!variable.value->empty() &&
                            std::isdigit(static_cast<unsigned char>(variable.value->front())))
                     left = std::stoll(variable.value->substr(0, 9));
             }
             if (!late) continue;
-            add(explanation_.where, with_place(machine.text, machine.place));
+            add_unique(explanation_.where, with_place(machine.text, machine.place));
             lacking = std::max(lacking, left);
         }
         const bool deadline = !explanation_.where.empty();
         if (!deadline)
             for (const runs::Machine& machine : last_machines(run_))
-                add(explanation_.where, with_place(machine.text, machine.place));
+                add_unique(explanation_.where, with_place(machine.text, machine.place));
         for (const runs::Event& event : run_.end.offered)
-            if (event.kind == runs::Kind::input) add(explanation_.where, "awaits " + words_of(event));
+            if (event.kind == runs::Kind::input) add_unique(explanation_.where, "awaits " + words_of(event));
         if (lacking > 0)
             explanation_.remedy = fmt::format(
                 "make the deadline at least {0} time unit{1} longer, or the wait that it bounds at least {0} shorter",
@@ -142,12 +143,12 @@ private:
             const bool output = rule == &rules::output_in_mid_cycle && is_output(event);
             const bool input = rule == &rules::input_in_mid_cycle &&
                                (event.kind == runs::Kind::input || event.kind == runs::Kind::external_write);
-            if (output || input) add(explanation_.where, words_of(event));
+            if (output || input) add_unique(explanation_.where, words_of(event));
         }
         if (explanation_.where.empty() && rule == &rules::end_in_mid_cycle) last_transition();
         if (explanation_.where.empty())
             for (const runs::Machine& machine : last_machines(run_))
-                add(explanation_.where, with_place(machine.text, machine.place));
+                add_unique(explanation_.where, with_place(machine.text, machine.place));
         const std::string remedy =
             rule == &rules::input_in_mid_cycle
                 ? fmt::format("extend the deadline by {}, to the beginning of the next cycle", cycle_length_ - behind)
@@ -165,7 +166,7 @@ private:
             return !step.event.via.empty() || step.event.kind == runs::Kind::transition;
         };
         const auto last = std::find_if(run_.steps.rbegin(), run_.steps.rend(), moves);
-        if (last != run_.steps.rend()) add(explanation_.where, "terminates behind " + words_of(last->event));
+        if (last != run_.steps.rend()) add_unique(explanation_.where, "terminates behind " + words_of(last->event));
     }
 
     Explanation& explanation_;
@@ -199,21 +200,22 @@ const diagnostics::Rule& rule_of(const refine::Counterexample& found, ModelGraph
         return writes_in(found.loop, alphabet) ? rules::endless_outputs : rules::endless_steps;
     const Frame frame = frame_for(found);
     NormalFormSystem normal_form(graph, alphabet, cycle_length, frame);
-    const auto again = found_in(normal_form, frame, found, alphabet, limits_of_explanation(limits));
-    const diagnostics::Rule* const rule = again ? rule_of(normal_form.standstill(again->run.last())) : nullptr;
+    const auto again = find_violation(normal_form, frame, found, alphabet, limits_of_explanation(limits));
+    const diagnostics::Rule* const rule =
+        again ? rule_of(normal_form.standstill_kind(again->run.last_state())) : nullptr;
     return rule == nullptr ? rules::time_stops : *rule;
 }
 
-refine::Counterexample traced(const std::vector<process::Event>& trace) {
+refine::Counterexample trace_as_run(const std::vector<process::Event>& trace) {
     refine::Counterexample run;
     run.kind = refine::ViolationKind::no_trace;
     for (const process::Event event : trace) run.steps.push_back({event, event, ""});
     return run;
 }
 
-void take_run(Result& result, const diagnostics::Rule* rule, const std::vector<process::Event>& trace) {
+void set_model_run(Result& result, const diagnostics::Rule* rule, const std::vector<process::Event>& trace) {
     const bool endless = rule == &rules::endless_steps || rule == &rules::endless_outputs;
-    refine::Counterexample run = traced(trace);
+    refine::Counterexample run = trace_as_run(trace);
     if (rule != nullptr) run.kind = endless ? refine::ViolationKind::divergence : refine::ViolationKind::deadlock;
     result.explanation.rule = rule;
     result.model_run = std::move(run);
@@ -229,30 +231,30 @@ struct Explained {
     const ModelWords& words;
     const Options& options;
 
-    [[nodiscard]] std::optional<refine::Counterexample> run(const Frame& frame,
-                                                            const refine::Counterexample& found) const {
+    [[nodiscard]] std::optional<refine::Counterexample> find_run(const Frame& frame,
+                                                                 const refine::Counterexample& found) const {
         return run_of_model(session, process, alphabet, options.cycle_length, frame, found,
                             limits_of_explanation(options.limits));
     }
     [[nodiscard]] runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind) const {
-        return conformance::in_words(run, kind, session, words);
+        return conformance::interpret_run(run, kind, session, words);
     }
 };
 
 void explain_standstill(Result& result, const Explained& explained) {
-    const auto run = explained.run(frame_for(*result.model_run), *result.model_run);
+    const auto run = explained.find_run(frame_for(*result.model_run), *result.model_run);
     if (!run) return;
     const bool diverges = run->kind == refine::ViolationKind::divergence;
     result.explanation.run =
         explained.in_words(*run, diverges ? ir::PropertyKind::divergence_free : ir::PropertyKind::timelock_free);
-    Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write();
+    Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write_explanation();
 }
 
 /// A run of M with a trace of NF_c(M). M may have several such runs; the text at the end of the run is true of all of
 /// them.
 std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std::string& why,
                                   const Explained& explained) {
-    const auto run = explained.run({}, trace);
+    const auto run = explained.find_run({}, trace);
     if (!run) return std::nullopt;
     runs::Run result = explained.in_words(*run, ir::PropertyKind::refines);
     result.end.why = why;
@@ -261,8 +263,8 @@ std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std
 
 }  // namespace
 
-void explain(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
-             const ModelWords& words, const Options& options) {
+void explain_result(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                    const ModelWords& words, const Options& options) {
     const Explained explained{session, process, alphabet, words, options};
     try {
         if (result.outcome == Outcome::not_schedulable && result.model_run) explain_standstill(result, explained);

@@ -3,12 +3,12 @@
 // involved, and a remedy (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 
+#include "base/diagnostics/source.hpp"
 #include "checker/cspm/session.hpp"
 #include "conformance/check/model_run.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/source.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -17,18 +17,19 @@ namespace robochart::conformance {
 /// The rule for a state of NF_c(M) without possible events; null if an event is possible, or if the state waits for a
 /// late input.
 [[nodiscard]] const diagnostics::Rule* rule_of(Standstill);
-/// The rule for a run of NF_c(M) that ends in a standstill or an endless loop; `graph` is M's.
+/// The rule for a run of NF_c(M) that ends in a standstill or an endless loop; `graph` is the graph of M.
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
 /// Converts a sequence of events of code and NF_c(M), or of NF_c(M) alone, to a run of which only the trace matters.
-[[nodiscard]] refine::Counterexample traced(const std::vector<process::Event>& trace);
+[[nodiscard]] refine::Counterexample trace_as_run(const std::vector<process::Event>& trace);
 /// Sets the rule and the run of a result that was found event by event (follower.hpp). The rule is that of a
 /// standstill, or null for code that differs. `trace` is the common trace of code and NF_c(M).
-void take_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
+void set_model_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
 
 /// Completes the explanations of a result that differs or is not schedulable, and of its further properties: finds
 /// their runs again in the terms of M. If that takes too long, reports only the rule or the cycles.
-void explain(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&, const Options&);
+void explain_result(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&,
+                    const Options&);
 
 }  // namespace robochart::conformance

@@ -36,7 +36,7 @@ void append_text(std::string& text, const std::string& source, std::set<std::str
     }
 }
 
-std::string preamble(const std::set<std::string>& includes) {
+std::string batch_preamble(const std::set<std::string>& includes) {
     std::string text = "#define RC_REQUIRE(condition) static_cast<void>(0)\n\n";
     for (const std::string& include : includes) text += include + "\n";
     return text + "\n";
@@ -73,7 +73,7 @@ std::vector<cpp_emit::OutputFile> batch_files(const std::vector<const cpp_emit::
             "    return candidate_{0}::robochart_explore();\n}}\n\n",
             i);
     }
-    files.push_back({batch_source, preamble(includes) + text});
+    files.push_back({batch_source, batch_preamble(includes) + text});
     return files;
 }
 
@@ -100,8 +100,8 @@ std::unique_ptr<CodeBatch> CodeBatch::build(const std::vector<const cpp_emit::Em
     return batch->library_ ? std::move(batch) : nullptr;
 }
 
-const rc_interface* CodeBatch::code(std::size_t index, std::string& fault) const {
-    void* const symbol = library_->symbol(fmt::format("robochart_explore_{}", index).c_str());
+const rc_interface* CodeBatch::code_at(std::size_t index, std::string& fault) const {
+    void* const symbol = library_->find_symbol(fmt::format("robochart_explore_{}", index).c_str());
     const rc_interface* const code =
         symbol == nullptr ? nullptr : reinterpret_cast<const rc_interface* (*)()>(symbol)();
     fault = code == nullptr ? "it has no entry" : interface_fault(*code);

@@ -29,7 +29,7 @@ public:
     static std::unique_ptr<CodeBatch> build(const std::vector<const cpp_emit::Emission*>&,
                                             const cpp_emit::BuildOptions&, std::string& error);
     /// The exploration interface of one controller; null, with the reason in `fault`, if it cannot be used.
-    [[nodiscard]] const rc_interface* code(std::size_t index, std::string& fault) const;
+    [[nodiscard]] const rc_interface* code_at(std::size_t index, std::string& fault) const;
 
 private:
     CodeBatch() = default;

@@ -5,7 +5,7 @@
 
 namespace robochart::conformance {
 
-lts::Graph explored(CodeSystem& system, const refine::Limits& limits) {
+lts::Graph explore_code(CodeSystem& system, const refine::Limits& limits) {
     refine::Budget budget(limits);
     return lts::explore(system,
                         [&](std::size_t states) {

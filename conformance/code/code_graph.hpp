@@ -9,6 +9,6 @@
 namespace robochart::conformance {
 
 /// The reachable states of the code. Throws process::Interrupted at a limit.
-[[nodiscard]] lts::Graph explored(CodeSystem& system, const refine::Limits& limits);
+[[nodiscard]] lts::Graph explore_code(CodeSystem& system, const refine::Limits& limits);
 
 }  // namespace robochart::conformance

@@ -33,7 +33,7 @@ constexpr std::size_t max_ways = 4096;
 constexpr std::size_t max_trials = 1U << 16U;
 
 /// The event that L(G) performs, and that no NF allows, if the outcome of a cycle does not belong to the relation.
-const char* violation(const CycleResult& result) {
+const char* violation_event(const CycleResult& result) {
     switch (result.outcome) {
         case RC_PRECONDITION:
             return "code.precondition";
@@ -80,13 +80,13 @@ CodeSystem::CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::
     : code_(&code), alphabet_(&alphabet), cycle_length_(cycle_length == 0 ? 1 : cycle_length) {
     std::uint64_t valuations = 1;
     for (const Register& input : alphabet.interface().inputs) {
-        valuations *= input.readings();
+        valuations *= input.reading_count();
         if (valuations > max_valuations)
             throw std::length_error(fmt::format("the inputs have more than {} valuations together", max_valuations));
     }
     const Bytes first = fresh_state(fills[0]);
     if (first != fresh_state(fills[1])) unsound_ = "`initial` does not write the whole state";
-    reset_ = intern(first);
+    reset_ = intern_image(first);
 }
 
 CodeSystem::Bytes CodeSystem::fresh_state(unsigned char fill) const {
@@ -95,25 +95,25 @@ CodeSystem::Bytes CodeSystem::fresh_state(unsigned char fill) const {
     return state;
 }
 
-std::uint32_t CodeSystem::intern(const Bytes& state) {
+std::uint32_t CodeSystem::intern_image(const Bytes& state) {
     const std::string key(state.begin(), state.end());
     const auto [place, fresh] = image_ids_.emplace(key, static_cast<std::uint32_t>(image_count_));
     if (fresh) {
         images_.insert(images_.end(), state.begin(), state.end());
         ++image_count_;
-        const std::string text = print(place->second);
+        const std::string text = print_image(place->second);
         if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
     }
     return place->second;
 }
 
-CodeSystem::Bytes CodeSystem::bytes(std::uint32_t image) const {
+CodeSystem::Bytes CodeSystem::image_bytes(std::uint32_t image) const {
     const unsigned char* const begin = images_.data() + std::size_t{image} * code_->state_size;
     return {begin, begin + code_->state_size};
 }
 
-std::string CodeSystem::print(std::uint32_t image) const {
-    return state_text(*code_, bytes(image).data());
+std::string CodeSystem::print_image(std::uint32_t image) const {
+    return state_text(*code_, image_bytes(image).data());
 }
 
 std::size_t CodeSystem::width() const {
@@ -126,40 +126,40 @@ void CodeSystem::initial(std::span<lts::Word> state) {
 
 void CodeSystem::enter_cycle(std::span<lts::Word> state, std::uint32_t image) {
     state[phase] = alphabet_->interface().inputs.empty() ? acting : reading;
-    state[number] = root(image);
+    state[number] = reading_tree(image);
     state[detail] = 0;
 }
 
 void CodeSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    if (state[phase] == acting) act(state, sink);
-    if (state[phase] == reading) read(state, sink);
+    if (state[phase] == acting) add_writes(state, sink);
+    if (state[phase] == reading) add_reads(state, sink);
 }
 
-void CodeSystem::read(lts::StateView state, lts::SuccessorSink& sink) {
+void CodeSystem::add_reads(lts::StateView state, lts::SuccessorSink& sink) {
     const std::uint32_t input = state[detail];
     const bool last = input + 1 == alphabet_->interface().inputs.size();
     const Node& node = nodes_[state[number]];
     for (std::uint32_t r = 0; r < node.size(); ++r) {
         const std::array<lts::Word, fields> next{last ? acting : reading, node[r], last ? 0 : input + 1};
-        const process::Event event = alphabet_->read(input, r);
+        const process::Event event = alphabet_->read_event(input, r);
         sink.add(event, next, event);
     }
 }
 
-void CodeSystem::act(lts::StateView state, lts::SuccessorSink& sink) {
+void CodeSystem::add_writes(lts::StateView state, lts::SuccessorSink& sink) {
     const CycleResult& result = results_[state[number]];
     for (const std::uint32_t way : result.ways)
         sink.add(process::tau, std::array<lts::Word, fields>{acting, way, 0}, process::tau);
     if (!result.ways.empty()) return;
-    if (state[detail] >= result.writes.size()) return finish(state, result, sink);
+    if (state[detail] >= result.writes.size()) return add_end_of_cycle(state, result, sink);
     const std::array<lts::Word, fields> next{acting, state[number], state[detail] + 1};
     const process::Event event = result.writes[state[detail]];
     sink.add(event, next, event);
 }
 
-void CodeSystem::finish(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink) {
+void CodeSystem::add_end_of_cycle(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink) {
     std::array<lts::Word, fields> next{over, 0, 0};
-    if (const char* const wrong = violation(result)) {
+    if (const char* const wrong = violation_event(result)) {
         const process::Event event = alphabet_->events().intern(wrong);
         sink.add(event, next, event);
     } else if (result.outcome == RC_TERMINATED) {
@@ -180,27 +180,27 @@ void CodeSystem::finish(lts::StateView state, const CycleResult& result, lts::Su
 std::string CodeSystem::describe(lts::StateView state) const {
     if (state[phase] == over) return "stopped";
     if (state[phase] == reading) return fmt::format("{} registers read", state[detail]);
-    return "in the cycle that leads to " + print(results_[state[number]].next);
+    return "in the cycle that leads to " + print_image(results_[state[number]].next);
 }
 
-std::uint32_t CodeSystem::root(std::uint32_t image) {
+std::uint32_t CodeSystem::reading_tree(std::uint32_t image) {
     const auto found = roots_.find(image);
     if (found != roots_.end()) return found->second;
     std::vector<rc_register> registers(alphabet_->interface().inputs.size());
-    const std::uint32_t made = tree(bytes(image), registers, 0);
+    const std::uint32_t made = build_tree(image_bytes(image), registers, 0);
     roots_.emplace(image, made);
     begun_.push_back(image);
     return made;
 }
 
 /// Builds the tree below the first `read` registers, whose readings are set. Recursion depth: the number of registers.
-std::uint32_t CodeSystem::tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read) {
-    if (read == registers.size()) return run(from, registers);
+std::uint32_t CodeSystem::build_tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read) {
+    if (read == registers.size()) return run_all_choices(from, registers);
     Node node;
-    const std::uint32_t readings = alphabet_->interface().inputs[read].readings();
+    const std::uint32_t readings = alphabet_->interface().inputs[read].reading_count();
     for (std::uint32_t r = 0; r < readings; ++r) {
         registers[read] = {r == 0 ? 0U : 1U, r == 0 ? 0U : r - 1};
-        node.push_back(tree(from, registers, read + 1));
+        node.push_back(build_tree(from, registers, read + 1));
     }
     return intern_node(read, std::move(node));
 }
@@ -213,7 +213,7 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
 }
 
 /// Returns one result, or a choice between the results of all branches of probabilistic junctions.
-std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
+std::uint32_t CodeSystem::run_all_choices(const Bytes& from, const std::vector<rc_register>& registers) {
     CycleLog log;
     std::vector<std::uint32_t> ways;
     std::size_t trials = 0;
@@ -236,11 +236,11 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     Bytes once = from;
     Bytes twice = from;
     const Patience patience = endless_ ? Patience::short_ : Patience::seconds;
-    Stepped stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
-    while (!stepped.endless && log.cut()) {
+    Stepped stepped = step_watched(*code_, once.data(), registers.data(), &log, patience);
+    while (!stepped.endless && log.is_cut()) {
         if (!log.grow()) throw std::length_error(fmt::format("a cycle makes more than {} outputs", log.most_records));
         once = from;
-        stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+        stepped = step_watched(*code_, once.data(), registers.data(), &log, patience);
     }
     if (stepped.endless) return endless(from);
     most_writes_ = std::max(most_writes_, log.count);
@@ -257,7 +257,7 @@ std::uint32_t CodeSystem::endless(const Bytes& from) {
     endless_ = true;
     CycleResult result;
     result.outcome = RC_STEP_BOUND;
-    result.next = intern(from);
+    result.next = intern_image(from);
     return intern_result(std::move(result));
 }
 
@@ -270,9 +270,10 @@ CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const By
         const rc_record& record = log.record[r];
         if (record.output >= code_->outputs || record.count > ROBOCHART_MAX_ARGUMENTS)
             throw AlphabetError("the code logs an output that its interface does not have");
-        result.writes.push_back(alphabet_->write(record.output, {record.argument, record.argument + record.count}));
+        result.writes.push_back(
+            alphabet_->write_event(record.output, {record.argument, record.argument + record.count}));
     }
-    result.next = intern(after);
+    result.next = intern_image(after);
     return result;
 }
 
@@ -295,7 +296,7 @@ struct CodeSystem::Found {
 };
 
 /// Visits the images to which one cycle from this image leads, and each node of the tree of readings once.
-void CodeSystem::look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const {
+void CodeSystem::explore_cycles_from(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const {
     const std::size_t inputs = alphabet_->interface().inputs.size();
     struct Place {
         std::uint32_t node;
@@ -325,11 +326,11 @@ void CodeSystem::look_behind(std::uint32_t image, std::vector<std::uint32_t>& op
     }
 }
 
-std::vector<PassedCycle> CodeSystem::way_to(std::uint32_t image) const {
+std::vector<PassedCycle> CodeSystem::path_to_image(std::uint32_t image) const {
     Found found;
     std::vector<std::uint32_t> open{reset_};
     for (std::size_t i = 0; i < open.size() && found.from.count(image) == 0 && image != reset_; ++i)
-        look_behind(open[i], open, found);
+        explore_cycles_from(open[i], open, found);
     std::vector<PassedCycle> way;
     while (image != reset_ && found.from.count(image) != 0) {
         const Found::From& from = found.from.at(image);
@@ -341,7 +342,7 @@ std::vector<PassedCycle> CodeSystem::way_to(std::uint32_t image) const {
 
 const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
                                     const std::vector<process::Event>& writes) {
-    std::uint32_t at = root(image);
+    std::uint32_t at = reading_tree(image);
     for (std::size_t i = 0; i < alphabet_->interface().inputs.size(); ++i)
         at = nodes_[at][i < readings.size() ? readings[i] : 0];
     const std::vector<std::uint32_t>& ways = results_[at].ways;

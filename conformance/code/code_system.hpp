@@ -54,34 +54,34 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    void watch(const std::function<void()>& poll) override { poll_ = poll; }
+    void set_poll(const std::function<void()>& poll) override { poll_ = poll; }
 
     /// For reports of runs: the reset image, one step (`readings` has one entry for each register), an image as text.
     /// If a step has several branches, returns the branch that begins with these writes.
-    [[nodiscard]] std::uint32_t reset() const { return reset_; }
+    [[nodiscard]] std::uint32_t reset_image() const { return reset_; }
     [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
                                           const std::vector<process::Event>& writes);
-    [[nodiscard]] std::string print(std::uint32_t image) const;
+    [[nodiscard]] std::string print_image(std::uint32_t image) const;
 
     /// The root of an image's tree of readings. Each node lists the next node for every reading of its register; the
     /// nodes after the last register are results. Equal trees are shared, so all children of a node are equal if its
     /// register makes no difference.
-    [[nodiscard]] std::uint32_t root(std::uint32_t image);
+    [[nodiscard]] std::uint32_t reading_tree(std::uint32_t image);
     /// Returns the same root for an image in which a cycle has already begun.
     [[nodiscard]] std::uint32_t known_root(std::uint32_t image) const { return roots_.at(image); }
-    [[nodiscard]] std::vector<std::uint32_t> below(std::uint32_t node) const { return nodes_[node]; }
-    [[nodiscard]] const CycleResult& result(std::uint32_t number) const { return results_[number]; }
+    [[nodiscard]] std::vector<std::uint32_t> child_nodes(std::uint32_t node) const { return nodes_[node]; }
+    [[nodiscard]] const CycleResult& cycle_result(std::uint32_t number) const { return results_[number]; }
 
     /// The images in which a cycle has begun, ordered by their first cycle.
-    [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
-    [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
+    [[nodiscard]] const std::vector<std::uint32_t>& started_images() const { return begun_; }
+    [[nodiscard]] std::vector<unsigned char> image_bytes(std::uint32_t image) const;
     /// A shortest path from the reset image to an image in which a cycle has begun.
-    [[nodiscard]] std::vector<PassedCycle> way_to(std::uint32_t image) const;
+    [[nodiscard]] std::vector<PassedCycle> path_to_image(std::uint32_t image) const;
 
-    [[nodiscard]] std::uint64_t images() const { return image_count_; }
-    [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
+    [[nodiscard]] std::uint64_t image_count() const { return image_count_; }
+    [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
     /// Errors of the code that refinement does not detect: `step` or `initial` is not a function of its arguments.
-    [[nodiscard]] const std::string& unsound() const { return unsound_; }
+    [[nodiscard]] const std::string& unsound_reason() const { return unsound_; }
     /// Whether some call of `step` did not return and was stopped (watchdog.hpp).
     [[nodiscard]] bool endless() const { return endless_; }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
@@ -89,27 +89,27 @@ public:
     [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
     /// Whether two images have the same text but different bytes. The state is then not canonical, and the reported
     /// numbers of states are larger than necessary.
-    [[nodiscard]] bool alias_found() const { return alias_found_; }
+    [[nodiscard]] bool has_alias() const { return alias_found_; }
 
 private:
     using Bytes = std::vector<unsigned char>;
     /// A node of the tree of readings: for each reading of the next register a node, or after the last register a
     /// result.
     using Node = std::vector<std::uint32_t>;
-    std::uint32_t intern(const Bytes&);
+    std::uint32_t intern_image(const Bytes&);
     struct Found;
-    void look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
+    void explore_cycles_from(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
     [[nodiscard]] Bytes fresh_state(unsigned char fill) const;
-    std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
+    std::uint32_t build_tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
     std::uint32_t intern_node(std::size_t level, Node);
-    [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);
+    [[nodiscard]] std::uint32_t run_all_choices(const Bytes& from, const std::vector<rc_register>& registers);
     std::uint32_t endless(const Bytes& from);
     std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log);
     [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
     std::uint32_t intern_result(CycleResult);
-    void read(lts::StateView state, lts::SuccessorSink& sink);
-    void act(lts::StateView state, lts::SuccessorSink& sink);
-    void finish(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink);
+    void add_reads(lts::StateView state, lts::SuccessorSink& sink);
+    void add_writes(lts::StateView state, lts::SuccessorSink& sink);
+    void add_end_of_cycle(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink);
     void enter_cycle(std::span<lts::Word> state, std::uint32_t image);
 
     const rc_interface* code_;

@@ -19,7 +19,7 @@ public:
     ~CycleLog() = default;
 
     /// Whether a call made more outputs than the log can hold. The call must be repeated after `grow`.
-    [[nodiscard]] bool cut() const { return (overflow & ROBOCHART_OVERFLOW_RECORDS) != 0; }
+    [[nodiscard]] bool is_cut() const { return (overflow & ROBOCHART_OVERFLOW_RECORDS) != 0; }
     /// Doubles the number of records and clears the log; false if there are `most_records` already.
     [[nodiscard]] bool grow();
     void reserve(std::uint32_t records);

@@ -134,7 +134,7 @@ Alphabet::Alphabet(Interface interface, process::EventTable& events)
     for (const Output& output : interface_.outputs) output_names_.push_back(constructor_name(output.name, outputs));
 }
 
-process::Event Alphabet::write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const {
+process::Event Alphabet::write_event(std::uint32_t output, const std::vector<std::int64_t>& arguments) const {
     std::string name = fmt::format("registerWrite.wrote__{}", output_names_[output]);
     const std::vector<Carrier>& carriers = interface_.outputs[output].arguments;
     for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -190,15 +190,15 @@ CycleRole Alphabet::cycle_role(process::Event event) const {
     return {CycleRole::Kind::other};
 }
 
-std::vector<std::string> Alphabet::arguments(process::Event write) const {
+std::vector<std::string> Alphabet::written_arguments(process::Event write) const {
     const std::uint32_t output = cycle_role(write).index;
     const std::size_t prefix = std::string_view("registerWrite.wrote__").size() + output_names_[output].size();
     return split_arguments(std::string_view(events_->name(write)).substr(prefix), interface_.outputs[output].arguments);
 }
 
-std::string Alphabet::tell_write(std::uint32_t output, process::Event write) const {
+std::string Alphabet::describe_write(std::uint32_t output, process::Event write) const {
     const Output& shown = interface_.outputs[output];
-    const std::vector<std::string> parts = arguments(write);
+    const std::vector<std::string> parts = written_arguments(write);
     std::string texts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Carrier carrier = i < shown.arguments.size() ? shown.arguments[i] : Carrier{};
@@ -209,7 +209,7 @@ std::string Alphabet::tell_write(std::uint32_t output, process::Event write) con
     return fmt::format("{}({})", short_name(shown.name), texts);
 }
 
-std::string Alphabet::tell(process::Event event) const {
+std::string Alphabet::describe_event(process::Event event) const {
     const CycleRole role = cycle_role(event);
     switch (role.kind) {
         case CycleRole::Kind::tock:
@@ -217,7 +217,7 @@ std::string Alphabet::tell(process::Event event) const {
         case CycleRole::Kind::tick:
             return "termination";
         case CycleRole::Kind::write:
-            return tell_write(role.index, event);
+            return describe_write(role.index, event);
         case CycleRole::Kind::other:
             return events_->name(event);
         case CycleRole::Kind::read:

@@ -32,7 +32,7 @@ struct Register {
 
     /// Number of possible readings in one cycle: absent, or one of the values (a single "present" if the register
     /// carries no value).
-    [[nodiscard]] std::uint32_t readings() const {
+    [[nodiscard]] std::uint32_t reading_count() const {
         return 1 + (values.empty() ? 1 : static_cast<std::uint32_t>(values.size()));
     }
 };
@@ -87,24 +87,24 @@ public:
     [[nodiscard]] const Interface& interface() const { return interface_; }
     [[nodiscard]] process::EventTable& events() const { return *events_; }
     [[nodiscard]] process::Event tock() const { return tock_; }
-    [[nodiscard]] process::Event read(std::uint32_t input, std::uint32_t reading) const {
+    [[nodiscard]] process::Event read_event(std::uint32_t input, std::uint32_t reading) const {
         return reads_[input][reading];
     }
     /// The event that reports an output with these arguments.
-    [[nodiscard]] process::Event write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
+    [[nodiscard]] process::Event write_event(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
     [[nodiscard]] ModelRole model_role(process::Event) const;
     [[nodiscard]] CycleRole cycle_role(process::Event) const;
     /// The arguments of a write as text; the event must have that role.
-    [[nodiscard]] std::vector<std::string> arguments(process::Event write) const;
+    [[nodiscard]] std::vector<std::string> written_arguments(process::Event write) const;
     /// The constructors of the NF script's datatypes, such as "present__heading".
     [[nodiscard]] const std::string& input_constructor(std::uint32_t input) const { return input_names_[input]; }
     [[nodiscard]] const std::string& output_constructor(std::uint32_t output) const { return output_names_[output]; }
     /// The text of an NF event for readers: "heading = 0.1", "MoveForward()", "end of cycle".
-    [[nodiscard]] std::string tell(process::Event) const;
+    [[nodiscard]] std::string describe_event(process::Event) const;
 
 private:
     [[nodiscard]] ModelRole find_role(const std::string& name) const;
-    [[nodiscard]] std::string tell_write(std::uint32_t output, process::Event write) const;
+    [[nodiscard]] std::string describe_write(std::uint32_t output, process::Event write) const;
 
     Interface interface_;
     process::EventTable* events_;

@@ -59,7 +59,7 @@ std::unique_ptr<SharedObject> SharedObject::build(const std::vector<cpp_emit::Ou
 }
 
 bool SharedObject::find_interface(std::string& error) {
-    void* const symbol = library_->symbol("robochart_explore");
+    void* const symbol = library_->find_symbol("robochart_explore");
     if (symbol == nullptr) {
         error = "the generated code has no exploration interface";
         return false;

@@ -61,10 +61,10 @@ public:
         event.sigev_notify_thread_id = static_cast<pid_t>(syscall(SYS_gettid));
         if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &timer_) != 0)
             throw std::system_error(errno, std::generic_category(), "no watchdog");
-        every(patience_);
+        start_timer(patience_);
     }
-    void be(Patience patience) {
-        if (patience != patience_) every(patience);
+    void set_patience(Patience patience) {
+        if (patience != patience_) start_timer(patience);
     }
     ~Ticks() { timer_delete(timer_); }
     Ticks(const Ticks&) = delete;
@@ -72,7 +72,7 @@ public:
 
 private:
     /// A call is stopped at its second tick.
-    void every(Patience patience) {
+    void start_timer(Patience patience) {
         const struct timespec between = patience == Patience::seconds ? timespec{1, 0} : timespec{0, 10'000'000};
         const struct itimerspec both = {between, between};
         timer_settime(timer_, 0, &both, nullptr);
@@ -84,7 +84,7 @@ private:
 };
 
 /// A separate function, so that no variable of the caller is in a register across the jump.
-[[gnu::noinline]] bool returns(Guarded guarded, void* arguments, rc_result& result) {
+[[gnu::noinline]] bool call_returns(Guarded guarded, void* arguments, rc_result& result) {
     if (sigsetjmp(call.back, 0) != 0) {
         call.running = 0;
         return false;
@@ -103,25 +103,25 @@ struct StepArguments {
     rc_log* log;
 };
 
-rc_result step(void* arguments) {
+rc_result run_code_step(void* arguments) {
     const auto* with = static_cast<const StepArguments*>(arguments);
     return with->code->step(with->state, with->registers, with->log);
 }
 
 }  // namespace
 
-Stepped watched(Guarded guarded, void* arguments, Patience patience) {
+Stepped call_watched(Guarded guarded, void* arguments, Patience patience) {
     thread_local Ticks ticks;
-    ticks.be(patience);
+    ticks.set_patience(patience);
     rc_result result = RC_STEP_BOUND;
-    if (returns(guarded, arguments, result)) return {result, false};
+    if (call_returns(guarded, arguments, result)) return {result, false};
     return {RC_STEP_BOUND, true};
 }
 
-Stepped watched_step(const rc_interface& code, void* state, const rc_register* registers, rc_log* log,
+Stepped step_watched(const rc_interface& code, void* state, const rc_register* registers, rc_log* log,
                      Patience patience) {
     StepArguments arguments{&code, state, registers, log};
-    return watched(step, &arguments, patience);
+    return call_watched(run_code_step, &arguments, patience);
 }
 
 }  // namespace robochart::conformance

@@ -21,13 +21,13 @@ enum class Patience {
 
 /// Calls `step`. A call that does not return is stopped, and its result is RC_STEP_BOUND. The code must own no
 /// resources (no heap, no locks), which holds for generated code.
-[[nodiscard]] Stepped watched_step(const rc_interface&, void* state, const rc_register* registers, rc_log* log,
+[[nodiscard]] Stepped step_watched(const rc_interface&, void* state, const rc_register* registers, rc_log* log,
                                    Patience = Patience::seconds);
 
 /// A call of generated code, and its arguments.
 using Guarded = rc_result (*)(void* arguments);
 
 /// Calls another function of the interface in the same way.
-[[nodiscard]] Stepped watched(Guarded, void* arguments, Patience = Patience::seconds);
+[[nodiscard]] Stepped call_watched(Guarded, void* arguments, Patience = Patience::seconds);
 
 }  // namespace robochart::conformance

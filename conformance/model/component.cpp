@@ -20,7 +20,7 @@ namespace {
 namespace b = cspm::build;
 
 /// CSPM identifiers cannot contain "::", so it is removed from package and type names.
-std::string flatten(const std::string& name) {
+std::string flatten_name(const std::string& name) {
     std::string result;
     for (std::size_t i = 0; i < name.size(); ++i) {
         if (name[i] == ':' && i + 1 < name.size() && name[i + 1] == ':') ++i;
@@ -32,9 +32,9 @@ std::string flatten(const std::string& name) {
 /// The carrier for a type of the model. Values of composed types are numbered in the order of ir::carrier.
 Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id) {
     const ir::Type& type = system.type(id);
-    if (cpp_emit::composed(type)) {
+    if (cpp_emit::is_composed(type)) {
         Carrier carrier{Carrier::Kind::enumeration, {}, {}};
-        for (const ir::Value& value : ir::carrier(system, instantiation, id)) {
+        for (const ir::Value& value : ir::carrier_values(system, instantiation, id)) {
             carrier.names.push_back(cpp_emit::cspm_value(system, id, value));
             carrier.literals.push_back(log_text(system, instantiation, id, value));
         }
@@ -44,7 +44,7 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
     if (type.kind == ir::TypeKind::real) return {Carrier::Kind::real, {}, {}};
     if (type.kind != ir::TypeKind::enumeration) return {};
     Carrier carrier{Carrier::Kind::enumeration, type.labels, {}};
-    const std::string prefix = type.package.empty() ? "" : flatten(type.package) + "_";
+    const std::string prefix = type.package.empty() ? "" : flatten_name(type.package) + "_";
     for (const std::string& label : type.labels) carrier.names.push_back(prefix + type.name + "_" + label);
     return carrier;
 }
@@ -57,76 +57,76 @@ public:
     Reads(const ir::System& system, const ir::Controller* controller, std::set<std::string>& found)
         : system_(system), controller_(controller), found_(found) {}
 
-    void machine(const ir::Machine& root) {
+    void visit_machine(const ir::Machine& root) {
         std::set<std::string> shared;
         for (const ir::Variable& variable : root.variables)
             if (variable.scope == ir::VariableScope::required) shared.insert(variable.name);
-        machine(root, shared);
+        visit_machine(root, shared);
     }
 
 private:
     /// `shared` contains the names that the machine shares with its environment. Calls are not recursive (lowering
     /// rejects recursion).
-    void machine(const ir::Machine& machine, const std::set<std::string>& shared) {
+    void visit_machine(const ir::Machine& machine, const std::set<std::string>& shared) {
         if (!seen_.emplace(&machine, shared).second) return;
         const ir::Machine* const outer_machine = std::exchange(current_, &machine);
         const std::set<std::string>* const outer_shared = std::exchange(shared_, &shared);
-        expressions(machine);
-        for (const ir::OperationId called : ir::called_operations(machine)) call(machine, called, shared);
+        visit_all_expressions(machine);
+        for (const ir::OperationId called : ir::called_operations(machine)) visit_call(machine, called, shared);
         current_ = outer_machine;
         shared_ = outer_shared;
     }
 
-    void call(const ir::Machine& caller, ir::OperationId called, const std::set<std::string>& outside) {
+    void visit_call(const ir::Machine& caller, ir::OperationId called, const std::set<std::string>& outside) {
         if (controller_ == nullptr) return;
         const ir::MachineId id = ir::definition_in(system_, *controller_, caller.operations[called.index]);
-        if (!id.valid()) return;
+        if (!id.is_valid()) return;
         std::set<std::string> shared;
         for (const ir::Variable& variable : system_.machine(id).variables)
             if (variable.scope == ir::VariableScope::required && outside.count(variable.name) != 0)
                 shared.insert(variable.name);
-        machine(system_.machine(id), shared);
+        visit_machine(system_.machine(id), shared);
     }
 
-    void expressions(const ir::Machine& machine) {
-        for (const ir::ExprPtr& condition : machine.preconditions) expression(condition);
-        for (const ir::ExprPtr& condition : machine.postconditions) expression(condition);
-        for (const ir::Variable& variable : machine.variables) expression(variable.initial);
-        for (const ir::Constant& constant : machine.constants) expression(constant.value);
+    void visit_all_expressions(const ir::Machine& machine) {
+        for (const ir::ExprPtr& condition : machine.preconditions) visit_expression(condition);
+        for (const ir::ExprPtr& condition : machine.postconditions) visit_expression(condition);
+        for (const ir::Variable& variable : machine.variables) visit_expression(variable.initial);
+        for (const ir::Constant& constant : machine.constants) visit_expression(constant.value);
         for (const ir::Node& node : machine.nodes) {
-            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) statement(action);
+            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) visit_statement(action);
         }
         for (const ir::Transition& transition : machine.transitions) {
             for (const ir::ExprPtr& part : {transition.guard, transition.deadline, transition.probability})
-                expression(part);
-            if (transition.trigger) communication(*transition.trigger);
-            statement(transition.action);
+                visit_expression(part);
+            if (transition.trigger) visit_communication(*transition.trigger);
+            visit_statement(transition.action);
         }
     }
 
-    void variable(ir::VariableId id) {
+    void visit_variable(ir::VariableId id) {
         const std::string& name = current_->variables[id.index].name;
         if (shared_->count(name) != 0) found_.insert(name);
     }
     // Recursion depth: the depth of the model's expressions, which the reader limits.
-    void expression(const ir::ExprPtr& expr) {
+    void visit_expression(const ir::ExprPtr& expr) {
         if (!expr) return;
-        if (expr->kind == ir::ExprKind::variable) variable(expr->variable);
-        for (const ir::ExprPtr& part : expr->args) expression(part);
+        if (expr->kind == ir::ExprKind::variable) visit_variable(expr->variable);
+        for (const ir::ExprPtr& part : expr->args) visit_expression(part);
     }
-    void communication(const ir::Communication& communication) {
-        expression(communication.value);
-        expression(communication.predicate);
+    void visit_communication(const ir::Communication& communication) {
+        visit_expression(communication.value);
+        visit_expression(communication.predicate);
     }
-    void statement(const ir::StmtPtr& stmt) {
+    void visit_statement(const ir::StmtPtr& stmt) {
         if (!stmt) return;
-        for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) expression(part);
-        for (const ir::ExprPtr& part : stmt->args) expression(part);
-        for (const ir::ExprPtr& part : stmt->path) expression(part);
+        for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) visit_expression(part);
+        for (const ir::ExprPtr& part : stmt->args) visit_expression(part);
+        for (const ir::ExprPtr& part : stmt->path) visit_expression(part);
         // an assignment to a part keeps the other parts, so it reads the variable
-        if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) variable(stmt->variable);
-        communication(stmt->communication);
-        for (const ir::StmtPtr& part : stmt->body) statement(part);
+        if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) visit_variable(stmt->variable);
+        visit_communication(stmt->communication);
+        for (const ir::StmtPtr& part : stmt->body) visit_statement(part);
     }
 
     const ir::System& system_;
@@ -139,11 +139,13 @@ private:
 
 std::set<std::string> read_variables(const ir::System& system, const ir::ComponentRef& ref) {
     std::set<std::string> read;
-    if (ref.kind == ir::ComponentKind::machine) Reads(system, nullptr, read).machine(system.machines[ref.definition]);
+    if (ref.kind == ir::ComponentKind::machine)
+        Reads(system, nullptr, read).visit_machine(system.machines[ref.definition]);
     if (ref.kind != ir::ComponentKind::controller) return read;
     const ir::Controller& controller = system.controllers[ref.definition];
     Reads reads(system, &controller, read);
-    for (const ir::MachineInstance& instance : controller.machines) reads.machine(system.machine(instance.machine));
+    for (const ir::MachineInstance& instance : controller.machines)
+        reads.visit_machine(system.machine(instance.machine));
     return read;
 }
 
@@ -162,7 +164,7 @@ const std::vector<ir::TypeId>* types_of(const csp_emit::Provenance& provenance, 
 }  // namespace
 
 std::string component_prefix(const ir::ComponentRef& ref) {
-    return ref.package.empty() ? ref.path : flatten(ref.package) + "::" + ref.path;
+    return ref.package.empty() ? ref.path : flatten_name(ref.package) + "::" + ref.path;
 }
 
 cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentRef& ref) {
@@ -191,8 +193,8 @@ std::vector<std::string> unread_variables(const ir::System& system, const ir::Co
     return unread;
 }
 
-void complete(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
-              const ir::ComponentRef& ref, const csp_emit::Provenance& provenance) {
+void complete_interface(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
+                        const ir::ComponentRef& ref, const csp_emit::Provenance& provenance) {
     interface.component = component_prefix(ref);
     for (Register& input : interface.inputs) {
         const auto* types = types_of(provenance, interface.component + "::" + input.name);

@@ -21,8 +21,8 @@ namespace robochart::conformance {
 
 /// Sets the component prefix, sets the carriers of registers and outputs to the model's types, and blocks the external
 /// writes to variables that the model never reads (docs/conformance.md, "Variables written from outside").
-void complete(Interface&, const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
-              const csp_emit::Provenance&);
+void complete_interface(Interface&, const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
+                        const csp_emit::Provenance&);
 
 /// Required variables of the component that no expression of its machines reads.
 [[nodiscard]] std::vector<std::string> unread_variables(const ir::System&, const ir::ComponentRef&);

@@ -14,7 +14,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
                                                const ir::ComponentRef& ref, std::uint32_t cycle_length,
                                                const refine::Limits& limits, diagnostics::SourceManager& sources,
                                                diagnostics::Diagnostics& diagnostics, std::string& error) {
-    const std::size_t errors = diagnostics.errors();
+    const std::size_t errors = diagnostics.error_count();
     std::unique_ptr<CyclicModel> loaded(new CyclicModel);
     loaded->system_ = &system;
     loaded->instantiation_ = &instantiation;
@@ -23,14 +23,14 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->cycle_length_ = cycle_length;
     loaded->script_ = csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(loaded->script_.definitions, safe.component);
-    if (diagnostics.errors() != errors || !process) {
+    if (diagnostics.error_count() != errors || !process) {
         error = fmt::format("{} has no timed CSP semantics here", ref.path);
         return nullptr;
     }
     auto shown = conformance::model_interface(safe.system, safe.instantiation, safe.component,
                                               loaded->script_.provenance, diagnostics);
     auto outside = conformance::model_interface(system, instantiation, ref, loaded->script_.provenance, diagnostics);
-    if (!shown || !outside || diagnostics.errors() != errors) {
+    if (!shown || !outside || diagnostics.error_count() != errors) {
         error = fmt::format("{} has no inputs and outputs of a controller", ref.path);
         return nullptr;
     }

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
     /// The same interface, in the same order, with the names in the model and in generated code. These differ from the
     /// script's names if elements were renamed (csp_emit/passes/safe_names.hpp).
-    [[nodiscard]] const Interface& outside() const { return outside_; }
+    [[nodiscard]] const Interface& outside_interface() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }

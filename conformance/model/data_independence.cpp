@@ -14,26 +14,26 @@ class Look {
 public:
     explicit Look(const ir::System& system) : system_(system) {}
 
-    void machine(const ir::Machine& machine) {
+    void visit_machine(const ir::Machine& machine) {
         machine_ = &machine;
-        for (const ir::ExprPtr& condition : machine.preconditions) used(condition);
-        for (const ir::ExprPtr& condition : machine.postconditions) used(condition);
-        for (const ir::Variable& variable : machine.variables) stored(variable.initial, variable.type);
+        for (const ir::ExprPtr& condition : machine.preconditions) mark_used(condition);
+        for (const ir::ExprPtr& condition : machine.postconditions) mark_used(condition);
+        for (const ir::Variable& variable : machine.variables) mark_stored(variable.initial, variable.type);
         for (const ir::Node& node : machine.nodes)
-            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) statement(action);
+            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) visit_statement(action);
         for (const ir::Transition& transition : machine.transitions) {
-            used(transition.guard);
-            used(transition.deadline);
-            if (transition.trigger) communication(*transition.trigger);
-            statement(transition.action);
+            mark_used(transition.guard);
+            mark_used(transition.deadline);
+            if (transition.trigger) visit_communication(*transition.trigger);
+            visit_statement(transition.action);
         }
     }
 
     DataIndependence result;
 
 private:
-    void tested(ir::TypeId id) {
-        if (!id.valid()) return;
+    void mark_tested(ir::TypeId id) {
+        if (!id.is_valid()) return;
         switch (system_.type(id).kind) {
             case ir::TypeKind::nat:
                 result.nat = false;
@@ -59,106 +59,107 @@ private:
             case ir::TypeKind::relation:
             case ir::TypeKind::vector:
             case ir::TypeKind::matrix:
-                looked_into(id);
+                mark_inspected(id);
         }
     }
 
-    void looked_into(ir::TypeId id) {
+    void mark_inspected(ir::TypeId id) {
         result.nat = result.integer = result.real = false;
         result.looked_into.push_back(id);
     }
 
     /// Marks every value of the type, and of its parts, as used.
-    void enumerated(ir::TypeId id) {
-        tested(id);
+    void mark_enumerated(ir::TypeId id) {
+        mark_tested(id);
         const ir::Type& type = system_.type(id);
-        for (const ir::TypeId part : type.args) enumerated(part);
+        for (const ir::TypeId part : type.args) mark_enumerated(part);
         for (const auto& arguments : type.literal_args)
-            for (const ir::TypeId part : arguments) enumerated(part);
+            for (const ir::TypeId part : arguments) mark_enumerated(part);
     }
 
     /// Storing a value as another type is a conversion.
-    void stored(const ir::ExprPtr& value, ir::TypeId place) {
-        passed(value);
-        if (!value || constant(*value) || !value->type.valid() || !place.valid()) return;
+    void mark_stored(const ir::ExprPtr& value, ir::TypeId place) {
+        mark_passed_on(value);
+        if (!value || is_constant(*value) || !value->type.is_valid() || !place.is_valid()) return;
         if (same_type(system_, value->type, place)) return;
-        tested(value->type);
-        tested(place);
+        mark_tested(value->type);
+        mark_tested(place);
     }
 
-    static bool leaf(ir::ExprKind kind) {
+    static bool is_leaf(ir::ExprKind kind) {
         return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
     }
 
     /// Whether the expression depends on no variable. Recursion depth: the depth of the model's expressions, which the
     /// reader limits.
-    static bool constant(const ir::Expr& expr) {
+    static bool is_constant(const ir::Expr& expr) {
         constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
                                           ir::ExprKind::string, ir::ExprKind::constant};
-        if (expr.kind == ir::ExprKind::negate) return constant(*expr.args.front());
+        if (expr.kind == ir::ExprKind::negate) return is_constant(*expr.args.front());
         return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
     }
 
     /// Marks a value that is passed on unchanged. If the value is a part of another value, or is built from other
     /// values, examines those.
-    void passed(const ir::ExprPtr& expr) {
-        if (!expr || leaf(expr->kind) || constant(*expr)) return;
+    void mark_passed_on(const ir::ExprPtr& expr) {
+        if (!expr || is_leaf(expr->kind) || is_constant(*expr)) return;
         const ir::ExprKind kind = expr->kind;
-        if (kind == ir::ExprKind::record || kind == ir::ExprKind::tuple) return made(*expr);
+        if (kind == ir::ExprKind::record || kind == ir::ExprKind::tuple) return mark_constructed(*expr);
         if (kind == ir::ExprKind::member) {
-            tested(expr->args[0]->type);
-            return passed(expr->args[0]);
+            mark_tested(expr->args[0]->type);
+            return mark_passed_on(expr->args[0]);
         }
-        if (kind != ir::ExprKind::if_then_else) return used(expr);
-        used(expr->args[0]);
-        passed(expr->args[1]);
-        passed(expr->args[2]);
+        if (kind != ir::ExprKind::if_then_else) return mark_used(expr);
+        mark_used(expr->args[0]);
+        mark_passed_on(expr->args[1]);
+        mark_passed_on(expr->args[2]);
     }
 
-    void made(const ir::Expr& whole) {
-        tested(whole.type);
+    void mark_constructed(const ir::Expr& whole) {
+        mark_tested(whole.type);
         const std::vector<ir::TypeId>& parts = system_.type(whole.type).args;
         for (std::size_t i = 0; i < whole.args.size(); ++i)
-            stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
+            mark_stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
     }
 
     /// Marks a value that affects the behaviour.
-    void used(const ir::ExprPtr& expr) {
-        if (!expr || constant(*expr)) return;
+    void mark_used(const ir::ExprPtr& expr) {
+        if (!expr || is_constant(*expr)) return;
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
-        if (!clock) tested(expr->type);
-        for (const ir::TypeId type : expr->bound_types) enumerated(type);
-        for (const ir::ExprPtr& part : expr->args) used(part);
+        if (!clock) mark_tested(expr->type);
+        for (const ir::TypeId type : expr->bound_types) mark_enumerated(type);
+        for (const ir::ExprPtr& part : expr->args) mark_used(part);
     }
 
-    void communication(const ir::Communication& communication) {
-        used(communication.predicate);
-        if (!communication.event.valid()) return;
+    void visit_communication(const ir::Communication& communication) {
+        mark_used(communication.predicate);
+        if (!communication.event.is_valid()) return;
         const ir::Event& event = machine_->events[communication.event.index];
-        if (communication.value && event.type) stored(communication.value, *event.type);
-        if (!communication.variable.valid() || !event.type) return;
+        if (communication.value && event.type) mark_stored(communication.value, *event.type);
+        if (!communication.variable.is_valid() || !event.type) return;
         const ir::TypeId variable = machine_->variables[communication.variable.index].type;
         if (same_type(system_, variable, *event.type)) return;
-        tested(variable);
-        tested(*event.type);
+        mark_tested(variable);
+        mark_tested(*event.type);
     }
 
-    void statement(const ir::StmtPtr& stmt) {
+    void visit_statement(const ir::StmtPtr& stmt) {
         if (!stmt) return;
-        used(stmt->condition);
-        used(stmt->upper);
-        for (const ir::ExprPtr& step : stmt->path) used(step);
-        if (!stmt->path.empty()) enumerated(machine_->variables[stmt->variable.index].type);
+        mark_used(stmt->condition);
+        mark_used(stmt->upper);
+        for (const ir::ExprPtr& step : stmt->path) mark_used(step);
+        if (!stmt->path.empty()) mark_enumerated(machine_->variables[stmt->variable.index].type);
         if (stmt->kind == ir::StmtKind::assign)
-            stored(stmt->value, machine_->variables[stmt->variable.index].type);
+            mark_stored(stmt->value, machine_->variables[stmt->variable.index].type);
         else
-            used(stmt->value);  // of a wait or a deadline
+            mark_used(stmt->value);  // of a wait or a deadline
         const ir::OperationSignature* const call =
-            stmt->operation.valid() ? &machine_->operations[stmt->operation.index] : nullptr;
+            stmt->operation.is_valid() ? &machine_->operations[stmt->operation.index] : nullptr;
         for (std::size_t i = 0; i < stmt->args.size(); ++i)
-            stored(stmt->args[i], call != nullptr && i < call->parameters.size() ? call->parameters[i] : ir::TypeId{});
-        communication(stmt->communication);
-        for (const ir::StmtPtr& part : stmt->body) statement(part);
+            mark_stored(stmt->args[i],
+                        call != nullptr && i < call->parameters.size() ? call->parameters[i] : ir::TypeId{});
+        visit_communication(stmt->communication);
+        for (const ir::StmtPtr& part : stmt->body) visit_statement(part);
     }
 
     const ir::System& system_;
@@ -179,7 +180,7 @@ bool same_type(const ir::System& system, ir::TypeId a, ir::TypeId b) {
     return all;
 }
 
-bool DataIndependence::of(const ir::System& system, ir::TypeId id) const {
+bool DataIndependence::is_independent(const ir::System& system, ir::TypeId id) const {
     switch (system.type(id).kind) {
         case ir::TypeKind::boolean:
         case ir::TypeKind::nat:
@@ -203,14 +204,14 @@ bool DataIndependence::of(const ir::System& system, ir::TypeId id) const {
     return false;
 }
 
-bool DataIndependence::of(ir::TypeKind kind) const {
+bool DataIndependence::is_independent(ir::TypeKind kind) const {
     return (kind == ir::TypeKind::nat && nat) || (kind == ir::TypeKind::integer && integer) ||
            (kind == ir::TypeKind::real && real);
 }
 
 DataIndependence data_independence(const ir::System& system, const std::vector<ir::MachineId>& machines) {
     Look look(system);
-    for (const ir::MachineId id : machines) look.machine(system.machine(id));
+    for (const ir::MachineId id : machines) look.visit_machine(system.machine(id));
     return look.result;
 }
 

@@ -18,9 +18,9 @@ struct DataIndependence {
                                           ///< values
 
     /// Whether the component only passes on numbers of this kind.
-    [[nodiscard]] bool of(ir::TypeKind) const;
+    [[nodiscard]] bool is_independent(ir::TypeKind) const;
     /// Whether the component passes on values of a type with parts as a whole. False for other types.
-    [[nodiscard]] bool of(const ir::System&, ir::TypeId) const;
+    [[nodiscard]] bool is_independent(const ir::System&, ir::TypeId) const;
 };
 
 /// Analyses these machines and operations together.

@@ -19,14 +19,14 @@ namespace {
 
 using ir::TypeKind;
 
-const std::vector<std::int64_t>* numbers(const ir::Instantiation& instantiation, TypeKind kind) {
+const std::vector<std::int64_t>* carrier_numbers(const ir::Instantiation& instantiation, TypeKind kind) {
     if (kind == TypeKind::nat) return &instantiation.nat;
     if (kind == TypeKind::integer) return &instantiation.integer;
     if (kind == TypeKind::real) return &instantiation.real;
     return nullptr;
 }
 
-std::uint64_t mixed(std::string_view text, std::uint64_t salt) {
+std::uint64_t hash_text(std::string_view text, std::uint64_t salt) {
     std::uint64_t hash = 0xcbf29ce484222325ULL ^ (salt * 0x9E3779B97F4A7C15ULL);
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     return (hash ^ hash >> 32U) * 0x9E3779B97F4A7C15ULL >> 16U;
@@ -38,87 +38,89 @@ public:
     ValueParser(const ir::System& system, const ir::Instantiation& instantiation, std::string_view text)
         : system_(system), instantiation_(instantiation), text_(text) {}
 
-    LoggedPart whole(ir::TypeId type) {
-        LoggedPart result = value(type);
+    LoggedPart parse_whole(ir::TypeId type) {
+        LoggedPart result = parse_value(type);
         skip_blanks();
-        if (at_ < text_.size()) throw ValueFault{shape(type), 0, text_.size()};
+        if (at_ < text_.size()) throw ValueFault{describe_shape(type), 0, text_.size()};
         return result;
     }
 
 private:
-    LoggedPart value(ir::TypeId id) {
+    LoggedPart parse_value(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         skip_blanks();
         const std::size_t begin = at_;
         switch (type.kind) {
             case TypeKind::boolean:
-                return truth();
+                return parse_truth();
             case TypeKind::nat:
             case TypeKind::integer:
             case TypeKind::real:
             case TypeKind::given:
-                return number(type.kind);
+                return parse_number(type.kind);
             case TypeKind::enumeration:
-                return literal(id);
+                return parse_literal(id);
             case TypeKind::string:
-                return characters();
+                return parse_characters();
             case TypeKind::sequence:
             case TypeKind::set:
-                return list(type, begin, type.kind == TypeKind::set ? "{}" : "<>", [&] { return value(type.args[0]); });
+                return parse_list(type, begin, type.kind == TypeKind::set ? "{}" : "<>",
+                                  [&] { return parse_value(type.args[0]); });
             case TypeKind::relation:
             case TypeKind::function:
-                return list(type, begin, "{}", [&] { return tuple(type, begin); });
+                return parse_list(type, begin, "{}", [&] { return parse_tuple(type, begin); });
             case TypeKind::vector:
-                return row(type, type.sizes.at(0), begin);
+                return parse_row(type, type.sizes.at(0), begin);
             case TypeKind::matrix:
-                return repeated(type, type.sizes.at(0), begin, [&] { return row(type, type.sizes.at(1), begin); });
+                return parse_repeated(type, type.sizes.at(0), begin,
+                                      [&] { return parse_row(type, type.sizes.at(1), begin); });
             case TypeKind::product:
             case TypeKind::record:
             case TypeKind::unit:
                 break;
         }
-        return tuple(type, begin);
+        return parse_tuple(type, begin);
     }
 
     // ------------------------------------------------------------ values without parts
 
-    LoggedPart truth() {
-        const std::string_view word = name();
-        if (word != "true" && word != "false") throw fault("true or false", word);
+    LoggedPart parse_truth() {
+        const std::string_view word = parse_name();
+        if (word != "true" && word != "false") throw make_fault("true or false", word);
         return {word == "true" ? 1 : 0, "", TypeKind::boolean, {}};
     }
 
-    LoggedPart number(TypeKind kind) {
+    LoggedPart parse_number(TypeKind kind) {
         const std::string_view rest = text_.substr(at_);
         double value = 0;
         const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
         const auto length = static_cast<std::size_t>(end - rest.data());
         if (code != std::errc() || !std::isfinite(value) || (length < rest.size() && !ends_value(rest[length])))
-            throw fault("a number", name());
+            throw make_fault("a number", parse_name());
         const std::string_view word = rest.substr(0, length);
         const bool real = kind == TypeKind::real;
         const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
-        if (!real && scaled != std::floor(scaled)) throw fault("a whole number", word);
+        if (!real && scaled != std::floor(scaled)) throw make_fault("a whole number", word);
         at_ += length;
         // the error of a decimal of the model in binary floating point is smaller
         const double near = std::round(scaled);
         const bool whole = std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled)) && std::abs(near) < 9e15;
-        if (whole && carried(kind, static_cast<std::int64_t>(near)))
+        if (whole && is_in_carrier(kind, static_cast<std::int64_t>(near)))
             return {static_cast<std::int64_t>(near), "", kind, {}};
         return {0, fmt::format("{}", value), kind, {}};
     }
 
-    [[nodiscard]] bool carried(TypeKind kind, std::int64_t value) const {
+    [[nodiscard]] bool is_in_carrier(TypeKind kind, std::int64_t value) const {
         if (kind == TypeKind::given) return value >= 0 && value < instantiation_.given_size;
-        const auto* const all = numbers(instantiation_, kind);
+        const auto* const all = carrier_numbers(instantiation_, kind);
         return std::ranges::binary_search(*all, value);
     }
 
     /// Parses a literal by its name in the model or in CSP.
-    LoggedPart literal(ir::TypeId id) {
+    LoggedPart parse_literal(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         const std::size_t begin = at_;
-        const std::string_view word = name();
+        const std::string_view word = parse_name();
         LoggedPart result{0, "", TypeKind::enumeration, {}};
         const auto same = [&](std::size_t i) {
             return word == type.labels[i] ||
@@ -126,33 +128,33 @@ private:
         };
         std::size_t index = 0;
         while (index < type.labels.size() && !same(index)) ++index;
-        if (index == type.labels.size()) throw fault(shape(id), word);
+        if (index == type.labels.size()) throw make_fault(describe_shape(id), word);
         result.number = static_cast<std::int64_t>(index);
         if (index >= type.literal_args.size() || type.literal_args[index].empty()) return result;
         const std::vector<ir::TypeId>& arguments = type.literal_args[index];
         expect('(', type, begin);
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             if (i > 0) expect(',', type, begin);
-            result.parts.push_back(value(arguments[i]));
+            result.parts.push_back(parse_value(arguments[i]));
         }
         expect(')', type, begin);
         return result;
     }
 
-    LoggedPart characters() {
+    LoggedPart parse_characters() {
         const std::size_t begin = at_;
         LoggedPart result{0, "", TypeKind::string, {}};
         const auto unfinished = [&] { return ValueFault{"a text in quotes", begin, text_.size() - begin}; };
         if (at_ >= text_.size() || text_[at_] != '"') throw unfinished();
         for (++at_; at_ < text_.size() && text_[at_] != '"';)
-            result.parts.push_back({character(), "", TypeKind::unit, {}});
+            result.parts.push_back({parse_character(), "", TypeKind::unit, {}});
         if (at_ >= text_.size()) throw unfinished();
         ++at_;
         return result;
     }
 
     /// A backslash and three octal digits encode any character.
-    std::int64_t character() {
+    std::int64_t parse_character() {
         const auto digit = [&](std::size_t i) {
             const char c = at_ + i < text_.size() ? text_[at_ + i] : ' ';
             return c >= '0' && c <= '7' ? c - '0' : -1;
@@ -168,19 +170,19 @@ private:
     // ------------------------------------------------------------ values with parts
 
     template <class Item>
-    LoggedPart list(const ir::Type& type, std::size_t begin, const char* brackets, const Item& item) {
+    LoggedPart parse_list(const ir::Type& type, std::size_t begin, const char* brackets, const Item& item) {
         LoggedPart result{0, "", type.kind, {}};
         expect(brackets[0], type, begin);
-        if (comes(brackets[1])) return result;
+        if (accept_character(brackets[1])) return result;
         do result.parts.push_back(item());
-        while (comes(','));
+        while (accept_character(','));
         expect(brackets[1], type, begin);
         return result;
     }
 
     /// Parses items in parentheses; a single item has none.
     template <class Item>
-    LoggedPart repeated(const ir::Type& type, std::int64_t count, std::size_t begin, const Item& item) {
+    LoggedPart parse_repeated(const ir::Type& type, std::int64_t count, std::size_t begin, const Item& item) {
         LoggedPart result{0, "", TypeKind::product, {}};
         if (count != 1) expect('(', type, begin);
         for (std::int64_t i = 0; i < count; ++i) {
@@ -191,14 +193,14 @@ private:
         return result;
     }
 
-    LoggedPart row(const ir::Type& type, std::int64_t count, std::size_t begin) {
-        return repeated(type, count, begin, [&] { return value(type.args.at(0)); });
+    LoggedPart parse_row(const ir::Type& type, std::int64_t count, std::size_t begin) {
+        return parse_repeated(type, count, begin, [&] { return parse_value(type.args.at(0)); });
     }
 
-    LoggedPart tuple(const ir::Type& type, std::size_t begin) {
+    LoggedPart parse_tuple(const ir::Type& type, std::size_t begin) {
         std::size_t next = 0;
-        return repeated(type, static_cast<std::int64_t>(type.args.size()), begin,
-                        [&] { return value(type.args[next++]); });
+        return parse_repeated(type, static_cast<std::int64_t>(type.args.size()), begin,
+                              [&] { return parse_value(type.args[next++]); });
     }
 
     // ------------------------------------------------------------ text
@@ -206,34 +208,34 @@ private:
     void skip_blanks() {
         while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
     }
-    bool comes(char c) {
+    bool accept_character(char c) {
         skip_blanks();
         const bool found = at_ < text_.size() && text_[at_] == c;
         if (found) ++at_;
         return found;
     }
     void expect(char c, const ir::Type& type, std::size_t begin) {
-        if (!comes(c)) throw ValueFault{shape(type), begin, text_.size() - begin};
+        if (!accept_character(c)) throw ValueFault{describe_shape(type), begin, text_.size() - begin};
     }
     static bool ends_value(char c) {
         static constexpr std::string_view ends = " \t,()<>{}\"";
         return ends.find(c) != std::string_view::npos;
     }
-    std::string_view name() {
+    std::string_view parse_name() {
         std::size_t end = at_;
         while (end < text_.size() && !ends_value(text_[end])) ++end;
         const std::string_view word = text_.substr(at_, end - at_);
         at_ = end;
         return word;
     }
-    [[nodiscard]] ValueFault fault(std::string wanted, std::string_view word) const {
+    [[nodiscard]] ValueFault make_fault(std::string wanted, std::string_view word) const {
         const auto begin = static_cast<std::size_t>(word.data() - text_.data());
         return {std::move(wanted), begin, word.size()};
     }
 
-    [[nodiscard]] std::string shape(ir::TypeId id) const { return shape(system_.type(id)); }
+    [[nodiscard]] std::string describe_shape(ir::TypeId id) const { return describe_shape(system_.type(id)); }
     /// Describes the form of the type's values.
-    [[nodiscard]] static std::string shape(const ir::Type& type) {
+    [[nodiscard]] static std::string describe_shape(const ir::Type& type) {
         switch (type.kind) {
             case TypeKind::enumeration:
                 return "a literal of " + type.name;
@@ -270,13 +272,13 @@ private:
 };
 
 /// The corresponding value of the model, in which other numbers replace those outside their carriers.
-ir::Value replaced(const LoggedPart& part, const ir::Instantiation& instantiation, std::uint64_t salt) {
+ir::Value replace_outside(const LoggedPart& part, const ir::Instantiation& instantiation, std::uint64_t salt) {
     ir::Value value{part.number, {}};
     if (!part.outside.empty()) {
-        const std::vector<std::int64_t>& all = *numbers(instantiation, part.kind);
-        value.number = all[mixed(part.outside, salt) % all.size()];
+        const std::vector<std::int64_t>& all = *carrier_numbers(instantiation, part.kind);
+        value.number = all[hash_text(part.outside, salt) % all.size()];
     }
-    for (const LoggedPart& each : part.parts) value.parts.push_back(replaced(each, instantiation, salt));
+    for (const LoggedPart& each : part.parts) value.parts.push_back(replace_outside(each, instantiation, salt));
     if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function) {
         std::ranges::sort(value.parts);
         value.parts.erase(std::unique(value.parts.begin(), value.parts.end()), value.parts.end());
@@ -292,7 +294,7 @@ bool all_inside(const LoggedPart& part) {
 /// their carriers, so they contain no other numbers.
 bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
     if (part.kind == TypeKind::function) return all_inside(part);
-    return (part.outside.empty() || passed_on.of(part.kind)) &&
+    return (part.outside.empty() || passed_on.is_independent(part.kind)) &&
            std::ranges::all_of(part.parts, [&](const LoggedPart& each) { return only_passed_on(each, passed_on); });
 }
 
@@ -304,36 +306,37 @@ ValueReader::ValueReader(const ir::System& system, const ir::Instantiation& inst
       instantiation_(&instantiation),
       type_(type),
       passed_on_(passed_on),
-      composed_(cpp_emit::composed(system.type(type))) {
+      composed_(cpp_emit::is_composed(system.type(type))) {
     passed_on_.nat = passed_on.nat && !instantiation.nat.empty();
     passed_on_.integer = passed_on.integer && !instantiation.integer.empty();
     passed_on_.real = passed_on.real && !instantiation.real.empty();
     if (!composed_) return;
-    for (const ir::Value& value : ir::carrier(system, instantiation, type))
+    for (const ir::Value& value : ir::carrier_values(system, instantiation, type))
         places_.emplace(value, static_cast<std::int64_t>(places_.size()));
 }
 
-std::optional<std::int64_t> ValueReader::place(const LoggedPart& whole, std::uint64_t salt) const {
-    const ir::Value value = replaced(whole, *instantiation_, salt);
+std::optional<std::int64_t> ValueReader::carrier_index(const LoggedPart& whole, std::uint64_t salt) const {
+    const ir::Value value = replace_outside(whole, *instantiation_, salt);
     if (!composed_) return value.number;
     const auto found = places_.find(value);
     return found == places_.end() ? std::nullopt : std::optional(found->second);
 }
 
-LoggedValue ValueReader::read(std::string_view text) const {
+LoggedValue ValueReader::read_value(std::string_view text) const {
     LoggedValue result;
-    result.whole = ValueParser(*system_, *instantiation_, text).whole(type_);
+    result.whole = ValueParser(*system_, *instantiation_, text).parse_whole(type_);
     const bool inside = all_inside(result.whole);
-    if (inside) result.number = place(result.whole, 0);
+    if (inside) result.number = carrier_index(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
     // a value outside for another reason, such as a sequence that is too long, cannot be replaced
-    result.passed_on = !inside && only_passed_on(result.whole, passed_on_) && place(result.whole, 0).has_value();
+    result.passed_on =
+        !inside && only_passed_on(result.whole, passed_on_) && carrier_index(result.whole, 0).has_value();
     return result;
 }
 
-std::int64_t ValueReader::stand_in(const LoggedValue& value, std::uint64_t salt) const {
-    return value.number ? *value.number : place(value.whole, salt).value();
+std::int64_t ValueReader::replacement_index(const LoggedValue& value, std::uint64_t salt) const {
+    return value.number ? *value.number : carrier_index(value.whole, salt).value();
 }
 
 namespace {
@@ -344,7 +347,7 @@ public:
     Writing(const ir::System& system, const ir::Instantiation& instantiation)
         : system_(system), instantiation_(instantiation) {}
 
-    [[nodiscard]] std::string value(ir::TypeId id, const ir::Value& value) const {
+    [[nodiscard]] std::string write_value(ir::TypeId id, const ir::Value& value) const {
         const ir::Type& type = system_.type(id);
         switch (type.kind) {
             case TypeKind::boolean:
@@ -352,25 +355,27 @@ public:
             case TypeKind::real:
                 return people_text({Carrier::Kind::real, {}, {}}, value.number, instantiation_.scale);
             case TypeKind::enumeration:
-                return literal(type, value);
+                return write_literal(type, value);
             case TypeKind::string:
-                return characters(value);
+                return write_characters(value);
             case TypeKind::sequence:
-                return "<" + items(type.args.at(0), value) + ">";
+                return "<" + write_items(type.args.at(0), value) + ">";
             case TypeKind::set:
-                return "{" + items(type.args.at(0), value) + "}";
+                return "{" + write_items(type.args.at(0), value) + "}";
             case TypeKind::relation:
             case TypeKind::function:
-                return "{" + joined(value, [&](const ir::Value& pair, std::size_t) { return tuple(type, pair); }) + "}";
+                return "{" +
+                       join_items(value, [&](const ir::Value& pair, std::size_t) { return write_tuple(type, pair); }) +
+                       "}";
             case TypeKind::matrix:
-                return bracketed(value, joined(value, [&](const ir::Value& row, std::size_t) {
-                                     return bracketed(row, items(type.args.at(0), row));
-                                 }));
+                return add_brackets(value, join_items(value, [&](const ir::Value& row, std::size_t) {
+                                        return add_brackets(row, write_items(type.args.at(0), row));
+                                    }));
             case TypeKind::vector:
-                return bracketed(value, items(type.args.at(0), value));
+                return add_brackets(value, write_items(type.args.at(0), value));
             case TypeKind::record:
             case TypeKind::product:
-                return tuple(type, value);
+                return write_tuple(type, value);
             case TypeKind::nat:
             case TypeKind::integer:
             case TypeKind::given:
@@ -382,31 +387,32 @@ public:
 
 private:
     template <class Item>
-    static std::string joined(const ir::Value& value, const Item& item) {
+    static std::string join_items(const ir::Value& value, const Item& item) {
         std::string text;
         for (std::size_t i = 0; i < value.parts.size(); ++i) text += (i == 0 ? "" : ",") + item(value.parts[i], i);
         return text;
     }
-    static std::string bracketed(const ir::Value& value, const std::string& text) {
+    static std::string add_brackets(const ir::Value& value, const std::string& text) {
         return value.parts.size() == 1 ? text : "(" + text + ")";
     }
-    [[nodiscard]] std::string items(ir::TypeId type, const ir::Value& value) const {
-        return joined(value, [&](const ir::Value& part, std::size_t) { return this->value(type, part); });
+    [[nodiscard]] std::string write_items(ir::TypeId type, const ir::Value& value) const {
+        return join_items(value, [&](const ir::Value& part, std::size_t) { return this->write_value(type, part); });
     }
-    [[nodiscard]] std::string tuple(const ir::Type& type, const ir::Value& value) const {
-        return bracketed(value, joined(value, [&](const ir::Value& part, std::size_t i) {
-                             return this->value(type.args.at(i), part);
-                         }));
+    [[nodiscard]] std::string write_tuple(const ir::Type& type, const ir::Value& value) const {
+        return add_brackets(value, join_items(value, [&](const ir::Value& part, std::size_t i) {
+                                return this->write_value(type.args.at(i), part);
+                            }));
     }
-    [[nodiscard]] std::string literal(const ir::Type& type, const ir::Value& value) const {
+    [[nodiscard]] std::string write_literal(const ir::Type& type, const ir::Value& value) const {
         const auto index = static_cast<std::size_t>(value.number);
         if (value.parts.empty()) return type.labels.at(index);
-        return fmt::format("{}({})", type.labels.at(index), joined(value, [&](const ir::Value& part, std::size_t i) {
-                               return this->value(type.literal_args[index].at(i), part);
+        return fmt::format("{}({})", type.labels.at(index),
+                           join_items(value, [&](const ir::Value& part, std::size_t i) {
+                               return this->write_value(type.literal_args[index].at(i), part);
                            }));
     }
     /// The string as robochart/trace.hpp prints it.
-    static std::string characters(const ir::Value& value) {
+    static std::string write_characters(const ir::Value& value) {
         static constexpr std::string_view special = "\"\\!?/";
         std::string text;
         for (const ir::Value& part : value.parts) {
@@ -425,7 +431,7 @@ private:
 
 std::string log_text(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId type,
                      const ir::Value& value) {
-    return Writing(system, instantiation).value(type, value);
+    return Writing(system, instantiation).write_value(type, value);
 }
 
 }  // namespace robochart::conformance

@@ -47,14 +47,14 @@ public:
     ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const DataIndependence&);
 
     /// Reads a value. Throws ValueFault.
-    [[nodiscard]] LoggedValue read(std::string_view text) const;
+    [[nodiscard]] LoggedValue read_value(std::string_view text) const;
     /// The index of the carrier's value that represents a value outside the carrier. Numbers outside their carriers are
     /// replaced by numbers of their kind, which `salt` selects. Equal numbers get equal replacements.
-    [[nodiscard]] std::int64_t stand_in(const LoggedValue&, std::uint64_t salt) const;
+    [[nodiscard]] std::int64_t replacement_index(const LoggedValue&, std::uint64_t salt) const;
 
 private:
     /// The index of the value in the carrier. Numbers outside their carriers are replaced.
-    [[nodiscard]] std::optional<std::int64_t> place(const LoggedPart&, std::uint64_t salt) const;
+    [[nodiscard]] std::optional<std::int64_t> carrier_index(const LoggedPart&, std::uint64_t salt) const;
 
     const ir::System* system_;
     const ir::Instantiation* instantiation_;

@@ -31,10 +31,10 @@ ModelGraph::ModelGraph(lts::TransitionSystem& model, const Alphabet& alphabet)
     : model_(&model), alphabet_(&alphabet), width_(model.width()) {
     std::vector<lts::Word> start(width_);
     model.initial(start);
-    initial_ = intern(start);
+    initial_ = intern_state(start);
 }
 
-ModelState ModelGraph::intern(lts::StateView state) {
+ModelState ModelGraph::intern_state(lts::StateView state) {
     const std::string key(reinterpret_cast<const char*>(state.data()), state.size_bytes());
     const auto [place, fresh] = ids_.emplace(key, static_cast<ModelState>(edges_.size()));
     if (fresh) {
@@ -44,11 +44,11 @@ ModelState ModelGraph::intern(lts::StateView state) {
     return place->second;
 }
 
-lts::StateView ModelGraph::view(ModelState state) const {
+lts::StateView ModelGraph::packed_state(ModelState state) const {
     return {words_.data() + state * width_, width_};
 }
 
-const ModelRole& ModelGraph::role(process::Event event) {
+const ModelRole& ModelGraph::event_role(process::Event event) {
     if (event >= roles_.size()) {
         roles_.resize(event + 1U);
         role_known_.resize(event + 1U);
@@ -60,27 +60,27 @@ const ModelRole& ModelGraph::role(process::Event event) {
     return roles_[event];
 }
 
-void ModelGraph::expand(ModelState state) {
+void ModelGraph::expand_state(ModelState state) {
     if (poll_) poll_();
     Collect sink;
     // A copy, because `words_` may grow while the model calls its own sink.
-    const std::vector<lts::Word> packed(view(state).begin(), view(state).end());
+    const std::vector<lts::Word> packed(packed_state(state).begin(), packed_state(state).end());
     model_->successors(packed, sink);
     std::vector<ModelEdge> edges;
     for (const Successor& successor : sink.successors) {
-        const ModelRole& role_of = role(successor.event);
+        const ModelRole& role_of = event_role(successor.event);
         if (role_of.kind == ModelRole::Kind::foreign)
             throw AlphabetError(fmt::format("the model can do {}, which the code's interface does not have",
                                             model_->events().name(successor.event)));
         if (role_of.kind == ModelRole::Kind::blocked) continue;
-        edges.push_back({role_of, successor.event, successor.revealed, intern(successor.target)});
+        edges.push_back({role_of, successor.event, successor.revealed, intern_state(successor.target)});
     }
     edges_[state].edges = std::move(edges);
     edges_[state].known = true;
 }
 
 const std::vector<ModelEdge>& ModelGraph::edges(ModelState state) {
-    if (!edges_[state].known) expand(state);
+    if (!edges_[state].known) expand_state(state);
     return edges_[state].edges;
 }
 
@@ -122,7 +122,7 @@ bool ModelGraph::goes_on(ModelState start) {
 }
 
 /// If there are too many states, returns true for all registers, which only loses the reduction of readings.
-const std::vector<bool>& ModelGraph::hears(ModelState start) {
+const std::vector<bool>& ModelGraph::heard_inputs(ModelState start) {
     const auto found = hears_.find(start);
     if (found != hears_.end()) return found->second;
     std::vector<bool> heard(alphabet_->interface().inputs.size());
@@ -135,7 +135,7 @@ const std::vector<bool>& ModelGraph::hears(ModelState start) {
 }
 
 std::string ModelGraph::describe(ModelState state) const {
-    return model_->describe(view(state));
+    return model_->describe(packed_state(state));
 }
 
 }  // namespace robochart::conformance

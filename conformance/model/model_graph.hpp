@@ -34,13 +34,13 @@ public:
     [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
     /// For each register, whether its event can happen from this state before the next tock, in any run. Ignores the
     /// simulation assumptions: "yes" may be wrong, "no" is always right.
-    [[nodiscard]] const std::vector<bool>& hears(ModelState);
+    [[nodiscard]] const std::vector<bool>& heard_inputs(ModelState);
     /// Whether time can pass, or the model terminate, after suitable inputs: after some sequence of events that take no
     /// time.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
     /// The state as M packs it; valid until another state is added.
-    [[nodiscard]] lts::StateView view(ModelState) const;
+    [[nodiscard]] lts::StateView packed_state(ModelState) const;
     /// Sets a function that is called for every expanded state and may throw. Empty: none.
     void watch(const std::function<void()>& poll) { poll_ = poll; }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
@@ -50,9 +50,9 @@ private:
         bool known = false;
         std::vector<ModelEdge> edges;
     };
-    ModelState intern(lts::StateView);
-    void expand(ModelState);
-    [[nodiscard]] const ModelRole& role(process::Event);
+    ModelState intern_state(lts::StateView);
+    void expand_state(ModelState);
+    [[nodiscard]] const ModelRole& event_role(process::Event);
 
     std::function<void()> poll_;
     lts::TransitionSystem* model_;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "conformance/code/interface.hpp"
 #include "conformance/model/data_independence.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

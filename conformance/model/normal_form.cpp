@@ -43,9 +43,9 @@ ExprPtr after_tocks(std::uint32_t tocks, ExprPtr process) {
     return process;
 }
 
-bool declares(const std::vector<DeclPtr>& decls, const std::string& name) {
+bool declares_name(const std::vector<DeclPtr>& decls, const std::string& name) {
     return std::ranges::any_of(decls, [&](const DeclPtr& decl) {
-        if (decl->kind == cspm::DeclKind::timed) return declares(decl->decls, name);
+        if (decl->kind == cspm::DeclKind::timed) return declares_name(decl->decls, name);
         const std::vector<std::string> names = cspm::declared_names(*decl);
         return std::ranges::find(names, name) != names.end();
     });
@@ -58,13 +58,17 @@ public:
         : script_(script), alphabet_(alphabet), cycle_length_(cycle_length), reading_(reading) {}
 
     NormalFormScript write(const ExprPtr& model) {
-        channels();
-        for (std::uint32_t i = 0; i < inputs().size(); ++i) add(b::value(a1_name(constructor(i)), a1(i)));
-        add(b::value("TA1__", ta1(), "A1: an input happens only if it was read as present, at most once a cycle."));
-        add(b::value("A2__", a2(), "A2: each output is written at once, before another one or time passing."));
-        add(b::value("TA3__", ta3(), "A3: all registers are read, then the model acts, then time passes."));
-        add(b::value("SimulationAssumptions__", assumptions()));
-        add(b::value("NF__", composed(model), "The model in cycles, with maximal progress."));
+        add_channels();
+        for (std::uint32_t i = 0; i < inputs().size(); ++i)
+            add_definition(b::value(a1_name(constructor(i)), a1_process(i)));
+        add_definition(b::value("TA1__", ta1_process(),
+                                "A1: an input happens only if it was read as present, at most once a cycle."));
+        add_definition(
+            b::value("A2__", a2_process(), "A2: each output is written at once, before another one or time passing."));
+        add_definition(
+            b::value("TA3__", ta3_process(), "A3: all registers are read, then the model acts, then time passes."));
+        add_definition(b::value("SimulationAssumptions__", assumptions_process()));
+        add_definition(b::value("NF__", compose_cycles(model), "The model in cycles, with maximal progress."));
         for (const DeclPtr& decl : result_.decls) check_name(*decl);
         result_.process = b::name("NF__");
         return std::move(result_);
@@ -82,23 +86,23 @@ private:
         const ExprPtr channel = b::name(declared_channel(local));
         return dot == std::string::npos ? channel : b::dot({channel, b::name(local.substr(dot + 1))});
     }
-    void add(DeclPtr decl) { result_.decls.push_back(std::move(decl)); }
+    void add_definition(DeclPtr decl) { result_.decls.push_back(std::move(decl)); }
 
     void check_name(const cspm::Decl& decl) const {
         for (const std::string& name : cspm::declared_names(decl)) {
-            if (decl.kind != cspm::DeclKind::external && declares(script_.decls, name))
+            if (decl.kind != cspm::DeclKind::external && declares_name(script_.decls, name))
                 throw AlphabetError(fmt::format("the script of the model already declares {}", name));
         }
     }
 
-    [[nodiscard]] std::string qualified(const std::string& local) const {
+    [[nodiscard]] std::string qualified_name(const std::string& local) const {
         return alphabet_.interface().component + "::" + local.substr(0, local.find('.'));
     }
 
     [[nodiscard]] std::string declared_channel(const std::string& local) const {
-        if (!find_channel(script_, qualified(local)))
-            throw AlphabetError(fmt::format("the model has no channel {}", qualified(local)));
-        return qualified(local);
+        if (!find_channel(script_, qualified_name(local)))
+            throw AlphabetError(fmt::format("the model has no channel {}", qualified_name(local)));
+        return qualified_name(local);
     }
 
     /// The types of an output's arguments as the model's channel declares them.
@@ -123,7 +127,7 @@ private:
         return b::set(std::move(values));
     }
 
-    void channels() {
+    void add_channels() {
         std::vector<cspm::Constructor> registers;
         for (std::uint32_t i = 0; i < inputs().size(); ++i) {
             registers.push_back(b::constructor("absent__" + constructor(i)));
@@ -133,15 +137,15 @@ private:
         for (std::uint32_t o = 0; o < outputs().size(); ++o)
             written.push_back(b::constructor("wrote__" + alphabet_.output_constructor(o), fields_of(outputs()[o])));
         if (!registers.empty()) {
-            add(b::datatype("Register__", std::move(registers), "What a read of an input register finds."));
-            add(b::channel({"registerRead"}, b::name("Register__")));
+            add_definition(b::datatype("Register__", std::move(registers), "What a read of an input register finds."));
+            add_definition(b::channel({"registerRead"}, b::name("Register__")));
         }
         if (!written.empty()) {
-            add(b::datatype("Written__", std::move(written), "What the software tells the platform to do."));
-            add(b::channel({"registerWrite"}, b::name("Written__")));
+            add_definition(b::datatype("Written__", std::move(written), "What the software tells the platform to do."));
+            add_definition(b::channel({"registerWrite"}, b::name("Written__")));
         }
-        add(b::channel({end_event}));
-        if (!declares_external("prioritise")) add(b::external({"prioritise"}));
+        add_definition(b::channel({end_event}));
+        if (!declares_external("prioritise")) add_definition(b::external({"prioritise"}));
     }
 
     [[nodiscard]] bool declares_external(const std::string& name) const {
@@ -151,28 +155,28 @@ private:
         });
     }
 
-    [[nodiscard]] ExprPtr read(std::uint32_t input, ExprPtr absent, ExprPtr present) const {
+    [[nodiscard]] ExprPtr read_choice(std::uint32_t input, ExprPtr absent, ExprPtr present) const {
         std::vector<cspm::Field> fields;
         if (!inputs()[input].texts.empty()) fields.push_back(b::input(value_name(1)));
         return b::choice({b::prefix(read_event("absent", constructor(input)), std::move(absent)),
                           b::prefix(read_event("present", constructor(input)), std::move(fields), std::move(present))});
     }
 
-    [[nodiscard]] ExprPtr a1(std::uint32_t input) const {
+    [[nodiscard]] ExprPtr a1_process(std::uint32_t input) const {
         const ExprPtr again = b::name(a1_name(constructor(input)));
         ExprPtr event = model_event(inputs()[input].name);
         if (!inputs()[input].texts.empty()) event = b::dot({event, b::name(value_name(1))});
-        return read(input, again, b::choice({b::prefix(event, again), again}));
+        return read_choice(input, again, b::choice({b::prefix(event, again), again}));
     }
 
-    [[nodiscard]] ExprPtr ta1() const {
+    [[nodiscard]] ExprPtr ta1_process() const {
         if (inputs().empty()) return end();
         std::vector<ExprPtr> each;
         for (std::uint32_t i = 0; i < inputs().size(); ++i) each.push_back(b::name(a1_name(constructor(i))));
         return b::interrupt(b::interleave(std::move(each)), end());
     }
 
-    [[nodiscard]] ExprPtr a2() const {
+    [[nodiscard]] ExprPtr a2_process() const {
         std::vector<ExprPtr> choices;
         for (std::uint32_t o = 0; o < outputs().size(); ++o) choices.push_back(a2_output(o));
         choices.push_back(end());
@@ -192,9 +196,9 @@ private:
                          b::prefix(b::dot(std::move(report)), b::name("A2__")));
     }
 
-    [[nodiscard]] ExprPtr ta3() const {
+    [[nodiscard]] ExprPtr ta3_process() const {
         std::vector<ExprPtr> reads;
-        for (std::uint32_t i = 0; i < inputs().size(); ++i) reads.push_back(read(i, b::skip(), b::skip()));
+        for (std::uint32_t i = 0; i < inputs().size(); ++i) reads.push_back(read_choice(i, b::skip(), b::skip()));
         const ExprPtr acting = b::interrupt(b::call("RUN", {model_events(true, true)}),
                                             b::choice({end(), after_tocks(cycle_length_, b::name("TA3__"))}));
         if (reads.empty()) return acting;
@@ -220,7 +224,7 @@ private:
         return b::productions(std::move(events));
     }
 
-    [[nodiscard]] ExprPtr assumptions() const {
+    [[nodiscard]] ExprPtr assumptions_process() const {
         const ExprPtr first_two =
             b::alphabetised(b::name("TA1__"), model_events(true, false, {"registerRead", end_event}),
                             model_events(false, true, {"registerWrite", end_event, "tock"}), b::name("A2__"));
@@ -230,19 +234,19 @@ private:
     }
 
     /// The model without external writes that the environment never makes.
-    [[nodiscard]] ExprPtr unwritten(const ExprPtr& model) const {
+    [[nodiscard]] ExprPtr without_blocked_writes(const ExprPtr& model) const {
         std::vector<ExprPtr> blocked;
         for (const std::string& channel : alphabet_.interface().blocked) blocked.push_back(model_event(channel));
         if (blocked.empty()) return model;
         return b::parallel(model, b::productions(std::move(blocked)), b::skip());
     }
 
-    [[nodiscard]] ExprPtr composed(const ExprPtr& model) const {
+    [[nodiscard]] ExprPtr compose_cycles(const ExprPtr& model) const {
         const std::string terminate = alphabet_.interface().component + "::terminate";
         const ExprPtr quiet = find_channel(script_, terminate) ? b::hide(model, b::set({b::name(terminate)})) : model;
         const ExprPtr parallel =
-            b::parallel(b::sequential({unwritten(quiet), end()}), model_events(true, true, {"tock", end_event}),
-                        b::name("SimulationAssumptions__"));
+            b::parallel(b::sequential({without_blocked_writes(quiet), end()}),
+                        model_events(true, true, {"tock", end_event}), b::name("SimulationAssumptions__"));
         const ExprPtr hidden = b::hide(parallel, model_events(true, true, {end_event}));
         return b::call("prioritise", {hidden, b::sequence({b::set({}), b::set({b::name("tock")})})});
     }

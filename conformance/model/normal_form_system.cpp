@@ -42,7 +42,7 @@ struct NormalFormSystem::Move {
         next.assign(from.begin(), from.end());
         return next;
     }
-    void silent(process::Event revealed) {
+    void add_silent_step(process::Event revealed) {
         urgent = true;
         stands = false;
         sink.add(process::tau, next, revealed);
@@ -97,22 +97,22 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
     if (state[phase] == ending) {
         move.restart()[phase] = over;
         if (frame_.after == AfterTermination::idle)
-            move.silent(process::tick);
+            move.add_silent_step(process::tick);
         else
             sink.add(process::tick, move.next, process::tick);
         return;
     }
-    if (state[phase] == reading) read(move);
+    if (state[phase] == reading) add_reads(move);
     if (state[pending] != 0) {  // A2: the report follows the output before any other output or tock
         move.restart()[pending] = 0;
         move.stands = false;
         sink.add(frame_.writes_hidden ? process::tau : state[pending], move.next, state[pending]);
     }
     if (state[model_state] == gone)
-        terminate(move);
+        add_termination(move);
     else
         model_moves(move);
-    if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) miss(move);
+    if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) add_missed_deadline(move);
 }
 
 /// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M continue up to a point
@@ -127,11 +127,11 @@ bool NormalFormSystem::awaits_input(lts::StateView state) {
     });
 }
 
-void NormalFormSystem::miss(Move& move) {
+void NormalFormSystem::add_missed_deadline(Move& move) {
     move.restart()[phase] = missed;
     std::fill(move.next.begin() + fields, move.next.end(), 0U);
     if (frame_.deadlines == Deadlines::idle)
-        move.silent(deadline_);
+        move.add_silent_step(deadline_);
     else
         move.sink.add(deadline_, move.next, deadline_);
 }
@@ -146,7 +146,7 @@ public:
 
 }  // namespace
 
-Standstill NormalFormSystem::standstill(lts::StateView state) {
+Standstill NormalFormSystem::standstill_kind(lts::StateView state) {
     if (state[phase] == over) return Standstill::terminated;
     Counts sink;
     successors(state, sink);
@@ -168,12 +168,12 @@ Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
 }
 
 // A1, A3: registers are read one after the other, each with any reading. A register that M cannot read before time
-// passes counts as absent (model_graph.hpp, hears).
-void NormalFormSystem::read(Move& move) {
+// passes counts as absent (model_graph.hpp).
+void NormalFormSystem::add_reads(Move& move) {
     const lts::Word at = move.from[progress];
     const auto input = static_cast<std::uint32_t>(at);
     const lts::Word state = move.from[model_state];
-    const bool heard = state != gone && model_->hears(state)[input];
+    const bool heard = state != gone && model_->heard_inputs(state)[input];
     const auto found = [&](lts::Word reading, process::Event event) {
         std::vector<lts::Word>& next = move.restart();
         next[fields + mask_words_ + input] = heard ? reading : 0;
@@ -185,8 +185,8 @@ void NormalFormSystem::read(Move& move) {
         move.stands = false;
         move.sink.add(event, next, event);
     };
-    for (std::uint32_t r = 0; r < alphabet_->interface().inputs[input].readings(); ++r)
-        found(r, alphabet_->read(input, r));
+    for (std::uint32_t r = 0; r < alphabet_->interface().inputs[input].reading_count(); ++r)
+        found(r, alphabet_->read_event(input, r));
     if (frame_.unread) found(not_read, unread_[input]);
 }
 
@@ -205,16 +205,16 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
         case ModelRole::Kind::tau:
         case ModelRole::Kind::terminate:  // M \ {terminate}
             next[model_state] = edge.target;
-            move.silent(edge.role.kind == ModelRole::Kind::tau ? edge.revealed : edge.event);
+            move.add_silent_step(edge.role.kind == ModelRole::Kind::tau ? edge.revealed : edge.event);
             return;
         case ModelRole::Kind::tick:  // M \ {terminate} ; terminate -> SKIP
             next[model_state] = gone;
-            move.silent(edge.event);
+            move.add_silent_step(edge.event);
             return;
         case ModelRole::Kind::input:
-            return input(move, edge);
+            return add_input_step(move, edge);
         case ModelRole::Kind::output:
-            return output(move, edge);
+            return store_output(move, edge);
         case ModelRole::Kind::tock:
         case ModelRole::Kind::blocked:
         case ModelRole::Kind::foreign:
@@ -224,7 +224,7 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
 
 // A1: an input happens only with the reading of this cycle, and only once. A3: not before all registers are read. H:
 // hidden.
-void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
+void NormalFormSystem::add_input_step(Move& move, const ModelEdge& edge) {
     lts::Word& held = move.next[fields + mask_words_ + edge.role.index];
     if (move.from[phase] != acting) return;
     if (held == not_read) {
@@ -234,24 +234,24 @@ void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
     if (held != edge.role.reading) return;
     held = 0;
     move.next[model_state] = edge.target;
-    move.silent(edge.event);
+    move.add_silent_step(edge.event);
 }
 
 // A2: any number of outputs, one report at a time. A3: not before all registers are read. H: hidden.
-void NormalFormSystem::output(Move& move, const ModelEdge& edge) {
+void NormalFormSystem::store_output(Move& move, const ModelEdge& edge) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     move.next[pending] = edge.role.write;
     if (frame_.outputs == Outputs::once) {
         lts::Word& mask = move.next[fields + edge.role.index / 32];
         const lts::Word bit = 1U << (edge.role.index % 32);
-        if ((mask & bit) != 0) return repeat(move);
+        if ((mask & bit) != 0) return add_repeat(move);
         mask |= bit;
     }
     move.next[model_state] = edge.target;
-    move.silent(edge.event);
+    move.add_silent_step(edge.event);
 }
 
-void NormalFormSystem::repeat(Move& move) {
+void NormalFormSystem::add_repeat(Move& move) {
     std::fill(move.next.begin() + fields, move.next.end(), 0U);
     move.next[phase] = repeated;
     move.urgent = true;
@@ -280,12 +280,12 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
 
 // All parts synchronise on `terminate` after the reads and with no pending report; it is hidden and followed by ✓ of
 // all.
-void NormalFormSystem::terminate(Move& move) {
+void NormalFormSystem::add_termination(Move& move) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     std::vector<lts::Word>& next = move.restart();
     std::ranges::fill(next, 0U);
     next[phase] = ending;
-    move.silent(process::tick);
+    move.add_silent_step(process::tick);
 }
 
 bool NormalFormSystem::begins_cycle(lts::StateView state) const {
@@ -294,13 +294,13 @@ bool NormalFormSystem::begins_cycle(lts::StateView state) const {
     return fresh && first && state[pending] == 0 && state[model_state] != gone;
 }
 
-std::optional<ModelState> NormalFormSystem::model(lts::StateView state) const {
+std::optional<ModelState> NormalFormSystem::model_state_of(lts::StateView state) const {
     const bool ended = state[phase] == ending || state[phase] == over || state[model_state] == gone;
     return ended ? std::nullopt : std::optional(state[model_state]);
 }
 
 std::string NormalFormSystem::describe_model(lts::StateView state) const {
-    const std::optional<ModelState> at = model(state);
+    const std::optional<ModelState> at = model_state_of(state);
     return at ? model_->describe(*at) : "";
 }
 
@@ -308,7 +308,7 @@ std::string NormalFormSystem::describe(lts::StateView state) const {
     if (state[phase] == ending || state[phase] == over) return "terminated";
     if (state[model_state] == gone) return "terminating";
     if (state[phase] == repeated)
-        return fmt::format("{} a second time in one cycle, at {}", alphabet_->tell(state[pending]),
+        return fmt::format("{} a second time in one cycle, at {}", alphabet_->describe_event(state[pending]),
                            model_->describe(state[model_state]));
     return model_->describe(state[model_state]);
 }

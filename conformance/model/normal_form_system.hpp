@@ -64,34 +64,34 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    void watch(const std::function<void()>& poll) override { model_->watch(poll); }
+    void set_poll(const std::function<void()>& poll) override { model_->watch(poll); }
     /// Whether a cycle may begin in the state: nothing has been read or written yet.
     [[nodiscard]] bool begins_cycle(lts::StateView state) const;
     /// The reason why the state has no transitions; `none` if it has some.
-    [[nodiscard]] Standstill standstill(lts::StateView state);
+    [[nodiscard]] Standstill standstill_kind(lts::StateView state);
     /// The state of M; no value after its termination.
-    [[nodiscard]] std::optional<ModelState> model(lts::StateView state) const;
+    [[nodiscard]] std::optional<ModelState> model_state_of(lts::StateView state) const;
     /// The events for a repeated output (Outputs::once) and a missed deadline (Deadlines::mark).
-    [[nodiscard]] process::Event repeats() const { return repeats_; }
-    [[nodiscard]] process::Event deadline() const { return deadline_; }
+    [[nodiscard]] process::Event repeat_event() const { return repeats_; }
+    [[nodiscard]] process::Event deadline_event() const { return deadline_; }
     /// The events of Frame::unread.
-    [[nodiscard]] process::Event unread(std::uint32_t input) const { return unread_[input]; }
-    [[nodiscard]] process::Event asks(std::uint32_t input) const { return asks_[input]; }
+    [[nodiscard]] process::Event unread_event(std::uint32_t input) const { return unread_[input]; }
+    [[nodiscard]] process::Event ask_event(std::uint32_t input) const { return asks_[input]; }
     /// The text that M prints for its state; "" after termination.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:
     struct Move;
     void begin_cycle(std::span<lts::Word> state) const;
-    void read(Move&);
+    void add_reads(Move&);
     void model_moves(Move&);
     void model_step(Move&, const ModelEdge&);
-    void input(Move&, const ModelEdge&);
-    void output(Move&, const ModelEdge&);
+    void add_input_step(Move&, const ModelEdge&);
+    void store_output(Move&, const ModelEdge&);
     void pass_time(Move&, const ModelEdge&);
-    void terminate(Move&);
-    void repeat(Move&);
-    void miss(Move&);
+    void add_termination(Move&);
+    void add_repeat(Move&);
+    void add_missed_deadline(Move&);
     [[nodiscard]] bool awaits_input(lts::StateView state);
     [[nodiscard]] Standstill standstill_in_mid_cycle(lts::StateView state);
 

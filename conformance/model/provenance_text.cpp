@@ -11,7 +11,7 @@ namespace robochart::conformance {
 namespace {
 
 std::string with_place(const std::string& text, const ir::Origin& origin, const diagnostics::SourceManager& sources) {
-    const std::string place = sources.place(origin.span);
+    const std::string place = sources.path_and_line(origin.span);
     return place.empty() ? text : fmt::format("{} ({})", text, place);
 }
 
@@ -44,15 +44,15 @@ std::vector<std::string> elements_of_state(const std::string& description, const
     return elements;
 }
 
-std::string tell_with_place(process::Event event, const Alphabet& alphabet, const csp_emit::Provenance& provenance,
-                            const diagnostics::SourceManager& sources) {
+std::string describe_with_place(process::Event event, const Alphabet& alphabet, const csp_emit::Provenance& provenance,
+                                const diagnostics::SourceManager& sources) {
     const CycleRole role = alphabet.cycle_role(event);
     const Interface& interface = alphabet.interface();
     std::string name;
     if (role.kind == CycleRole::Kind::write) name = interface.outputs[role.index].name;
     if (role.kind == CycleRole::Kind::read) name = interface.inputs[role.index].name;
     const auto found = provenance.events.find(interface.component + "::" + name);
-    const std::string text = alphabet.tell(event);
+    const std::string text = alphabet.describe_event(event);
     return found == provenance.events.end() ? text : with_place(text, found->second.origin, sources);
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/source.hpp"
 #include "conformance/code/interface.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/source.hpp"
 
 namespace robochart::conformance {
 
@@ -16,7 +16,7 @@ namespace robochart::conformance {
                                                          const diagnostics::SourceManager&);
 
 /// "MoveForward()" or "MoveForward() (swarm_taxis.rct:24)": an event of NF_c(M) with the place of its element.
-[[nodiscard]] std::string tell_with_place(process::Event, const Alphabet&, const csp_emit::Provenance&,
-                                          const diagnostics::SourceManager&);
+[[nodiscard]] std::string describe_with_place(process::Event, const Alphabet&, const csp_emit::Provenance&,
+                                              const diagnostics::SourceManager&);
 
 }  // namespace robochart::conformance

@@ -8,7 +8,7 @@ namespace robochart::conformance {
 namespace {
 
 /// The same component under its new names in the system.
-ir::ComponentRef renamed(const ir::System& system, ir::ComponentRef ref) {
+ir::ComponentRef rename_component(const ir::System& system, ir::ComponentRef ref) {
     const auto take = [&](const auto& components, const auto& path) {
         if (ref.definition >= components.size()) return;
         ref.package = components[ref.definition].package;
@@ -35,7 +35,7 @@ RenamedSystem renamed_system(const ir::System& system, const ir::Instantiation& 
 }
 
 ir::ComponentRef renamed_component(const RenamedSystem& model, const ir::ComponentRef& component) {
-    return model.changed ? renamed(model.system, component) : component;
+    return model.changed ? rename_component(model.system, component) : component;
 }
 
 RenamedModel renamed_model(const ir::System& system, const ir::Instantiation& instantiation,

@@ -34,24 +34,24 @@ public:
 
     /// A value of the type; no value for functions and relations, whose values have no fixed shape. Recursion depth:
     /// the depth of types.
-    std::optional<ir::Value> of(ir::TypeId id) {
+    std::optional<ir::Value> sample_value(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         switch (type.kind) {
             case ir::TypeKind::function:
             case ir::TypeKind::relation:
                 return std::nullopt;
             case ir::TypeKind::sequence:
-                return parts(
+                return sample_parts(
                     std::vector<ir::TypeId>(static_cast<std::size_t>(instantiation_.sequence_bound), type.args[0]));
             case ir::TypeKind::set:
-                return parts({type.args[0]});
+                return sample_parts({type.args[0]});
             case ir::TypeKind::vector:
-                return parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[0]), type.args[0]));
+                return sample_parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[0]), type.args[0]));
             case ir::TypeKind::matrix:
-                return matrix(type);
+                return sample_matrix(type);
             case ir::TypeKind::product:
             case ir::TypeKind::record:
-                return parts(type.args);
+                return sample_parts(type.args);
             case ir::TypeKind::boolean:
             case ir::TypeKind::nat:
             case ir::TypeKind::integer:
@@ -62,27 +62,27 @@ public:
             case ir::TypeKind::unit:
                 break;
         }
-        const std::vector<ir::Value> values = ir::carrier(system_, instantiation_, id);
+        const std::vector<ir::Value> values = ir::carrier_values(system_, instantiation_, id);
         if (values.empty()) return std::nullopt;
         return values[next_++ % values.size()];
     }
 
 private:
-    std::optional<ir::Value> parts(const std::vector<ir::TypeId>& types) {
+    std::optional<ir::Value> sample_parts(const std::vector<ir::TypeId>& types) {
         ir::Value value;
         for (const ir::TypeId type : types) {
-            std::optional<ir::Value> part = of(type);
+            std::optional<ir::Value> part = sample_value(type);
             if (!part) return std::nullopt;
             value.parts.push_back(std::move(*part));
         }
         return value;
     }
 
-    std::optional<ir::Value> matrix(const ir::Type& type) {
+    std::optional<ir::Value> sample_matrix(const ir::Type& type) {
         ir::Value value;
         for (std::int64_t row = 0; row < type.sizes[0]; ++row) {
             std::optional<ir::Value> each =
-                parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[1]), type.args[0]));
+                sample_parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[1]), type.args[0]));
             if (!each) return std::nullopt;
             value.parts.push_back(std::move(*each));
         }
@@ -105,11 +105,11 @@ public:
 
     Representatives choose() {
         if (!too_many()) return std::move(result_);
-        for (const ir::TypeId type : at_the_boundary()) parts_first(type);
+        for (const ir::TypeId type : boundary_types()) parts_first(type);
         if (too_many()) {
-            numbers(ir::TypeKind::nat, result_.instantiation.nat);
-            numbers(ir::TypeKind::integer, result_.instantiation.integer);
-            numbers(ir::TypeKind::real, result_.instantiation.real);
+            represent_numbers(ir::TypeKind::nat, result_.instantiation.nat);
+            represent_numbers(ir::TypeKind::integer, result_.instantiation.integer);
+            represent_numbers(ir::TypeKind::real, result_.instantiation.real);
         }
         return std::move(result_);
     }
@@ -118,22 +118,22 @@ private:
     [[nodiscard]] bool too_many() const {
         if (!cpp_emit::beyond_exploration(system_, result_.instantiation, component_).empty()) return true;
         double valuations = 1;
-        for (const cpp_emit::Register& input : cpp_emit::registers(component_)) {
-            const double values =
-                input.type
-                    ? static_cast<double>(
-                          ir::carrier(system_, result_.instantiation, *input.type, cpp_emit::max_input_values).size())
-                    : 1;
+        for (const cpp_emit::Register& input : cpp_emit::exploration_registers(component_)) {
+            const double values = input.type
+                                      ? static_cast<double>(ir::carrier_values(system_, result_.instantiation,
+                                                                               *input.type, cpp_emit::max_input_values)
+                                                                .size())
+                                      : 1;
             valuations *= 1 + values;
         }
         return valuations > static_cast<double>(CodeSystem::max_valuations);
     }
 
-    [[nodiscard]] std::vector<ir::TypeId> at_the_boundary() const {
+    [[nodiscard]] std::vector<ir::TypeId> boundary_types() const {
         std::vector<ir::TypeId> types;
-        for (const cpp_emit::Register& input : cpp_emit::registers(component_))
+        for (const cpp_emit::Register& input : cpp_emit::exploration_registers(component_))
             if (input.type) types.push_back(*input.type);
-        for (const cpp_emit::Output& output : cpp_emit::outputs(component_))
+        for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(component_))
             types.insert(types.end(), output.types.begin(), output.types.end());
         return types;
     }
@@ -142,18 +142,18 @@ private:
     /// Recursion depth: the depth of types.
     void parts_first(ir::TypeId id) {
         if (!seen_.insert(id.index).second) return;
-        if (independent_.of(system_, id) && represent(id)) return;
+        if (independent_.is_independent(system_, id) && represent_type(id)) return;
         const ir::Type& type = system_.type(id);
         for (const ir::TypeId part : type.args) parts_first(part);
         for (const auto& arguments : type.literal_args)
             for (const ir::TypeId part : arguments) parts_first(part);
     }
 
-    bool represent(ir::TypeId id) {
-        std::set<ir::Value> values = fixed(id);
+    bool represent_type(ir::TypeId id) {
+        std::set<ir::Value> values = fixed_values(id);
         const std::size_t all = values.size() + 2;
         for (std::size_t shift = 0; shift < attempts && values.size() < all; ++shift) {
-            std::optional<ir::Value> value = Sample(system_, result_.instantiation, shift).of(id);
+            std::optional<ir::Value> value = Sample(system_, result_.instantiation, shift).sample_value(id);
             if (!value) return false;
             values.insert(std::move(*value));
         }
@@ -166,7 +166,7 @@ private:
     }
 
     /// The initial values of variables and constants of the type.
-    [[nodiscard]] std::set<ir::Value> fixed(ir::TypeId id) const {
+    [[nodiscard]] std::set<ir::Value> fixed_values(ir::TypeId id) const {
         std::set<ir::Value> values{ir::default_value(system_, result_.instantiation, id)};
         for_each_fixed([&](ir::TypeId type, const ir::Value& value) {
             if (same_type(system_, id, type)) values.insert(value);
@@ -187,13 +187,14 @@ private:
 
     /// Represents a kind of numbers at the boundary by the initial and written numbers of the component and two further
     /// numbers.
-    void numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
+    void represent_numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
         const bool used =
             std::ranges::any_of(seen_, [&](std::uint32_t index) { return system_.types[index].kind == kind; });
-        if (!used || !independent_.of(kind)) return;
+        if (!used || !independent_.is_independent(kind)) return;
         std::set<std::int64_t> kept{0};
-        for_each_fixed([&](ir::TypeId type, const ir::Value& value) { leaves(system_.type(type), value, kind, kept); });
-        for (const cpp_emit::Unit& unit : component_.units) literals(*unit.machine, kept);
+        for_each_fixed(
+            [&](ir::TypeId type, const ir::Value& value) { collect_numbers(system_.type(type), value, kind, kept); });
+        for (const cpp_emit::Unit& unit : component_.units) collect_literals(*unit.machine, kept);
         std::vector<std::int64_t> chosen;
         std::size_t more = 2;
         for (const std::int64_t number : carrier)
@@ -208,19 +209,20 @@ private:
     }
 
     /// The numbers of a kind in a value. Recursion depth: the depth of types.
-    void leaves(const ir::Type& type, const ir::Value& value, ir::TypeKind kind, std::set<std::int64_t>& found) const {
+    void collect_numbers(const ir::Type& type, const ir::Value& value, ir::TypeKind kind,
+                         std::set<std::int64_t>& found) const {
         if (type.kind == kind) found.insert(value.number);
         for (std::size_t i = 0; i < value.parts.size(); ++i) {
             const bool literal = type.kind == ir::TypeKind::enumeration;
             const std::vector<ir::TypeId>& args =
                 literal ? type.literal_args.at(static_cast<std::size_t>(value.number)) : type.args;
             const bool row = args.empty();  // the row of a matrix, visited with the type of its elements
-            leaves(row ? type : system_.type(args[args.size() > 1 ? i : 0]), value.parts[i], kind, found);
+            collect_numbers(row ? type : system_.type(args[args.size() > 1 ? i : 0]), value.parts[i], kind, found);
         }
     }
 
     /// Each literal counts as a number of every kind.
-    void literals(const ir::Machine& machine, std::set<std::int64_t>& found) const {
+    void collect_literals(const ir::Machine& machine, std::set<std::int64_t>& found) const {
         ir::visit_expressions(machine, [&](const ir::Expr& root, ir::ExprRole) {
             ir::visit_operands(root, [&](const ir::Expr& expr) {
                 const auto value = ir::evaluate_constant(system_, result_.instantiation, &machine, expr);
@@ -241,18 +243,18 @@ private:
 
 }  // namespace
 
-bool represented(const ir::System& system, const Representatives& few, ir::TypeId id) {
+bool is_represented(const ir::System& system, const Representatives& few, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     const auto same = [&](const RepresentedType& each) { return same_type(system, each.type, id); };
     if (std::ranges::any_of(few.types, same)) return true;
-    const auto inside = [&](ir::TypeId part) { return represented(system, few, part); };
+    const auto inside = [&](ir::TypeId part) { return is_represented(system, few, part); };
     return std::ranges::any_of(type.args, inside) || std::ranges::any_of(type.literal_args, [&](const auto& arguments) {
                return std::ranges::any_of(arguments, inside);
            });
 }
 
-Representatives representatives(const ir::System& system, const ir::Instantiation& instantiation,
-                                const cpp_emit::Component& component) {
+Representatives choose_representatives(const ir::System& system, const ir::Instantiation& instantiation,
+                                       const cpp_emit::Component& component) {
     return Chooser(system, instantiation, component).choose();
 }
 

@@ -30,9 +30,10 @@ struct Representatives {
 /// representatives are the values of constants, the initial values, and two further values. These two differ from all
 /// others and from each other in every part. Their own parts differ, too, if the carriers allow it, so that lost or
 /// exchanged parts are detected.
-[[nodiscard]] Representatives representatives(const ir::System&, const ir::Instantiation&, const cpp_emit::Component&);
+[[nodiscard]] Representatives choose_representatives(const ir::System&, const ir::Instantiation&,
+                                                     const cpp_emit::Component&);
 
 /// Whether few values represent the type or one of its parts.
-[[nodiscard]] bool represented(const ir::System&, const Representatives&, ir::TypeId);
+[[nodiscard]] bool is_represented(const ir::System&, const Representatives&, ir::TypeId);
 
 }  // namespace robochart::conformance

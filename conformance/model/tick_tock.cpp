@@ -27,58 +27,58 @@ public:
     Sets(lts::TransitionSystem& system, refine::Budget& budget, Event tock)
         : graph_(system, budget), budget_(budget), tock_(tock) {}
 
-    SetNumber initial() { return number({graph_.initial()}); }
+    SetNumber initial_set() { return tau_closure({graph_.initial()}); }
     /// The set after an event other than tock; empty if the specification does not have the event.
-    SetNumber after(SetNumber set, Event event) {
+    SetNumber set_after(SetNumber set, Event event) {
         Members next;
-        for (const StateIndex state : Members(members(set)))
+        for (const StateIndex state : Members(set_members(set)))
             for (const auto& edge : graph_.edges(state, event)) next.push_back(edge.target);
-        return number(next);
+        return tau_closure(next);
     }
     /// The set after a tock before which every event except `offered` was refused.
     SetNumber after_tock(SetNumber set, const EventSet& offered) {
         Members next;
-        for (const StateIndex state : Members(members(set))) {
-            const refine::Offer offer = graph_.offer(state);
-            if (offer.tau || offer.ticks() || !within(offer.events, offered)) continue;
+        for (const StateIndex state : Members(set_members(set))) {
+            const refine::Offer offer = graph_.state_offer(state);
+            if (offer.tau || offer.can_tick() || !is_subset(offer.events, offered)) continue;
             for (const auto& edge : graph_.edges(state, tock_)) next.push_back(edge.target);
         }
-        return number(next);
+        return tau_closure(next);
     }
     /// Whether some state refuses everything except `offered`.
     bool refuses(SetNumber set, const EventSet& offered) {
         for (const EventSet& accepted : acceptances(set))
-            if (within(accepted, offered)) return true;
+            if (is_subset(accepted, offered)) return true;
         return false;
     }
     std::vector<EventSet> acceptances(SetNumber set) {
         std::vector<EventSet> all;
-        for (const StateIndex state : Members(members(set)))
-            if (auto accepted = refine::acceptance(graph_.offer(state))) all.push_back(std::move(*accepted));
+        for (const StateIndex state : Members(set_members(set)))
+            if (auto accepted = refine::acceptance(graph_.state_offer(state))) all.push_back(std::move(*accepted));
         std::ranges::sort(all);
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
     /// The initial events of the specification, including tocks that maximal progress allows.
-    EventSet initials(SetNumber set) {
+    EventSet initial_events(SetNumber set) {
         EventSet all;
-        for (const StateIndex state : Members(members(set))) {
-            const refine::Offer offer = graph_.offer(state);
+        for (const StateIndex state : Members(set_members(set))) {
+            const refine::Offer offer = graph_.state_offer(state);
             for (const Event event : offer.events)
-                if (event != tock_ || (!offer.tau && !offer.ticks())) all.push_back(event);
+                if (event != tock_ || (!offer.tau && !offer.can_tick())) all.push_back(event);
         }
         std::ranges::sort(all);
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
-    [[nodiscard]] bool empty(SetNumber set) const { return members(set).empty(); }
+    [[nodiscard]] bool empty(SetNumber set) const { return set_members(set).empty(); }
     [[nodiscard]] std::size_t size() const { return sets_.size(); }
 
 private:
-    static bool within(const EventSet& small, const EventSet& large) { return std::ranges::includes(large, small); }
-    [[nodiscard]] const Members& members(SetNumber set) const { return *sets_[set]; }
+    static bool is_subset(const EventSet& small, const EventSet& large) { return std::ranges::includes(large, small); }
+    [[nodiscard]] const Members& set_members(SetNumber set) const { return *sets_[set]; }
 
-    void take(Members& states, StateIndex state) {
+    void add_state(Members& states, StateIndex state) {
         if (mark_.size() <= state) mark_.resize(state + 1);
         if (mark_[state] == round_) return;
         mark_[state] = round_;
@@ -86,12 +86,12 @@ private:
     }
 
     /// The states reachable by τ from the seeds.
-    SetNumber number(const Members& seeds) {
+    SetNumber tau_closure(const Members& seeds) {
         ++round_;
         Members states;
-        for (const StateIndex state : seeds) take(states, state);
+        for (const StateIndex state : seeds) add_state(states, state);
         for (std::size_t at = 0; at < states.size(); ++at) {
-            for (const auto& edge : graph_.edges(states[at], process::tau)) take(states, edge.target);
+            for (const auto& edge : graph_.edges(states[at], process::tau)) add_state(states, edge.target);
             budget_.charge();
         }
         std::ranges::sort(states);
@@ -121,8 +121,8 @@ public:
 
     refine::Verdict run() {
         try {
-            add({graph_.initial(), sets_.initial()}, 0, process::tau);
-            for (std::size_t at = 0; at < pairs_.size() && !found_; ++at) expand(at);
+            add_pair({graph_.initial(), sets_.initial_set()}, 0, process::tau);
+            for (std::size_t at = 0; at < pairs_.size() && !found_; ++at) expand_pair(at);
             verdict_.outcome = found_ ? refine::Outcome::fails : refine::Outcome::holds;
         } catch (const process::Interrupted& limit) {
             verdict_.reason = limit.what();
@@ -147,7 +147,7 @@ private:
         std::uint64_t depth;
     };
 
-    void add(Pair pair, std::size_t parent, Event event) {
+    void add_pair(Pair pair, std::size_t parent, Event event) {
         const std::uint64_t key = (std::uint64_t{pair.set} << 32U) | static_cast<std::uint32_t>(pair.state);
         if (!known_.emplace(key, pairs_.size()).second) return;
         const std::uint64_t depth = origins_.empty() ? 0 : origins_[parent].depth + 1;
@@ -157,40 +157,40 @@ private:
         budget_.states(pairs_.size());
     }
 
-    void expand(std::size_t at) {
+    void expand_pair(std::size_t at) {
         const Pair pair = pairs_[at];
-        const refine::Offer offer = graph_.offer(pair.state);
+        const refine::Offer offer = graph_.state_offer(pair.state);
         const auto accepted = refine::acceptance(offer);
-        if (accepted && !sets_.refuses(pair.set, *accepted)) return refused(at, *accepted);
+        if (accepted && !sets_.refuses(pair.set, *accepted)) return report_refusal(at, *accepted);
         const std::span<const refine::LazyGraph::Edge> now = graph_.edges(pair.state);
         for (const auto& edge : std::vector<refine::LazyGraph::Edge>(now.begin(), now.end())) {
             ++transitions_;
             const bool waits = edge.event == tock_;
-            if (waits && (offer.tau || offer.ticks())) continue;  // maximal progress
+            if (waits && (offer.tau || offer.can_tick())) continue;  // maximal progress
             const SetNumber next = edge.event == process::tau ? pair.set
                                    : waits                    ? sets_.after_tock(pair.set, offer.events)
-                                                              : sets_.after(pair.set, edge.event);
-            if (sets_.empty(next)) return forbidden(at, edge);
-            add({edge.target, next}, at, edge.event);
+                                                              : sets_.set_after(pair.set, edge.event);
+            if (sets_.empty(next)) return report_forbidden_event(at, edge);
+            add_pair({edge.target, next}, at, edge.event);
         }
     }
 
-    void refused(std::size_t at, const EventSet& accepted) {
-        refine::Counterexample& found = tell(at);
+    void report_refusal(std::size_t at, const EventSet& accepted) {
+        refine::Counterexample& found = start_counterexample(at);
         found.kind = refine::ViolationKind::refusal;
         found.offered = accepted;
         found.required = sets_.acceptances(pairs_[at].set);
     }
 
-    void forbidden(std::size_t at, const refine::LazyGraph::Edge& edge) {
-        refine::Counterexample& found = tell(at);
+    void report_forbidden_event(std::size_t at, const refine::LazyGraph::Edge& edge) {
+        refine::Counterexample& found = start_counterexample(at);
         found.kind = refine::ViolationKind::trace;
         found.event = edge.event;
-        found.required = {sets_.initials(pairs_[at].set)};
+        found.required = {sets_.initial_events(pairs_[at].set)};
         found.steps.push_back({edge.event, edge.event, system_.describe(graph_.state(edge.target))});
     }
 
-    refine::Counterexample& tell(std::size_t at) {
+    refine::Counterexample& start_counterexample(std::size_t at) {
         found_ = true;
         refine::Counterexample& found = verdict_.counterexample.emplace();
         for (; at != 0; at = origins_[at].parent)

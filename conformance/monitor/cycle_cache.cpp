@@ -23,27 +23,28 @@ CycleCache::CycleCache(const MonitorTables& tables, const std::vector<cpp_emit::
                        const std::vector<cpp_emit::Port>& outputs)
     : slots_(slots) {
     for (std::uint32_t i = 0; i < tables.inputs; ++i) {
-        inputs_.push_back(channel(tables.input[i], inputs.at(i)));
+        inputs_.push_back(make_channel(tables.input[i], inputs.at(i)));
         if (inputs_.back().count > 0) valued_.push_back(i);
     }
-    for (std::uint32_t o = 0; o < tables.outputs; ++o) outputs_.push_back(channel(tables.output[o], outputs.at(o)));
+    for (std::uint32_t o = 0; o < tables.outputs; ++o)
+        outputs_.push_back(make_channel(tables.output[o], outputs.at(o)));
     input_count_ = inputs_.size();
     for (const std::uint32_t i : valued_)
         width_ = std::max(width_, static_cast<unsigned>(std::bit_width(tables.input[i].values[0].count)));
     has_keys_ = tables.inputs <= most_inputs && valued_.size() * width_ <= 64;
 }
 
-CycleCache::Channel CycleCache::channel(const MonitorChannel& table, const cpp_emit::Port& port) {
+CycleCache::Channel CycleCache::make_channel(const MonitorChannel& table, const cpp_emit::Port& port) {
     Channel result{table.column, table.arguments};
     if (table.arguments == 0) result.alone = table.column[0];
     for (std::uint32_t a = 0; a < table.arguments; ++a)
-        result.carriers.push_back(carrier(table.values[a], port.arguments.at(a) == cpp_emit::Carried::real));
+        result.carriers.push_back(carrier_number(table.values[a], port.arguments.at(a) == cpp_emit::Carried::real));
     if (table.arguments > 0) result.carrier = result.carriers.front();
     return result;
 }
 
 /// Arguments with the same range share a carrier.
-std::uint32_t CycleCache::carrier(const MonitorValues& values, bool real) {
+std::uint32_t CycleCache::carrier_number(const MonitorValues& values, bool real) {
     const auto same = [&](const Carrier& other) {
         const MonitorValues& others = *other.values;
         return other.real == real && others.scale == values.scale && others.passed_on == values.passed_on &&
@@ -60,7 +61,7 @@ std::uint32_t CycleCache::carrier(const MonitorValues& values, bool real) {
     return static_cast<std::uint32_t>(carriers_.size() - 1);
 }
 
-inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
+inline std::uint32_t CycleCache::carrier_place(std::uint32_t number, rc_value value) {
     Carrier& carrier = carriers_[number];
     if (carrier.real) {
         std::uint64_t bits = 0;
@@ -84,11 +85,11 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     return known.place;
 }
 
-[[gnu::noinline]] std::uint32_t CycleCache::column(const rc_action& action) {
+[[gnu::noinline]] std::uint32_t CycleCache::output_column(const rc_action& action) {
     const Channel& output = outputs_[action.output];
     if (output.count == 0) return output.alone;
     if (output.count > 1) return column_of_many(action);
-    const std::uint32_t value = place(output.carrier, action.argument[0]);
+    const std::uint32_t value = carrier_place(output.carrier, action.argument[0]);
     return value == Monitor::no_place ? value : output.column[value];
 }
 
@@ -96,7 +97,7 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     const Channel& output = outputs_[action.output];
     std::uint32_t at = 0;
     for (std::uint32_t k = 0; k < output.count; ++k) {
-        const std::uint32_t value = place(output.carriers[k], action.argument[k]);
+        const std::uint32_t value = carrier_place(output.carriers[k], action.argument[k]);
         if (value == Monitor::no_place) return value;
         at = at * carriers_[output.carriers[k]].values->count + value;
     }
@@ -104,14 +105,14 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
 }
 
 /// Returns false if a reading is not finite.
-inline bool CycleCache::shorten(const rc_signal* inputs, Key& key) {
+inline bool CycleCache::make_key(const rc_signal* inputs, Key& key) {
     std::uint64_t present = 0;
     for (const rc_signal* input = inputs; input != inputs + input_count_; ++input)
         present = present << 1U | std::uint64_t{input->present != 0};
     std::uint64_t values = 0;
     for (const std::uint32_t i : valued_) {
         if (inputs[i].present == 0) continue;
-        const std::uint32_t value = place(inputs_[i].carrier, inputs[i].value);
+        const std::uint32_t value = carrier_place(inputs_[i].carrier, inputs[i].value);
         if (value == Monitor::no_place) return false;
         values = values << width_ | value;
     }
@@ -120,28 +121,28 @@ inline bool CycleCache::shorten(const rc_signal* inputs, Key& key) {
 }
 
 /// Multiplication by odd random constants; the upper bits of a product depend on all bits of its factor.
-inline CycleCache::Slot& CycleCache::slot(const Key& key) {
+inline CycleCache::Slot& CycleCache::slot_for_key(const Key& key) {
     const std::uint64_t mixed = key.head * 0x9E3779B97F4A7C15ULL + key.values * 0xC2B2AE3D27D4EB4FULL;
     static_assert(slots == std::size_t{1} << 11U);
     return slots_[mixed >> 53U];
 }
 
 /// Compares most values by their bits. Compares numbers that are only passed on by the value that represents them.
-inline bool CycleCache::same(const Done& done, const rc_action& action) {
+inline bool CycleCache::matches_recorded(const Done& done, const rc_action& action) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &action.argument[0], sizeof bits);
     if ((((bits ^ done.bits) & done.mask) | (action.output ^ done.output) | done.many) == 0) return true;
-    return action.output == done.output && column(action) == done.column;
+    return action.output == done.output && output_column(action) == done.column;
 }
 
-inline bool CycleCache::same(const Slot& known, const rc_actions& outputs) {
+inline bool CycleCache::matches_recorded(const Slot& known, const rc_actions& outputs) {
     if (known.count != outputs.count) return false;
     for (std::uint32_t a = 0; a < outputs.count; ++a)
-        if (!same(known.done[a], outputs.action[a])) return false;
+        if (!matches_recorded(known.done[a], outputs.action[a])) return false;
     return true;
 }
 
-void CycleCache::remember(Slot& known, const Key& key, const rc_actions& outputs, std::uint16_t next) {
+void CycleCache::store_cycle(Slot& known, const Key& key, const rc_actions& outputs, std::uint16_t next) {
     known.key = key;
     known.count = outputs.count;
     known.next = next;
@@ -152,40 +153,41 @@ void CycleCache::remember(Slot& known, const Key& key, const rc_actions& outputs
         std::memcpy(&done.bits, &action.argument[0], sizeof done.bits);
         done.mask = arguments == 0 ? 0 : ~std::uint64_t{0};
         done.output = action.output;
-        done.column = static_cast<std::uint16_t>(column(action));
+        done.column = static_cast<std::uint16_t>(output_column(action));
         done.many = arguments > 1 ? 1 : 0;
     }
 }
 
-void CycleCache::tell(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) {
+void CycleCache::pass_cycle(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs,
+                            rc_drive_result result) {
     Key key;
     key.head = monitor.state();
     const bool has_key = has_keys_ && result == RC_DRIVE_QUIESCENT && monitor.verdict() == MonitorVerdict::allowed &&
-                         shorten(inputs, key);
-    if (!has_key) return tell_events(monitor, inputs, outputs, result);
-    Slot& first = slot(key);
-    if (first.key == key && same(first, outputs)) {
+                         make_key(inputs, key);
+    if (!has_key) return pass_events(monitor, inputs, outputs, result);
+    Slot& first = slot_for_key(key);
+    if (first.key == key && matches_recorded(first, outputs)) {
         ++remembered_;
         return monitor.continue_at(first.next);
     }
-    tell_again(first, key, monitor, inputs, outputs);
+    try_second_slot(first, key, monitor, inputs, outputs);
 }
 
 /// A pair of slots stores two outcomes, the latest first.
-[[gnu::noinline]] void CycleCache::tell_again(Slot& first, const Key& key, Monitor& monitor, const rc_signal* inputs,
-                                              const rc_actions& outputs) {
+[[gnu::noinline]] void CycleCache::try_second_slot(Slot& first, const Key& key, Monitor& monitor,
+                                                   const rc_signal* inputs, const rc_actions& outputs) {
     Slot& second = slots_[static_cast<std::size_t>(&first - slots_.data()) ^ 1U];
-    if (second.key == key && same(second, outputs)) {
+    if (second.key == key && matches_recorded(second, outputs)) {
         ++remembered_;
         return monitor.continue_at(second.next);
     }
-    tell_events(monitor, inputs, outputs, RC_DRIVE_QUIESCENT);
+    pass_events(monitor, inputs, outputs, RC_DRIVE_QUIESCENT);
     if (monitor.verdict() != MonitorVerdict::allowed || outputs.count > most_done) return;
     second = first;
-    remember(first, key, outputs, monitor.state());
+    store_cycle(first, key, outputs, monitor.state());
 }
 
-[[gnu::noinline]] void CycleCache::tell_events(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs,
+[[gnu::noinline]] void CycleCache::pass_events(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs,
                                                rc_drive_result result) const {
     for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
         if (inputs[i].present == 0)

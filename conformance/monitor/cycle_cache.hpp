@@ -22,10 +22,10 @@ public:
                const std::vector<cpp_emit::Port>& outputs);
 
     /// Passes a cycle's inputs and outputs to a monitor with these tables.
-    void tell(Monitor&, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result);
+    void pass_cycle(Monitor&, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result);
 
     /// Number of cycles answered by one look-up.
-    [[nodiscard]] std::uint64_t remembered() const { return remembered_; }
+    [[nodiscard]] std::uint64_t hit_count() const { return remembered_; }
 
 private:
     /// The range of arguments of one type.
@@ -70,19 +70,19 @@ private:
         Done done[most_done];
     };
 
-    [[nodiscard]] Channel channel(const MonitorChannel&, const cpp_emit::Port&);
-    [[nodiscard]] std::uint32_t carrier(const MonitorValues&, bool real);
-    [[nodiscard]] std::uint32_t place(std::uint32_t carrier, rc_value);
+    [[nodiscard]] Channel make_channel(const MonitorChannel&, const cpp_emit::Port&);
+    [[nodiscard]] std::uint32_t carrier_number(const MonitorValues&, bool real);
+    [[nodiscard]] std::uint32_t carrier_place(std::uint32_t carrier, rc_value);
     [[nodiscard]] static std::uint32_t new_place(Carrier&, rc_value);
-    [[nodiscard]] std::uint32_t column(const rc_action&);
+    [[nodiscard]] std::uint32_t output_column(const rc_action&);
     [[nodiscard]] std::uint32_t column_of_many(const rc_action&);
-    [[nodiscard]] bool shorten(const rc_signal*, Key&);
-    [[nodiscard]] Slot& slot(const Key&);
-    [[nodiscard]] bool same(const Done&, const rc_action&);
-    [[nodiscard]] bool same(const Slot&, const rc_actions&);
-    void tell_again(Slot&, const Key&, Monitor&, const rc_signal*, const rc_actions&);
-    void remember(Slot&, const Key&, const rc_actions&, std::uint16_t next);
-    void tell_events(Monitor&, const rc_signal*, const rc_actions&, rc_drive_result) const;
+    [[nodiscard]] bool make_key(const rc_signal*, Key&);
+    [[nodiscard]] Slot& slot_for_key(const Key&);
+    [[nodiscard]] bool matches_recorded(const Done&, const rc_action&);
+    [[nodiscard]] bool matches_recorded(const Slot&, const rc_actions&);
+    void try_second_slot(Slot&, const Key&, Monitor&, const rc_signal*, const rc_actions&);
+    void store_cycle(Slot&, const Key&, const rc_actions&, std::uint16_t next);
+    void pass_events(Monitor&, const rc_signal*, const rc_actions&, rc_drive_result) const;
 
     std::vector<Carrier> carriers_;
     std::vector<Channel> inputs_, outputs_;

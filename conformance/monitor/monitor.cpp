@@ -62,7 +62,7 @@ std::vector<std::string> elements_of(CyclicModel& model, const refine::NormalFor
     return result;
 }
 
-Automaton explored(CyclicModel& model, refine::Budget& budget, const diagnostics::SourceManager& sources) {
+Automaton explore_model(CyclicModel& model, refine::Budget& budget, const diagnostics::SourceManager& sources) {
     refine::NormalForm form(model.normal_form(), budget);
     Automaton result;
     std::unordered_map<Node, std::uint32_t> numbers;
@@ -79,14 +79,14 @@ Automaton explored(CyclicModel& model, refine::Budget& budget, const diagnostics
         const Node node = nodes[at];
         std::vector<Arc>& arcs = result.arcs.emplace_back();
         for (const process::Event event : form.initials(node))
-            arcs.push_back({event, number(*form.after(node, event))});
+            arcs.push_back({event, number(*form.node_after(node, event))});
         result.elements.push_back(elements_of(model, form, node, sources));
     }
     return result;
 }
 
 /// The class of each node. Two nodes in the same class allow the same runs.
-std::vector<std::uint32_t> minimised(const Automaton& automaton, refine::Budget& budget) {
+std::vector<std::uint32_t> minimise_automaton(const Automaton& automaton, refine::Budget& budget) {
     std::vector<std::uint32_t> classes(automaton.size(), 0);
     for (std::size_t count = 0;;) {
         std::map<std::vector<Arc>, std::uint32_t, bool (*)(const std::vector<Arc>&, const std::vector<Arc>&)> known(
@@ -125,19 +125,19 @@ public:
         : model_(model), budget_(limits), sources_(sources), build_(new MonitorBuild) {}
 
     std::unique_ptr<MonitorBuild> make() {
-        automaton_ = explored(model_, budget_, sources_);
-        classes_ = minimised(automaton_, budget_);
+        automaton_ = explore_model(model_, budget_, sources_);
+        classes_ = minimise_automaton(automaton_, budget_);
         build_->nodes_ = static_cast<std::uint32_t>(automaton_.size());
         number_states();
-        fill();
-        channels();
-        build_->component_ = model_.outside().component;
+        fill_table();
+        add_channels();
+        build_->component_ = model_.outside_interface().component;
         MonitorTables& tables = build_->tables_;
         tables.component = build_->component_.c_str();
         tables.cycle_length = model_.cycle_length();
         tables.next = build_->next_.data();
-        tables.tock = column(model_.alphabet().tock());
-        tables.tick = column(process::tick);
+        tables.tock = column_of(model_.alphabet().tock());
+        tables.tick = column_of(process::tick);
         tables.where = build_->where_.data();
         return std::move(build_);
     }
@@ -151,20 +151,20 @@ private:
             if (numbers.size() >= dead) throw std::length_error("the monitor has more than 65,534 states");
             if (!fresh.second) continue;
             representatives_.push_back(static_cast<std::uint32_t>(node));
-            where(node);
+            add_place_text(node);
         }
         state_of_.resize(automaton_.size());
         for (std::size_t node = 0; node < automaton_.size(); ++node) state_of_[node] = numbers.at(classes_[node]);
     }
 
-    void where(std::size_t node) {
+    void add_place_text(std::size_t node) {
         if (automaton_.elements[node].empty()) return build_->where_.push_back(nullptr);
         build_->texts_.push_back(fmt::format("{}", fmt::join(automaton_.elements[node], ", ")));
         build_->where_.push_back(build_->texts_.back().c_str());
     }
 
     /// Fills the columns. Events that lead from every state to the same state share a column.
-    void fill() {
+    void fill_table() {
         std::map<process::Event, std::vector<std::uint16_t>> whole;
         for (std::uint16_t state = 0; state < representatives_.size(); ++state)
             for (const Arc& arc : automaton_.arcs[representatives_[state]]) {
@@ -185,30 +185,30 @@ private:
                 build_->next_[state * distinct.size() + number] = rows[state];
     }
 
-    [[nodiscard]] std::uint16_t column(process::Event event) const {
+    [[nodiscard]] std::uint16_t column_of(process::Event event) const {
         const auto found = columns_.find(event);
         return found == columns_.end() ? dead : found->second;
     }
 
     // ------------------------------------------------------------ channels
 
-    void channels() {
+    void add_channels() {
         const Interface& interface = model_.interface();
-        const auto inputs = shown_names(model_.outside().inputs);
-        const auto outputs = shown_names(model_.outside().outputs);
+        const auto inputs = shown_names(model_.outside_interface().inputs);
+        const auto outputs = shown_names(model_.outside_interface().outputs);
         for (std::uint32_t i = 0; i < interface.inputs.size(); ++i) {
-            MonitorBuild::Channel& channel = begin(interface.inputs[i].name, inputs[i]);
+            MonitorBuild::Channel& channel = begin_channel(interface.inputs[i].name, inputs[i]);
             if (model_.boundary().input_types[i]) add_values(channel, *model_.boundary().input_types[i]);
-            for (std::uint32_t r = 0; r < interface.inputs[i].readings(); ++r)
-                channel.columns.push_back(column(model_.alphabet().read(i, r)));
-            build_->inputs_.push_back(finish(channel));
+            for (std::uint32_t r = 0; r < interface.inputs[i].reading_count(); ++r)
+                channel.columns.push_back(column_of(model_.alphabet().read_event(i, r)));
+            build_->inputs_.push_back(finish_channel(channel));
         }
         for (std::uint32_t o = 0; o < interface.outputs.size(); ++o) {
-            MonitorBuild::Channel& channel = begin(interface.outputs[o].name, outputs[o]);
+            MonitorBuild::Channel& channel = begin_channel(interface.outputs[o].name, outputs[o]);
             for (const ir::TypeId type : model_.boundary().output_types[o]) add_values(channel, type);
             std::vector<std::int64_t> arguments;
             add_columns(channel, o, arguments);
-            build_->outputs_.push_back(finish(channel));
+            build_->outputs_.push_back(finish_channel(channel));
         }
         build_->tables_.inputs = static_cast<std::uint32_t>(build_->inputs_.size());
         build_->tables_.outputs = static_cast<std::uint32_t>(build_->outputs_.size());
@@ -216,12 +216,12 @@ private:
         build_->tables_.output = build_->outputs_.data();
     }
 
-    MonitorBuild::Channel& begin(const std::string& name, const std::string& shown) {
+    MonitorBuild::Channel& begin_channel(const std::string& name, const std::string& shown) {
         MonitorBuild::Channel& channel = build_->channels_.emplace_back();
         channel.name = shown;
         const auto found = model_.provenance().events.find(model_.interface().component + "::" + name);
         if (found != model_.provenance().events.end()) {
-            const std::string place = sources_.place(found->second.origin.span);
+            const std::string place = sources_.path_and_line(found->second.origin.span);
             channel.element = place.empty() ? shown : fmt::format("{} ({})", shown, place);
         }
         return channel;
@@ -230,7 +230,7 @@ private:
     void add_values(MonitorBuild::Channel& channel, ir::TypeId type) const {
         const ir::TypeKind kind = model_.system().type(type).kind;
         std::vector<std::int64_t>& numbers = channel.numbers.emplace_back();
-        for (const ir::Value& value : ir::carrier(model_.system(), model_.instantiation(), type)) {
+        for (const ir::Value& value : ir::carrier_values(model_.system(), model_.instantiation(), type)) {
             if (!value.parts.empty()) throw std::length_error("monitors take no values with parts");
             numbers.push_back(value.number);
         }
@@ -240,7 +240,7 @@ private:
             consecutive = consecutive && numbers[i] == numbers[0] + static_cast<std::int64_t>(i);
         channel.values.push_back({numbers.data(), static_cast<std::uint32_t>(numbers.size()),
                                   real ? model_.interface().scale : 1, consecutive,
-                                  model_.boundary().passed_on.of(kind)});
+                                  model_.boundary().passed_on.is_independent(kind)});
     }
 
     /// Adds a column for each combination of arguments. Recursion depth: the number of an output's arguments.
@@ -248,7 +248,7 @@ private:
         constexpr std::size_t most = 1U << 16U;
         if (channel.columns.size() > most) throw std::length_error(channel.name + " has too many values together");
         if (arguments.size() == channel.values.size()) {
-            channel.columns.push_back(column(model_.alphabet().write(output, arguments)));
+            channel.columns.push_back(column_of(model_.alphabet().write_event(output, arguments)));
             return;
         }
         for (const std::int64_t number : channel.numbers[arguments.size()]) {
@@ -258,7 +258,7 @@ private:
         }
     }
 
-    static MonitorChannel finish(const MonitorBuild::Channel& channel) {
+    static MonitorChannel finish_channel(const MonitorBuild::Channel& channel) {
         return {channel.name.c_str(), channel.element.c_str(), channel.values.data(),
                 static_cast<std::uint32_t>(channel.values.size()), channel.columns.data()};
     }

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/source.hpp"
 #include "conformance/model/cyclic_model.hpp"
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/runtime/monitor.hpp"
-#include "base/diagnostics/source.hpp"
 
 namespace robochart::conformance {
 
@@ -23,9 +23,9 @@ public:
     [[nodiscard]] static std::unique_ptr<MonitorBuild> make(CyclicModel&, const refine::Limits&,
                                                             const diagnostics::SourceManager&);
     [[nodiscard]] const MonitorTables& tables() const { return tables_; }
-    [[nodiscard]] std::size_t bytes() const { return next_.size() * sizeof next_[0]; }
+    [[nodiscard]] std::size_t table_bytes() const { return next_.size() * sizeof next_[0]; }
     /// Number of nodes of the normal form before minimisation.
-    [[nodiscard]] std::uint32_t nodes() const { return nodes_; }
+    [[nodiscard]] std::uint32_t node_count() const { return nodes_; }
 
 private:
     friend class MonitorBuilder;

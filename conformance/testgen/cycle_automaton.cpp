@@ -21,12 +21,12 @@ using Node = refine::NormalForm::Node;
 constexpr std::size_t most_symbols = 1U << 12U;
 constexpr std::size_t most_steps = 1U << 22U;
 
-std::vector<std::vector<std::uint32_t>> valuations(const Interface& interface) {
+std::vector<std::vector<std::uint32_t>> all_valuations(const Interface& interface) {
     std::vector<std::vector<std::uint32_t>> all{{}};
     for (const Register& input : interface.inputs) {
         std::vector<std::vector<std::uint32_t>> more;
         for (const auto& before : all)
-            for (std::uint32_t r = 0; r < input.readings(); ++r) {
+            for (std::uint32_t r = 0; r < input.reading_count(); ++r) {
                 more.push_back(before);
                 more.back().push_back(r);
             }
@@ -44,32 +44,33 @@ public:
 
     ChoiceAutomaton build() {
         ChoiceAutomaton machine;
-        machine.inputs = valuations(model_.interface());
-        number(form_.initial());
+        machine.inputs = all_valuations(model_.interface());
+        node_number(form_.initial());
         for (std::size_t at = 0; at < nodes_.size(); ++at) {
             if ((at + 1) * machine.inputs.size() > most_steps)
                 throw std::length_error(fmt::format("it has more than {} transitions", most_steps));
             machine.branches.emplace_back();
-            for (const auto& readings : machine.inputs) machine.branches.back().push_back(cycle(nodes_[at], readings));
+            for (const auto& readings : machine.inputs)
+                machine.branches.back().push_back(cycle_steps(nodes_[at], readings));
         }
-        return minimal(machine);
+        return minimise_states(machine);
     }
 
 private:
-    std::uint32_t number(Node node) {
+    std::uint32_t node_number(Node node) {
         const auto [place, fresh] = numbers_.emplace(node, static_cast<std::uint32_t>(nodes_.size()));
         if (fresh) nodes_.push_back(node);
         return place->second;
     }
 
-    std::vector<CycleStep> cycle(Node node, const std::vector<std::uint32_t>& readings) {
+    std::vector<CycleStep> cycle_steps(Node node, const std::vector<std::uint32_t>& readings) {
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
-            const auto next = form_.after(node, model_.alphabet().read(i, readings[i]));
+            const auto next = form_.node_after(node, model_.alphabet().read_event(i, readings[i]));
             if (!next) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
             node = *next;
         }
         std::vector<CycleStep> branches;
-        act(node, branches);
+        follow_paths(node, branches);
         return branches;
     }
 
@@ -84,14 +85,14 @@ private:
 
     /// Follows every path to the end of the cycle. Throws for a path that returns to a node before time passes, which
     /// has no end.
-    void act(Node from, std::vector<CycleStep>& branches) {
+    void follow_paths(Node from, std::vector<CycleStep>& branches) {
         std::vector<Place> way;
         std::vector<process::Event> writes;
         std::set<std::pair<Node, std::uint32_t>> open;  // the nodes on the current path
         const auto enter = [&](Node node, std::uint32_t tocks) {
             budget_.charge();
             if (tocks == model_.cycle_length()) {
-                add({writes, number(node)}, branches);
+                add_branch({writes, node_number(node)}, branches);
                 return false;
             }
             if (!open.emplace(node, tocks).second)
@@ -113,24 +114,24 @@ private:
             }
             const process::Event event = at.events[at.next++];
             if (event == process::tick) {
-                add({writes, CycleAutomaton::over}, branches);
+                add_branch({writes, CycleAutomaton::over}, branches);
             } else if (event == model_.alphabet().tock()) {
-                enter(*form_.after(at.node, event), at.tocks + 1);
+                enter(*form_.node_after(at.node, event), at.tocks + 1);
             } else {
                 writes.push_back(event);
-                if (enter(*form_.after(at.node, event), at.tocks)) way.back().written = true;
+                if (enter(*form_.node_after(at.node, event), at.tocks)) way.back().written = true;
             }
         }
     }
 
-    void add(CycleStep step, std::vector<CycleStep>& branches) {
+    void add_branch(CycleStep step, std::vector<CycleStep>& branches) {
         if (++steps_ > most_steps) throw std::length_error(fmt::format("it has more than {} transitions", most_steps));
         branches.push_back(std::move(step));
     }
 
     /// Moore 1956: words of increasing length distinguish states. States are numbered in the order of the search.
-    ChoiceAutomaton minimal(const ChoiceAutomaton& machine) {
-        std::vector<std::uint32_t> classes(machine.states(), 0);
+    ChoiceAutomaton minimise_states(const ChoiceAutomaton& machine) {
+        std::vector<std::uint32_t> classes(machine.state_count(), 0);
         for (std::size_t count = 0;;) {
             std::map<std::vector<std::uint64_t>, std::uint32_t> known;
             std::vector<std::uint32_t> next;
@@ -154,8 +155,8 @@ private:
         }
         ChoiceAutomaton result;
         result.inputs = machine.inputs;
-        for (std::size_t state = 0; state < machine.states(); ++state) {
-            if (classes[state] != result.states()) continue;
+        for (std::size_t state = 0; state < machine.state_count(); ++state) {
+            if (classes[state] != result.state_count()) continue;
             result.branches.push_back(machine.branches[state]);
             for (auto& branches : result.branches.back())
                 for (CycleStep& step : branches)
@@ -173,9 +174,9 @@ private:
 };
 
 /// The first difference between two paths through a cycle, as text.
-std::string parting(const CyclicModel& model, const CycleStep& a, const CycleStep& b) {
+std::string describe_first_difference(const CyclicModel& model, const CycleStep& a, const CycleStep& b) {
     const auto text_of = [&](const CycleStep& step, std::size_t at) -> std::string {
-        if (at < step.writes.size()) return model.alphabet().tell(step.writes[at]);
+        if (at < step.writes.size()) return model.alphabet().describe_event(step.writes[at]);
         return step.target == CycleAutomaton::over ? "termination" : "end of cycle";
     };
     std::size_t at = 0;
@@ -185,7 +186,7 @@ std::string parting(const CyclicModel& model, const CycleStep& a, const CycleSte
 
 }  // namespace
 
-bool ChoiceAutomaton::deterministic() const {
+bool ChoiceAutomaton::is_deterministic() const {
     for (const auto& symbols : branches)
         for (const auto& each : symbols)
             if (each.size() > 1) return false;
@@ -204,8 +205,8 @@ CycleAutomaton cycle_automaton(CyclicModel& model, const refine::Limits& limits)
         std::vector<CycleStep>& steps = machine.steps.emplace_back();
         for (auto& each : symbols) {
             if (each.size() > 1)
-                throw std::length_error(
-                    fmt::format("the model leaves a choice, between {}", parting(model, each[0], each[1])));
+                throw std::length_error(fmt::format("the model leaves a choice, between {}",
+                                                    describe_first_difference(model, each[0], each[1])));
             steps.push_back(std::move(each.front()));
         }
     }

@@ -25,16 +25,16 @@ struct CycleAutomaton {
     std::vector<std::vector<std::uint32_t>> inputs;  ///< by symbol: a reading of each register
     std::vector<std::vector<CycleStep>> steps;       ///< [state][symbol]; state 0 is the initial state
 
-    [[nodiscard]] std::size_t states() const { return steps.size(); }
+    [[nodiscard]] std::size_t state_count() const { return steps.size(); }
 };
 
 struct ChoiceAutomaton {
     std::vector<std::vector<std::uint32_t>> inputs;             ///< as in CycleAutomaton
     std::vector<std::vector<std::vector<CycleStep>>> branches;  ///< [state][symbol], at least one
 
-    [[nodiscard]] std::size_t states() const { return branches.size(); }
+    [[nodiscard]] std::size_t state_count() const { return branches.size(); }
     /// Whether every input has a single branch.
-    [[nodiscard]] bool deterministic() const;
+    [[nodiscard]] bool is_deterministic() const;
 };
 
 /// Explores the machine. Throws std::length_error if it is too large, process::Interrupted at a limit.

@@ -23,19 +23,19 @@ class Suite {
 public:
     Suite(const CycleAutomaton& machine, std::size_t most_cycles) : machine_(machine), most_(most_cycles) {}
 
-    std::vector<TestWord> make(std::uint32_t extra_states) {
-        cover();
-        identify();
-        for (std::uint32_t state = 0; state < machine_.states(); ++state)
-            extend(cover_[state], state, extra_states + 1);
+    std::vector<TestWord> make_tests(std::uint32_t extra_states) {
+        find_cover();
+        find_identifiers();
+        for (std::uint32_t state = 0; state < machine_.state_count(); ++state)
+            add_extensions(cover_[state], state, extra_states + 1);
         return without_beginnings();
     }
 
 private:
     /// Finds a shortest word to every state (all states are reachable).
-    void cover() {
-        cover_.resize(machine_.states());
-        std::vector<bool> seen(machine_.states());
+    void find_cover() {
+        cover_.resize(machine_.state_count());
+        std::vector<bool> seen(machine_.state_count());
         std::deque<std::uint32_t> open{0};
         seen[0] = true;
         for (; !open.empty(); open.pop_front())
@@ -57,8 +57,8 @@ private:
 
     /// Finds for each pair of states the first symbol of a shortest word that distinguishes them. The identifiers are
     /// harmonised, because both states use the same word.
-    void identify() {
-        const std::size_t n = machine_.states();
+    void find_identifiers() {
+        const std::size_t n = machine_.state_count();
         if (n * n > (1U << 24U)) throw std::length_error("it has too many states for a test suite");
         first_.assign(n * n, none);
         for (bool changed = true; changed;) {
@@ -66,19 +66,19 @@ private:
             const std::vector<std::uint32_t> before = first_;
             for (std::uint32_t a = 0; a < n; ++a)
                 for (std::uint32_t b = a + 1; b < n; ++b)
-                    if (first_[a * n + b] == none) changed |= tell_apart(a, b, before);
+                    if (first_[a * n + b] == none) changed |= distinguish_states(a, b, before);
         }
         identifiers_.resize(n);
         for (std::uint32_t a = 0; a < n; ++a)
             for (std::uint32_t b = a + 1; b < n; ++b) {
-                const TestWord word = separator(a, b);
+                const TestWord word = separating_word(a, b);
                 identifiers_[a].insert(word);
                 identifiers_[b].insert(word);
             }
     }
 
-    bool tell_apart(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& before) {
-        const std::size_t n = machine_.states();
+    bool distinguish_states(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& before) {
+        const std::size_t n = machine_.state_count();
         for (std::uint32_t symbol = 0; symbol < machine_.inputs.size(); ++symbol) {
             bool found = outputs_differ(a, b, symbol);
             if (!found && machine_.steps[a][symbol].target != over) {
@@ -92,11 +92,11 @@ private:
         return false;
     }
 
-    [[nodiscard]] TestWord separator(std::uint32_t a, std::uint32_t b) const {
+    [[nodiscard]] TestWord separating_word(std::uint32_t a, std::uint32_t b) const {
         TestWord word;
         while (true) {
             if (a > b) std::swap(a, b);
-            const std::uint32_t symbol = first_[a * machine_.states() + b];
+            const std::uint32_t symbol = first_[a * machine_.state_count() + b];
             if (symbol == none) throw std::length_error("two of its states are the same");
             word.push_back(symbol);
             if (outputs_differ(a, b, symbol)) return word;
@@ -107,23 +107,23 @@ private:
 
     /// Adds all words of at most `more` symbols after `word`, each followed by the identifiers of the state to which it
     /// leads.
-    void extend(const TestWord& word, std::uint32_t state, std::uint32_t more) {
-        if (state == over || identifiers_[state].empty()) add(word);
+    void add_extensions(const TestWord& word, std::uint32_t state, std::uint32_t more) {
+        if (state == over || identifiers_[state].empty()) add_test(word);
         if (state == over) return;
         for (const TestWord& identifier : identifiers_[state]) {
             TestWord test = word;
             test.insert(test.end(), identifier.begin(), identifier.end());
-            add(std::move(test));
+            add_test(std::move(test));
         }
         if (more == 0) return;
         for (std::uint32_t symbol = 0; symbol < machine_.inputs.size(); ++symbol) {
             TestWord longer = word;
             longer.push_back(symbol);
-            extend(longer, machine_.steps[state][symbol].target, more - 1);
+            add_extensions(longer, machine_.steps[state][symbol].target, more - 1);
         }
     }
 
-    void add(TestWord word) {
+    void add_test(TestWord word) {
         const std::size_t cycles = word.size();
         if (!tests_.insert(std::move(word)).second) return;
         cycles_ += cycles;
@@ -156,7 +156,7 @@ private:
 
 std::vector<TestWord> complete_suite(const CycleAutomaton& machine, std::uint32_t extra_states,
                                      std::size_t most_cycles) {
-    return Suite(machine, most_cycles).make(extra_states);
+    return Suite(machine, most_cycles).make_tests(extra_states);
 }
 
 }  // namespace robochart::conformance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test suite as a log of runs, and as GoogleTest; see test_suite.hpp.
+// Writes a test suite as a log of runs, and as GoogleTest; see test_suite.hpp.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -45,9 +45,11 @@ std::string arguments(const std::string& text) {
 class Wording {
 public:
     explicit Wording(const CyclicModel& model)
-        : model_(model), inputs_(shown_names(model.outside().inputs)), outputs_(shown_names(model.outside().outputs)) {}
+        : model_(model),
+          inputs_(shown_names(model.outside_interface().inputs)),
+          outputs_(shown_names(model.outside_interface().outputs)) {}
 
-    [[nodiscard]] std::string reads(const std::vector<std::uint32_t>& readings) const {
+    [[nodiscard]] std::string write_inputs(const std::vector<std::uint32_t>& readings) const {
         std::string text;
         for (std::size_t i = 0; i < readings.size(); ++i) {
             if (readings[i] == 0) continue;
@@ -60,9 +62,9 @@ public:
         return text;
     }
 
-    [[nodiscard]] std::string write(process::Event event) const {
+    [[nodiscard]] std::string write_output(process::Event event) const {
         const std::uint32_t index = model_.alphabet().cycle_role(event).index;
-        const std::string text = model_.alphabet().tell(event);
+        const std::string text = model_.alphabet().describe_event(event);
         const bool stored = model_.interface().outputs[index].name.starts_with("set_");
         const std::size_t begin = stored ? text.find(" = ") + 3 : text.find('(') + 1;
         const std::string values = text.substr(begin, stored ? std::string::npos : text.size() - begin - 1);
@@ -80,8 +82,8 @@ std::string run_text(const CycleAutomaton& machine, const Wording& wording, std:
     std::uint32_t state = 0;
     for (const std::uint32_t symbol : test) {
         const CycleStep& step = machine.steps[state][symbol];
-        text += wording.reads(machine.inputs[symbol]);
-        for (const process::Event event : step.writes) text += wording.write(event) + " ";
+        text += wording.write_inputs(machine.inputs[symbol]);
+        for (const process::Event event : step.writes) text += wording.write_output(event) + " ";
         state = step.target;
         if (state == CycleAutomaton::over) return text + "terminate\n";
         for (std::uint32_t t = 0; t < cycle_length; ++t) text += t == 0 ? "tock" : " tock";
@@ -231,14 +233,14 @@ TEST(@NAME@, DoesWhatItsModelAllows) {
 }  // namespace
 )";
 
-std::string replaced(std::string text, std::string_view mark, std::string_view with) {
+std::string replace_mark(std::string text, std::string_view mark, std::string_view with) {
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + with.size()))
         text.replace(at, mark.size(), with);
     return text;
 }
 
-std::string named(const std::string& text, const std::string& name) {
-    return replaced(text, "@NAME@", name);
+std::string insert_name(const std::string& text, const std::string& name) {
+    return replace_mark(text, "@NAME@", name);
 }
 
 /// The function that compares words. It is copied from the header of adaptive tests, because the test of a suite is a
@@ -247,7 +249,7 @@ std::string same_word() {
     const std::string header = cpp_emit::adaptive_header();
     const std::size_t begin = header.find("/// Numbers are compared by value");
     if (begin == std::string::npos) throw std::logic_error("adaptive.hpp no longer says how words are compared");
-    return replaced(header.substr(begin, header.find("\n\n", begin) - begin), "inline bool", "bool");
+    return replace_mark(header.substr(begin, header.find("\n\n", begin) - begin), "inline bool", "bool");
 }
 
 }  // namespace
@@ -259,8 +261,8 @@ std::string suite_log(const CycleAutomaton& machine, const std::vector<TestWord>
         "states over\n"
         "// control cycles: the {} of the model, minimal, and {} more. What the runs write is what must be written.\n"
         "component {}\ncycle {}\n",
-        cpp_emit::trace_version, tests.size(), machine.states() + extra_states, machine.states(), extra_states,
-        component, model.cycle_length());
+        cpp_emit::trace_version, tests.size(), machine.state_count() + extra_states, machine.state_count(),
+        extra_states, component, model.cycle_length());
     const Wording wording(model);
     for (std::size_t i = 0; i < tests.size(); ++i)
         text += run_text(machine, wording, model.cycle_length(), i + 1, tests[i]);
@@ -273,17 +275,17 @@ std::string choice_graph(const ChoiceAutomaton& machine, const CyclicModel& mode
         "robochart-graph 1\n// What {0} may do in each control cycle: its inputs by number, then for each state and "
         "input where\n// the cycle may lead and what is written on the way. {1} states, minimal.\n"
         "component {0}\nextra {2}\n",
-        component, machine.states(), extra_states);
+        component, machine.state_count(), extra_states);
     const Wording wording(model);
     for (std::size_t symbol = 0; symbol < machine.inputs.size(); ++symbol)
-        text += fmt::format("input {} {}\n", symbol, wording.reads(machine.inputs[symbol]));
-    for (std::size_t state = 0; state < machine.states(); ++state) {
+        text += fmt::format("input {} {}\n", symbol, wording.write_inputs(machine.inputs[symbol]));
+    for (std::size_t state = 0; state < machine.state_count(); ++state) {
         text += fmt::format("state {}\n", state);
         for (std::size_t symbol = 0; symbol < machine.inputs.size(); ++symbol)
             for (const CycleStep& step : machine.branches[state][symbol]) {
                 text += step.target == CycleAutomaton::over ? fmt::format("{} over", symbol)
                                                             : fmt::format("{} {}", symbol, step.target);
-                for (const process::Event event : step.writes) text += " " + wording.write(event);
+                for (const process::Event event : step.writes) text += " " + wording.write_output(event);
                 text += '\n';
             }
     }
@@ -291,13 +293,13 @@ std::string choice_graph(const ChoiceAutomaton& machine, const CyclicModel& mode
 }
 
 std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name) {
-    return {{name + "_adaptive_test.cpp", named(adaptive_source, name)},
+    return {{name + "_adaptive_test.cpp", insert_name(adaptive_source, name)},
             {"implementation.hpp", implementation_header},
             {"robochart/adaptive.hpp", cpp_emit::adaptive_header()}};
 }
 
 std::vector<cpp_emit::OutputFile> suite_sources(const std::string& name) {
-    return {{name + "_suite_test.cpp", named(replaced(test_source, "@SAME_WORD@", same_word()), name)},
+    return {{name + "_suite_test.cpp", insert_name(replace_mark(test_source, "@SAME_WORD@", same_word()), name)},
             {"implementation.hpp", implementation_header}};
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// First word of the packed state while the initial state is unknown. No phase of NF_c(M) has this number.
 constexpr lts::Word anywhere = 0xffffffffU;
 
-bool unknown(lts::StateView state) {
+bool is_unknown(lts::StateView state) {
     return !state.empty() && state[0] == anywhere;
 }
 
@@ -42,7 +42,7 @@ class ObservedSystem::Sink final : public lts::SuccessorSink {
 public:
     Sink(ObservedSystem& system, lts::SuccessorSink& out) : system_(system), out_(out) {}
     void add(process::Event event, lts::StateView target, process::Event revealed) override {
-        out_.add(system_.hidden(event) ? process::tau : event, target, revealed);
+        out_.add(system_.is_hidden(event) ? process::tau : event, target, revealed);
     }
 
 private:
@@ -63,7 +63,7 @@ void ObservedSystem::initial(std::span<lts::Word> state) {
 }
 
 void ObservedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    if (unknown(state)) {
+    if (is_unknown(state)) {
         for (const auto& start : starts_) sink.add(process::tau, start, process::tau);
         return;
     }
@@ -71,7 +71,7 @@ void ObservedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) 
     normal_form_->successors(state, hiding);
 }
 
-bool ObservedSystem::hidden(process::Event event) {
+bool ObservedSystem::is_hidden(process::Event event) {
     if (event >= hidden_.size()) hidden_.resize(event + 1U, -1);
     if (hidden_[event] < 0) {
         const CycleRole role = alphabet_->cycle_role(event);
@@ -95,18 +95,18 @@ public:
 
 }  // namespace
 
-bool ObservedSystem::stable(lts::StateView state) {
+bool ObservedSystem::is_stable(lts::StateView state) {
     FindsTau sink;
     successors(state, sink);
     return !sink.found;
 }
 
 std::string ObservedSystem::describe(lts::StateView state) const {
-    return unknown(state) ? "anywhere" : normal_form_->describe(state);
+    return is_unknown(state) ? "anywhere" : normal_form_->describe(state);
 }
 
 std::string ObservedSystem::describe_model(lts::StateView state) const {
-    return unknown(state) ? "" : normal_form_->describe_model(state);
+    return is_unknown(state) ? "" : normal_form_->describe_model(state);
 }
 
 }  // namespace robochart::conformance

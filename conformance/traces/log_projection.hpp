@@ -29,9 +29,9 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    [[nodiscard]] bool hidden(process::Event event);
+    [[nodiscard]] bool is_hidden(process::Event event);
     /// Whether no hidden step is possible.
-    [[nodiscard]] bool stable(lts::StateView state);
+    [[nodiscard]] bool is_stable(lts::StateView state);
     /// The description of the model's state (NormalFormSystem::describe_model); "" if the state is not known yet.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 

@@ -23,8 +23,8 @@ std::vector<std::string> full_names(const std::vector<Channel>& channels) {
 }
 
 /// The index of each name, under its full and its short form.
-std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::string>& full,
-                                                        const std::vector<std::string>& shown) {
+std::unordered_map<std::string, std::uint32_t> number_names(const std::vector<std::string>& full,
+                                                            const std::vector<std::string>& shown) {
     std::unordered_map<std::string, std::uint32_t> ids;
     for (std::uint32_t i = 0; i < full.size(); ++i) ids.emplace(shown[i], i);
     for (std::uint32_t i = 0; i < full.size(); ++i) ids.emplace(full[i], i);
@@ -32,7 +32,7 @@ std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::s
 }
 
 /// Splits a text at every `!` outside brackets and quotes.
-std::vector<std::string_view> arguments(std::string_view text) {
+std::vector<std::string_view> split_at_marks(std::string_view text) {
     std::vector<std::string_view> parts;
     int depth = 0;
     bool quoted = false;
@@ -51,22 +51,22 @@ std::vector<std::string_view> arguments(std::string_view text) {
     return parts;
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string list_names(const std::vector<std::string>& names) {
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
 
-bool LoggedEvent::inside() const {
+bool LoggedEvent::is_inside() const {
     return std::ranges::all_of(values, [](const LoggedValue& v) { return v.number.has_value(); });
 }
 
 TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
-    const Interface& interface = model.outside();
+    const Interface& interface = model.outside_interface();
     inputs_ = cpp_emit::trace_names(full_names(interface.inputs));
     outputs_ = cpp_emit::trace_names(full_names(interface.outputs));
-    input_ids_ = numbered(full_names(interface.inputs), inputs_);
-    output_ids_ = numbered(full_names(interface.outputs), outputs_);
+    input_ids_ = number_names(full_names(interface.inputs), inputs_);
+    output_ids_ = number_names(full_names(interface.outputs), outputs_);
     const ModelInterface& boundary = model.boundary();
     const auto values = [&](ir::TypeId type) {
         return ValueReader(model.system(), model.instantiation(), type, boundary.passed_on);
@@ -81,7 +81,7 @@ TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
     }
 }
 
-LoggedEvent TraceAlphabet::kind(const TraceToken& token) const {
+LoggedEvent TraceAlphabet::parse_kind(const TraceToken& token) const {
     const std::size_t mark = token.text.find_first_of("?!");
     if (mark == std::string_view::npos)
         throw TraceFault{
@@ -97,17 +97,17 @@ LoggedEvent TraceAlphabet::kind(const TraceToken& token) const {
     if (found == ids.end())
         throw TraceFault{&rules::log_name,
                          {model_->interface().component, input ? "input" : "output",
-                          std::string(token.text.substr(0, mark)), listed(input ? inputs_ : outputs_)},
+                          std::string(token.text.substr(0, mark)), list_names(input ? inputs_ : outputs_)},
                          token.column,
                          static_cast<std::uint32_t>(mark)};
     event.index = found->second;
     return event;
 }
 
-LoggedValue TraceAlphabet::value(const ValueReader& reader, std::string_view text, const TraceToken& token,
-                                 std::string_view name) {
+LoggedValue TraceAlphabet::parse_value(const ValueReader& reader, std::string_view text, const TraceToken& token,
+                                       std::string_view name) {
     try {
-        return reader.read(text);
+        return reader.read_value(text);
     } catch (const ValueFault& fault) {
         const auto begin = static_cast<std::size_t>(text.data() - token.text.data()) + fault.begin;
         throw TraceFault{&rules::log_value,
@@ -117,8 +117,8 @@ LoggedValue TraceAlphabet::value(const ValueReader& reader, std::string_view tex
     }
 }
 
-LoggedEvent TraceAlphabet::parse(const TraceToken& token) const {
-    LoggedEvent event = kind(token);
+LoggedEvent TraceAlphabet::parse_event(const TraceToken& token) const {
+    LoggedEvent event = parse_kind(token);
     const std::size_t mark = token.text.find_first_of("?!");
     const std::string_view name = token.text.substr(0, mark);
     const std::string_view rest = token.text.substr(mark + 1);
@@ -128,40 +128,41 @@ LoggedEvent TraceAlphabet::parse(const TraceToken& token) const {
     } else {
         for (const ValueReader& reader : output_values_[event.index]) readers.push_back(&reader);
     }
-    const auto parts = rest.empty() ? std::vector<std::string_view>{} : arguments(rest);
+    const auto parts = rest.empty() ? std::vector<std::string_view>{} : split_at_marks(rest);
     if (parts.size() != readers.size())
         throw TraceFault{&rules::log_value,
                          {std::string(name), fmt::format("{} value{}", readers.size(), readers.size() == 1 ? "" : "s"),
                           fmt::format("{}", parts.size())},
                          token.column,
                          static_cast<std::uint32_t>(token.text.size())};
-    for (std::size_t i = 0; i < parts.size(); ++i) event.values.push_back(value(*readers[i], parts[i], token, name));
-    if (event.inside()) event.event = stand_in(event, 0);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        event.values.push_back(parse_value(*readers[i], parts[i], token, name));
+    if (event.is_inside()) event.event = replacement_event(event, 0);
     return event;
 }
 
-const LoggedEvent& TraceAlphabet::read(const TraceToken& token) {
+const LoggedEvent& TraceAlphabet::read_event(const TraceToken& token) {
     constexpr std::size_t kept = 1U << 14U;
     const auto found = known_.find(std::string(token.text));
     if (found != known_.end()) return found->second;
-    last_ = parse(token);
-    if (known_.size() >= kept || !last_.inside()) return last_;
+    last_ = parse_event(token);
+    if (known_.size() >= kept || !last_.is_inside()) return last_;
     return known_.emplace(std::string(token.text), last_).first->second;
 }
 
-process::Event TraceAlphabet::stand_in(const LoggedEvent& event, std::uint64_t salt) const {
+process::Event TraceAlphabet::replacement_event(const LoggedEvent& event, std::uint64_t salt) const {
     const Alphabet& alphabet = model_->alphabet();
     if (event.kind == LoggedEvent::Kind::read) {
-        if (event.values.empty()) return alphabet.read(event.index, 1);
-        const std::int64_t number = input_values_[event.index]->stand_in(event.values.front(), salt);
+        if (event.values.empty()) return alphabet.read_event(event.index, 1);
+        const std::int64_t number = input_values_[event.index]->replacement_index(event.values.front(), salt);
         const auto& values = model_->interface().inputs[event.index].values;
         const auto place = std::ranges::find(values, number);
-        return alphabet.read(event.index, 1 + static_cast<std::uint32_t>(place - values.begin()));
+        return alphabet.read_event(event.index, 1 + static_cast<std::uint32_t>(place - values.begin()));
     }
     std::vector<std::int64_t> numbers;
     for (std::size_t i = 0; i < event.values.size(); ++i)
-        numbers.push_back(output_values_[event.index][i].stand_in(event.values[i], salt));
-    return alphabet.write(event.index, numbers);
+        numbers.push_back(output_values_[event.index][i].replacement_index(event.values[i], salt));
+    return alphabet.write_event(event.index, numbers);
 }
 
 }  // namespace robochart::conformance

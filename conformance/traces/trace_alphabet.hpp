@@ -22,7 +22,7 @@ struct LoggedEvent {
     std::vector<LoggedValue> values;      ///< empty for events without values
     process::Event event = process::tau;  ///< valid if all values are in their carriers
 
-    [[nodiscard]] bool inside() const;
+    [[nodiscard]] bool is_inside() const;
 };
 
 class TraceAlphabet {
@@ -30,18 +30,18 @@ public:
     explicit TraceAlphabet(const CyclicModel&);
 
     /// The event for a word. Throws TraceFault. The reference is valid until the next call.
-    [[nodiscard]] const LoggedEvent& read(const TraceToken&);
+    [[nodiscard]] const LoggedEvent& read_event(const TraceToken&);
     /// The kind of event for a name with `?` or `!`. Throws TraceFault.
-    [[nodiscard]] LoggedEvent kind(const TraceToken&) const;
-    /// The event in which `stand_in` replaces values outside their carriers.
-    [[nodiscard]] process::Event stand_in(const LoggedEvent&, std::uint64_t salt) const;
+    [[nodiscard]] LoggedEvent parse_kind(const TraceToken&) const;
+    /// The event with representatives in place of values outside their carriers.
+    [[nodiscard]] process::Event replacement_event(const LoggedEvent&, std::uint64_t salt) const;
     [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
     [[nodiscard]] const std::vector<std::string>& outputs() const { return outputs_; }
 
 private:
-    [[nodiscard]] LoggedEvent parse(const TraceToken&) const;
-    [[nodiscard]] static LoggedValue value(const ValueReader&, std::string_view text, const TraceToken& token,
-                                           std::string_view name);
+    [[nodiscard]] LoggedEvent parse_event(const TraceToken&) const;
+    [[nodiscard]] static LoggedValue parse_value(const ValueReader&, std::string_view text, const TraceToken& token,
+                                                 std::string_view name);
 
     const CyclicModel* model_;
     std::vector<std::string> inputs_, outputs_;

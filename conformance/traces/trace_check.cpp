@@ -39,7 +39,7 @@ TraceChecker::TraceChecker(CyclicModel& model, std::vector<std::string> componen
 
 TraceChecker::~TraceChecker() = default;
 
-TraceChecker::Form& TraceChecker::form(const Observation& observation, bool late) {
+TraceChecker::Form& TraceChecker::form_for(const Observation& observation, bool late) {
     for (const auto& known : forms_)
         if (known->late == late && known->observation == observation) return *known;
     if (late && !starts_) starts_ = cycle_starts(model_->normal_form(), limits_);
@@ -63,16 +63,16 @@ public:
         observation_.outputs.assign(model_.interface().outputs.size(), true);
     }
 
-    LogReport check() {
+    LogReport check_log() {
         try {
-            header();
+            read_header();
             while (more_) {
-                line();
-                advance();
+                check_line();
+                next_line();
             }
             end_run();
         } catch (const TraceFault& fault) {
-            report_.fault = LogFault{fault, lines_.number(), std::string(lines_.text())};
+            report_.fault = LogFault{fault, lines_.line_number(), std::string(lines_.line_text())};
         }
         return std::move(report_);
     }
@@ -81,26 +81,26 @@ private:
     /// Whether the run continues after a word, or its remaining words are skipped.
     enum class Next { go_on, stop };
 
-    void advance() { more_ = lines_.next(); }
+    void next_line() { more_ = lines_.read_line(); }
 
     // ------------------------------------------------------------ header
 
-    void header() {
-        advance();
-        while (more_ && blank()) advance();
+    void read_header() {
+        next_line();
+        while (more_ && line_is_blank()) next_line();
         expect_version();
-        for (advance(); more_; advance()) {
-            if (blank()) continue;
+        for (next_line(); more_; next_line()) {
+            if (line_is_blank()) continue;
             if (tokens_.front().text == "run") break;
-            if (!read_header_line(tokens_, report_.header, lines_.number()))
+            if (!read_header_line(tokens_, report_.header, lines_.line_number()))
                 fault_here("`run NAME` or a line of the header");
-            if (tokens_.front().text == "unobserved") observe();
+            if (tokens_.front().text == "unobserved") read_unobserved();
         }
         check_header();
     }
 
-    [[nodiscard]] bool blank() {
-        split_line(lines_.text(), tokens_);
+    [[nodiscard]] bool line_is_blank() {
+        split_line(lines_.line_text(), tokens_);
         return tokens_.empty();
     }
 
@@ -119,9 +119,9 @@ private:
                          static_cast<std::uint32_t>(at.text.size())};
     }
 
-    void observe() {
+    void read_unobserved() {
         for (std::size_t i = 1; i < tokens_.size(); ++i) {
-            const LoggedEvent kind = checker_.alphabet_.kind(tokens_[i]);
+            const LoggedEvent kind = checker_.alphabet_.parse_kind(tokens_[i]);
             if (kind.kind == LoggedEvent::Kind::read)
                 observation_.inputs[kind.index] = false;
             else
@@ -150,25 +150,25 @@ private:
 
     // ------------------------------------------------------------ runs
 
-    void line() {
-        if (blank()) return;
+    void check_line() {
+        if (line_is_blank()) return;
         const std::string_view first = tokens_.front().text;
         if (first == "run") return begin_run();
         if (!run_) fault_here("`run NAME`");
-        if (first == "late" || first == "lost") return anywhere(first);
-        words();
+        if (first == "late" || first == "lost") return forget_state(first);
+        check_words();
     }
 
     void begin_run() {
         end_run();
         run_.emplace();
-        run_->line = lines_.number();
+        run_->line = lines_.line_number();
         if (tokens_.size() > 1) {
             const char* const end = tokens_.back().text.data() + tokens_.back().text.size();
             run_->name.assign(tokens_[1].text.data(), end);
         }
         ++report_.runs;
-        form_ = &checker_.form(observation_, false);
+        form_ = &checker_.form_for(observation_, false);
         node_ = form_->normal_form.initial();
         begin_cycle();
         before_.clear();
@@ -176,12 +176,12 @@ private:
     }
 
     /// Handles a log that starts late, or lost cycles: the run's state is unknown.
-    void anywhere(std::string_view word) {
+    void forget_state(std::string_view word) {
         if (tokens_.size() > 1 || (word == "late" && run_->cycles > 0))
             fault_here("`late` alone before the first cycle, or `lost`");
         if (!clean_) fault_here("the end of the cycle, `tock`");
         if (done_) return;
-        form_ = &checker_.form(observation_, true);
+        form_ = &checker_.form_for(observation_, true);
         node_ = cycle_node_ = form_->normal_form.initial();
     }
 
@@ -205,23 +205,23 @@ private:
         so_far_.clear();
     }
 
-    void words() {
-        const std::string_view whole = lines_.text();
+    void check_words() {
+        const std::string_view whole = lines_.line_text();
         for (const TraceToken& token : tokens_) {
             if (token.text == "run" || token.text == "late" || token.text == "lost")
                 fault_here("one event after the other");
             // words after a verdict are still parsed, because syntax errors are always reported
-            const Next next = word(token);
+            const Next next = check_word(token);
             if (next == Next::stop) done_ = true;
         }
         if (before_.size() == 3) before_.erase(before_.begin());
         before_.emplace_back(whole);
     }
 
-    Next word(const TraceToken& token) {
-        if (token.text == "tock") return done_ ? Next::go_on : tock();
-        if (token.text == "terminate") return done_ ? Next::go_on : terminate();
-        const LoggedEvent& event = checker_.alphabet_.read(token);
+    Next check_word(const TraceToken& token) {
+        if (token.text == "tock") return done_ ? Next::go_on : check_tock();
+        if (token.text == "terminate") return done_ ? Next::go_on : check_termination();
+        const LoggedEvent& event = checker_.alphabet_.read_event(token);
         const bool read = event.kind == LoggedEvent::Kind::read;
         const bool observed = read ? observation_.inputs[event.index] : observation_.outputs[event.index];
         if (!observed)
@@ -230,7 +230,7 @@ private:
                              token.column,
                              static_cast<std::uint32_t>(token.text.size())};
         if (done_) return Next::go_on;
-        if (ended_) return reject(std::string(token.text));
+        if (ended_) return reject_event(std::string(token.text));
         clean_ = false;
         const auto meant = in_carrier(event, token);
         if (!meant) return Next::stop;
@@ -246,16 +246,16 @@ private:
         for (const LoggedValue& value : event.values) {
             if (value.number) continue;
             if (!value.passed_on) {
-                undecided(token, value);
+                report_undecided(token, value);
                 return std::nullopt;
             }
             ++run_->replaced;
         }
-        return checker_.alphabet_.stand_in(event, report_.runs);
+        return checker_.alphabet_.replacement_event(event, report_.runs);
     }
 
-    void undecided(const TraceToken& token, const LoggedValue& value) {
-        place();
+    void report_undecided(const TraceToken& token, const LoggedValue& value) {
+        record_place();
         run_->verdict = RunVerdict::inconclusive;
         run_->what = token.text;
         run_->reason = fmt::format(
@@ -264,14 +264,14 @@ private:
     }
 
     Next take_read(std::uint32_t index, process::Event event, const TraceToken& token) {
-        if (acted_ || tocks_ > 0 || reads_[index] != process::tau) return reject(std::string(token.text));
+        if (acted_ || tocks_ > 0 || reads_[index] != process::tau) return reject_event(std::string(token.text));
         reads_[index] = event;
         return Next::go_on;
     }
 
     Next take_write(process::Event event, const TraceToken& token) {
         if (!finish_reads()) return Next::stop;
-        return step(event) ? Next::go_on : reject(std::string(token.text));
+        return step_model(event) ? Next::go_on : reject_event(std::string(token.text));
     }
 
     /// A3: all registers are read, in the order of the interface, before anything else happens.
@@ -280,48 +280,48 @@ private:
         acted_ = true;
         for (std::uint32_t i = 0; i < reads_.size(); ++i) {
             if (!observation_.inputs[i]) continue;
-            const process::Event event = reads_[i] == process::tau ? model_.alphabet().read(i, 0) : reads_[i];
-            if (step(event)) continue;
-            reject("a further cycle");
+            const process::Event event = reads_[i] == process::tau ? model_.alphabet().read_event(i, 0) : reads_[i];
+            if (step_model(event)) continue;
+            reject_event("a further cycle");
             return false;
         }
         return true;
     }
 
-    bool step(process::Event event) {
-        const auto next = form_->normal_form.after(node_, event);
+    bool step_model(process::Event event) {
+        const auto next = form_->normal_form.node_after(node_, event);
         if (next) node_ = *next;
         return next.has_value();
     }
 
-    Next tock() {
-        if (ended_) return reject("a further cycle");
+    Next check_tock() {
+        if (ended_) return reject_event("a further cycle");
         if (!finish_reads()) return Next::stop;
-        if (!step(model_.alphabet().tock())) return reject("the end of the cycle");
+        if (!step_model(model_.alphabet().tock())) return reject_event("the end of the cycle");
         if (++tocks_ < model_.cycle_length()) return Next::go_on;
         ++run_->cycles;
         begin_cycle();
         return Next::go_on;
     }
 
-    Next terminate() {
+    Next check_termination() {
         if (!finish_reads()) return Next::stop;
-        if (!step(process::tick)) return reject("termination");
+        if (!step_model(process::tick)) return reject_event("termination");
         ended_ = true;
         return Next::go_on;
     }
 
     // ------------------------------------------------------------ reports
 
-    void place() {
-        run_->at_line = lines_.number();
+    void record_place() {
+        run_->at_line = lines_.line_number();
         run_->cycle = run_->cycles + 1;
         run_->cycle_so_far = so_far_;
         run_->before = before_;
     }
 
-    Next reject(std::string what) {
-        place();
+    Next reject_event(std::string what) {
+        record_place();
         run_->verdict = RunVerdict::rejected;
         run_->what = std::move(what);
         const Alphabet& alphabet = model_.alphabet();
@@ -332,7 +332,7 @@ private:
             if (read_again) break;
             const CycleRole role = alphabet.cycle_role(event);
             if (role.kind == CycleRole::Kind::read) continue;
-            run_->allowed.push_back(tell_with_place(event, alphabet, model_.provenance(), *checker_.sources_));
+            run_->allowed.push_back(describe_with_place(event, alphabet, model_.provenance(), *checker_.sources_));
         }
         if (ended_) run_->allowed.emplace_back("nothing: it has terminated");
         tell_elements();
@@ -345,7 +345,7 @@ private:
         const std::vector<lts::StateView> states = form_->normal_form.states(cycle_node_);
         for (const bool still : {true, false}) {
             for (const lts::StateView state : states)
-                if (!still || form_->system.stable(state)) add_elements(form_->system.describe_model(state));
+                if (!still || form_->system.is_stable(state)) add_elements(form_->system.describe_model(state));
             if (!run_->elements.empty()) return;
         }
     }
@@ -383,9 +383,9 @@ private:
     bool done_ = false;   ///< there is a verdict: the rest of the run is only parsed
 };
 
-LogReport TraceChecker::check(std::istream& in, const std::vector<std::string>& constants,
-                              const std::function<void(const RunReport&)>& tell) {
-    return LogRun(*this, in, constants, tell).check();
+LogReport TraceChecker::check_log(std::istream& in, const std::vector<std::string>& constants,
+                                  const std::function<void(const RunReport&)>& tell) {
+    return LogRun(*this, in, constants, tell).check_log();
 }
 
 }  // namespace robochart::conformance

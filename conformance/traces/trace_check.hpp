@@ -71,13 +71,13 @@ public:
     /// Reads one log to its end, or to the first line that cannot be parsed. `constants` contains the constants of the
     /// log's header with which the model was built; any other constant is an error (RC-L04). Calls `tell` with every
     /// run that is not accepted. Throws process::Interrupted at a limit.
-    LogReport check(std::istream&, const std::vector<std::string>& constants,
-                    const std::function<void(const RunReport&)>& tell);
+    LogReport check_log(std::istream&, const std::vector<std::string>& constants,
+                        const std::function<void(const RunReport&)>& tell);
 
 private:
     struct Form;
     class LogRun;
-    [[nodiscard]] Form& form(const Observation&, bool late);
+    [[nodiscard]] Form& form_for(const Observation&, bool late);
 
     CyclicModel* model_;
     std::vector<std::string> component_;

@@ -8,15 +8,15 @@
 #include <istream>
 #include <utility>
 
+#include "base/diagnostics/utf8.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/files/trace_names.hpp"
-#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::conformance {
 
 namespace {
 
-bool blank(char c) {
+bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
@@ -31,7 +31,7 @@ std::size_t end_of_word(std::string_view line, std::size_t begin) {
         if (quoted) continue;
         if (c == '(' || c == '{' || c == '<') ++depth;
         if (c == ')' || c == '}' || c == '>') --depth;
-        if (blank(c) && depth <= 0) break;
+        if (is_blank(c) && depth <= 0) break;
     }
     return end;
 }
@@ -65,7 +65,7 @@ std::string constant_of(const std::vector<TraceToken>& tokens) {
 void split_line(std::string_view line, std::vector<TraceToken>& tokens) {
     tokens.clear();
     for (std::size_t at = 0; at < line.size();) {
-        if (blank(line[at])) {
+        if (is_blank(line[at])) {
             ++at;
             continue;
         }
@@ -99,7 +99,7 @@ bool read_header_line(const std::vector<TraceToken>& tokens, TraceHeader& header
     return true;
 }
 
-bool LineReader::fill() {
+bool LineReader::fill_buffer() {
     constexpr std::size_t chunk = 1U << 18U;
     buffer_.resize(chunk);
     in_.read(buffer_.data(), static_cast<std::streamsize>(chunk));
@@ -110,11 +110,11 @@ bool LineReader::fill() {
     return at_ < buffer_.size();
 }
 
-bool LineReader::next() {
+bool LineReader::read_line() {
     line_.clear();
     ++number_;
     bool any = false;
-    while (at_ < buffer_.size() || fill()) {
+    while (at_ < buffer_.size() || fill_buffer()) {
         any = true;
         const std::size_t end = buffer_.find('\n', at_);
         line_.append(buffer_, at_, end == std::string::npos ? end : end - at_);

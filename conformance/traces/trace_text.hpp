@@ -51,12 +51,12 @@ public:
     explicit LineReader(std::istream& in) : in_(in) {}
     /// Reads the next line; returns false at the end. Throws TraceFault for lines that are too long or contain zero
     /// bytes.
-    [[nodiscard]] bool next();
-    [[nodiscard]] std::string_view text() const { return line_; }
-    [[nodiscard]] std::uint64_t number() const { return number_; }
+    [[nodiscard]] bool read_line();
+    [[nodiscard]] std::string_view line_text() const { return line_; }
+    [[nodiscard]] std::uint64_t line_number() const { return number_; }
 
 private:
-    [[nodiscard]] bool fill();
+    [[nodiscard]] bool fill_buffer();
 
     std::istream& in_;
     std::string buffer_;

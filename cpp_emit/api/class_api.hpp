@@ -95,7 +95,7 @@ void each_class(const ClassApi& api, const Visit& visit) {
 
 /// The C++ name of a type in the deployed code: double, std::int64_t, bool, or a type declared in the core. `core` is
 /// the core's namespace as seen from the user's namespace.
-[[nodiscard]] Spelling deployed(const std::string& core);
+[[nodiscard]] Spelling deployed_spelling(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
 /// The C++ text of a value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.
 [[nodiscard]] std::string deployed_value(const Generation&, const Core&, ir::TypeId, const ir::Value&);

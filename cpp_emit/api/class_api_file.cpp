@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of interface and machine classes.
+// Writes the text of interface and machine classes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,8 +13,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-std::string parameters(const Generation& generation, const Core& core, const std::vector<ir::TypeId>& types,
-                       const std::vector<std::string>& names) {
+std::string typed_parameters(const Generation& generation, const Core& core, const std::vector<ir::TypeId>& types,
+                             const std::vector<std::string>& names) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < types.size(); ++i)
         texts.push_back(fmt::format("{} {}", deployed_type(generation, core.relative, types[i]), names.at(i)));
@@ -22,14 +22,14 @@ std::string parameters(const Generation& generation, const Core& core, const std
 }
 
 /// The parameters of a definition that does not use them. Their names may equal those of members of the class.
-std::vector<std::string> unused(const std::vector<std::string>& model_names) {
+std::vector<std::string> unused_names(const std::vector<std::string>& model_names) {
     std::vector<std::string> names = parameter_identifiers(model_names);
     for (std::string& name : names) name = "/*" + name + "*/";
     return names;
 }
 
 /// The parameters of a definition that passes them on. Their names differ from those of all members of the class.
-std::vector<std::string> passed(std::size_t count) {
+std::vector<std::string> passed_names(std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
     return names;
@@ -38,14 +38,14 @@ std::vector<std::string> passed(std::size_t count) {
 void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const ApiOperation& operation) {
     out.gap();
     const ir::OperationSignature& signature = *operation.signature;
-    const diagnostics::ForeignText place = generation.place(signature.origin);
+    const diagnostics::ForeignText place = generation.place_text(signature.origin);
     const auto list = [&](const std::vector<std::string>& names) {
-        return parameters(generation, core, signature.parameters, names);
+        return typed_parameters(generation, core, signature.parameters, names);
     };
     if (operation.modelled) {
         out.doc(place + ", as the model defines it. Override it and return true to do it differently.");
         out.line(fmt::format("virtual bool {}({}) {{ return false; }}", operation.method,
-                             list(unused(signature.parameter_names))));
+                             list(unused_names(signature.parameter_names))));
     } else {
         out.doc(place + ", done by the platform: override it.");
         out.line(fmt::format("virtual void {}({}) = 0;", operation.method,
@@ -59,20 +59,21 @@ void write_functions(const Generation& generation, const Core& core, const Class
         const ir::Value value = ir::default_value(generation.system, generation.inst, function.result);
         out.gap();
         out.doc(fmt::format("Function {}: the model has only its contract.", function.name));
-        out.line(fmt::format("[[nodiscard]] virtual {} {}({}) {{ return {}; }}",
-                             deployed_type(generation, core.relative, function.result), each.method,
-                             parameters(generation, core, function.parameters, unused(function.parameter_names)),
-                             deployed_value(generation, core, function.result, value)));
+        out.line(
+            fmt::format("[[nodiscard]] virtual {} {}({}) {{ return {}; }}",
+                        deployed_type(generation, core.relative, function.result), each.method,
+                        typed_parameters(generation, core, function.parameters, unused_names(function.parameter_names)),
+                        deployed_value(generation, core, function.result, value)));
     }
 }
 
 void write_function_hooks(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
     for (const ApiFunction& each : api.functions) {
         const ir::Function& function = generation.system.functions[each.hook->id.index];
-        const std::vector<std::string> arguments = passed(function.parameters.size());
+        const std::vector<std::string> arguments = passed_names(function.parameters.size());
         out.gap();
         out.open(fmt::format("{} {}({}) const noexcept {{", deployed_type(generation, core.relative, function.result),
-                             each.hook->method, parameters(generation, core, function.parameters, arguments)));
+                             each.hook->method, typed_parameters(generation, core, function.parameters, arguments)));
         out.line(fmt::format("return machine.{}({});", each.method, fmt::join(arguments, ", ")));
         out.close();
     }
@@ -111,7 +112,7 @@ void write_members(const Generation& generation, const Core& core, CodeWriter& o
         out.line_with_doc(
             fmt::format("{} {} = {};", deployed_type(generation, core.relative, declared.type), variable.member,
                         deployed_value(generation, core, declared.type, variable.stored->initial)),
-            generation.place(declared.origin));
+            generation.place_text(declared.origin));
     }
     for (const ApiEvent& event : api.events) {
         const char* use = event.sent ? "sent in the last cycle"
@@ -162,10 +163,11 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     each_class(api, [&](const ApiClass& part) {
         for (const ApiOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
-            const std::vector<std::string> arguments = passed(signature.parameters.size());
+            const std::vector<std::string> arguments = passed_names(signature.parameters.size());
             out.gap();
             out.open(fmt::format("{} {}({}) const noexcept {{", operation.modelled ? "bool" : "void",
-                                 operation.core_method, parameters(generation, core, signature.parameters, arguments)));
+                                 operation.core_method,
+                                 typed_parameters(generation, core, signature.parameters, arguments)));
             out.line(fmt::format("{}machine.{}({});", operation.modelled ? "return " : "", operation.method,
                                  fmt::join(arguments, ", ")));
             out.close();
@@ -230,7 +232,7 @@ void write_cycle(const Core& core, const ClassApi& api, CodeWriter& out) {
         for (const ApiVariable& variable : part.variables) {
             for (const std::string& copy : variable.copies)
                 before.push_back(fmt::format("core_.{} = {};", copy, variable.member));
-            if (!variable.stored->stored()) continue;
+            if (!variable.stored->has_member()) continue;
             before.push_back(fmt::format("core_.{} = {};", variable.stored->path, variable.member));
             if (variable.copies.empty())
                 after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->path));
@@ -283,7 +285,7 @@ void write_state(const Core& core, const ClassApi& api, const ApiMachine& machin
     out.open(fmt::format("{0}::{1} {0}::{2}() const noexcept {{", api.cpp_name, type, machine.method));
     out.open(fmt::format("switch (core_.{}) {{", machine.place));
     for (const Enumerator& place : places.values) {
-        const std::string state = place.state.valid() ? machine.states[place.state.index] : "none";
+        const std::string state = place.state.is_valid() ? machine.states[place.state.index] : "none";
         out.line(fmt::format("case {}::{}::{}: return {}::{};", core.relative, places.name, place.name, type, state));
     }
     out.close();
@@ -303,8 +305,8 @@ void write_state(const Core& core, const ClassApi& api, const ApiMachine& machin
 }  // namespace
 
 std::string deployed_value(const Generation& generation, const Core& core, ir::TypeId id, const ir::Value& value) {
-    const std::string text = cpp_value(generation.system, generation.inst, id, value, deployed(core.relative));
-    if (!numeric(generation.system.type(id).kind)) return text;
+    const std::string text = cpp_value(generation.system, generation.inst, id, value, deployed_spelling(core.relative));
+    if (!is_numeric(generation.system.type(id).kind)) return text;
     return text.substr(text.find('(') + 1, text.rfind(')') - text.find('(') - 1);
 }
 
@@ -322,7 +324,7 @@ std::string interface_header(const Generation& generation, const Core& core, con
     out.line(fmt::format("namespace {} {{", api.name_space));
     out.gap();
     out.open(fmt::format("class {} {{", base.cpp_name));
-    out.label("public:");
+    out.write_label("public:");
     out.line(fmt::format("virtual ~{}() = default;", base.cpp_name));
     out.gap();
     write_members(generation, core, out, base);
@@ -349,10 +351,10 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line(fmt::format("namespace {} {{", api.name_space));
     out.gap();
     const Component& component = generation.component;
-    out.doc(component.composed() ? "The machines of " + generation.place(component.origin) + ", side by side"
-                                 : "State machine " + generation.place(component.root().machine->origin));
+    out.doc(component.is_composed() ? "The machines of " + generation.place_text(component.origin) + ", side by side"
+                                    : "State machine " + generation.place_text(component.root_unit().machine->origin));
     out.open(fmt::format("class {}{} {{", api.cpp_name, base_list(api)));
-    out.label("public:");
+    out.write_label("public:");
     write_states(api, out);
     out.gap();
     if (api.bases.empty()) out.line(fmt::format("virtual ~{}() = default;", api.cpp_name));
@@ -381,7 +383,7 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.gap();
     for (const ApiTimer& timer : api.timers)
         out.line_with_doc(fmt::format("robochart::Timer {};", timer.member),
-                          "clock " + generation.place(timer.clock->origin));
+                          "clock " + generation.place_text(timer.clock->origin));
     out.gap();
     write_members(generation, core, out, api.own);
     write_functions(generation, core, api, out);
@@ -404,7 +406,7 @@ std::string machine_header(const Generation& generation, const Core& core, const
         out.line("virtual std::size_t pick([[maybe_unused]] std::size_t count) noexcept { return 0; }");
     }
     out.gap();
-    out.label("private:");
+    out.write_label("private:");
     out.line("struct Platform;");
     out.gap();
     out.line(fmt::format("{}::State<robochart::Deployment> core_{{}};", core.relative));

@@ -36,11 +36,11 @@ public:
             out_.gap();
             out_.open(fmt::format("[[maybe_unused]] static bool read_part(robochart::Words& in, {}& value) {{", name));
             if (type.kind == ir::TypeKind::given) {
-                given(name);
+                write_given(name);
             } else if (type.kind == ir::TypeKind::enumeration) {
-                literals(type, name);
+                write_literals(type, name);
             } else {
-                out_.line("return " + parts_read(members(type), members(type).size() > 1) + ";");
+                out_.line("return " + parts_read(type_members(type), type_members(type).size() > 1) + ";");
             }
             out_.close();
         }
@@ -50,15 +50,15 @@ public:
     }
 
 private:
-    void given(const std::string& name) {
+    void write_given(const std::string& name) {
         out_.line("int number = 0;");
         out_.line("if (!robochart::read_part(in, number) || number < 0 || number > 255) return false;");
         out_.line(fmt::format("value = static_cast<{}>(number);", name));
         out_.line("return true;");
     }
 
-    void literals(const ir::Type& type, const std::string& name) {
-        const std::vector<TypeMember> all = members(type);
+    void write_literals(const ir::Type& type, const std::string& name) {
+        const std::vector<TypeMember> all = type_members(type);
         out_.line("const std::string_view word = in.word();");
         for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
             std::vector<TypeMember> given;
@@ -94,7 +94,7 @@ public:
 
     void write() {
         out_.open(fmt::format("class Console final : public ::{}::{} {{", api_.name_space, api_.cpp_name));
-        out_.label("public:");
+        out_.write_label("public:");
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiOperation& operation : part.operations)
                 if (!operation.modelled) print_call(operation);
@@ -210,7 +210,7 @@ void console_reading(const Generation& generation, const Core& core, CodeWriter&
 namespace {
 
 /// Describes the inputs that are accepted for a value of the type.
-std::string described(const ir::Type& type) {
+std::string describe_input(const ir::Type& type) {
     switch (type.kind) {
         case ir::TypeKind::boolean:
             return "true or false";
@@ -252,7 +252,7 @@ std::vector<std::string> console_inputs(const Generation& generation, const Clas
             if (event.sent) continue;
             const auto& type = event.port->type;
             rows.emplace_back(event.port->model_name + (type ? "=VALUE" : ""),
-                              type ? described(generation.system.type(*type)) : "");
+                              type ? describe_input(generation.system.type(*type)) : "");
             width = std::max(width, rows.back().first.size());
         }
     });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A console driver and the build file of the generated library.
+// Writes a console driver and the build file of the generated library.
 #include <fmt/format.h>
 
-#include "cpp_emit/api/console_class.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "cpp_emit/api/console_class.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -205,19 +205,19 @@ private:
         out_.line("const std::string_view word = argv[i];");
         out_.open("if (word == \"--coverage\") {");
         out_.line("result.coverage = true;");
-        out_.reopen("} else if (word == \"--help\" || word == \"-h\") {");
+        out_.reopen_block("} else if (word == \"--help\" || word == \"-h\") {");
         out_.line("result.help = true;");
-        out_.reopen("} else if (word == \"--log\" && i + 1 < argc) {");
+        out_.reopen_block("} else if (word == \"--log\" && i + 1 < argc) {");
         out_.line("result.log = argv[++i];");
         if (asks_) {
             for (const char* option : {"record", "replay"}) {
-                out_.reopen(fmt::format("}} else if (word == \"--{}\" && i + 1 < argc) {{", option));
+                out_.reopen_block(fmt::format("}} else if (word == \"--{}\" && i + 1 < argc) {{", option));
                 out_.line(fmt::format("result.{} = argv[++i];", option));
             }
-            out_.reopen("} else if (word == \"--ask\") {");
+            out_.reopen_block("} else if (word == \"--ask\") {");
             out_.line("result.ask = true;");
         }
-        out_.reopen("} else {");
+        out_.reopen_block("} else {");
         out_.line("result.period = std::strtol(argv[i], nullptr, 10);");
         out_.line("result.wrong = result.wrong || result.period < 1;");
         out_.close();

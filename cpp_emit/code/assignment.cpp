@@ -8,31 +8,32 @@
 
 namespace robochart::cpp_emit {
 
-std::string store(const Generation& generation, const Unit& unit, ir::VariableId id, const std::string& value) {
-    const StoredVariable* stored = generation.component.stored(unit, id);
+std::string store_statement(const Generation& generation, const Unit& unit, ir::VariableId id,
+                            const std::string& value) {
+    const StoredVariable* stored = generation.component.stored_variable(unit, id);
     const std::string propagate =
         stored != nullptr && !stored->holders.empty() ? fmt::format(" {}();", stored->propagate) : std::string();
     if (stored != nullptr && stored->visible) return fmt::format("{}({});{}", stored->writer, value, propagate);
-    const bool propagated = stored != nullptr && stored->shared && generation.component.composed();
+    const bool propagated = stored != nullptr && stored->shared && generation.component.is_composed();
     if (propagated && generation.mutation.hits(Fault::write_not_relayed)) return {};
-    const std::string place = ExpressionWriter(generation, unit).variable(id);
+    const std::string place = ExpressionWriter(generation, unit).variable_member(id);
     return place.empty() ? propagate : fmt::format("{} = {};{}", place, value, propagate);
 }
 
 bool may_be_held_up(const Generation& generation, const Unit& unit, ir::VariableId id) {
-    const StoredVariable* const stored = id.valid() ? generation.component.stored(unit, id) : nullptr;
+    const StoredVariable* const stored = id.is_valid() ? generation.component.stored_variable(unit, id) : nullptr;
     return stored != nullptr && !stored->holders.empty();
 }
 
 CppExpr may_write(const Generation& generation, const Unit& unit, ir::VariableId id) {
     if (!may_be_held_up(generation, unit, id)) return {};
-    return negation(CppExpr(generation.component.stored(unit, id)->held_up + "()"));
+    return negation(CppExpr(generation.component.stored_variable(unit, id)->held_up + "()"));
 }
 
 std::string clock_reset(const Generation& generation, const Unit& unit, ir::ClockId id) {
-    const auto [owner, own] = generation.component.clock(unit, id);
+    const auto [owner, own] = generation.component.clock_owner(unit, id);
     if (!owner->clock_read[own.index]) return {};
-    return fmt::format("{} = 0;", ExpressionWriter(generation, unit).clock(id));
+    return fmt::format("{} = 0;", ExpressionWriter(generation, unit).clock_member(id));
 }
 
 void reset_clocks(const Generation& generation, const Unit& unit, const std::vector<ir::ClockId>& clocks,

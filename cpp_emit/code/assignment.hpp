@@ -14,7 +14,7 @@ namespace robochart::cpp_emit {
 
 /// `write_x(value);` or a plain assignment, depending on where the variable is stored. "" if the variable is neither
 /// stored nor visible.
-[[nodiscard]] std::string store(const Generation&, const Unit&, ir::VariableId, const std::string& value);
+[[nodiscard]] std::string store_statement(const Generation&, const Unit&, ir::VariableId, const std::string& value);
 /// Whether a write of the variable may have to wait until earlier writes are propagated (semantics 3.7).
 [[nodiscard]] bool may_be_held_up(const Generation&, const Unit&, ir::VariableId);
 /// `!held_up_x()`, the condition that a write does not have to wait. Empty if writes of the variable never have to

@@ -12,7 +12,7 @@ namespace robochart::cpp_emit {
 void write_carriers(const Generation& generation, CodeWriter& out) {
     for (const CarrierUse& use : generation.component.carriers) {
         std::vector<std::string> values;
-        for (const ir::Value& value : ir::carrier(generation.system, generation.inst, use.type))
+        for (const ir::Value& value : ir::carrier_values(generation.system, generation.inst, use.type))
             values.push_back(cpp_value(generation.system, generation.inst, use.type, value));
         const std::string type = cpp_type(generation.system, use.type);
         out.gap();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of generated code that visit the values of a type.
+// Writes functions of generated code that visit the values of a type.
 #pragma once
 
 #include "cpp_emit/expressions/code_writer.hpp"

@@ -12,31 +12,31 @@ using ir::NodeId;
 using ir::NodeKind;
 
 MachinePlan::MachinePlan(const Generation& generation, const Unit& unit) : generation_(generation), unit_(unit) {
-    for (const auto& node : machine().nodes) labels_.push_back(places_.unique(node.path));
+    for (const auto& node : machine().nodes) labels_.push_back(places_.unique_name(node.path));
     for (const auto& node : machine().nodes) {
         const bool state = node.kind == NodeKind::state || node.kind == NodeKind::final;
-        enter_.push_back(state ? places_.unique("enter_" + node.path) : "");
-        exit_.push_back(node.kind == NodeKind::state ? places_.unique("exit_" + node.path) : "");
+        enter_.push_back(state ? places_.unique_name("enter_" + node.path) : "");
+        exit_.push_back(node.kind == NodeKind::state ? places_.unique_name("exit_" + node.path) : "");
     }
     for (const auto& transition : machine().transitions) {
         const NodeId parent = node(transition.source).parent;
-        const std::string scope = parent.valid() ? node(parent).path + "_" : "";
-        take_.push_back(places_.unique("take_" + scope + transition.name));
+        const std::string scope = parent.is_valid() ? node(parent).path + "_" : "";
+        take_.push_back(places_.unique_name("take_" + scope + transition.name));
     }
     straight_exits_.assign(machine().nodes.size(), true);
     for (std::uint32_t index = 0; index < machine().nodes.size(); ++index) {
         straight_.push_back(enters_straight(NodeId{index}));
-        if (!waits(machine().nodes[index].exit)) continue;
-        for (const NodeId around : chain(NodeId{index})) straight_exits_[around.index] = false;
+        if (!may_wait(machine().nodes[index].exit)) continue;
+        for (const NodeId around : state_chain(NodeId{index})) straight_exits_[around.index] = false;
     }
 }
 
-bool MachinePlan::waits(const ir::StmtPtr& program) const {
-    return suspends(generation_, unit_, program);
+bool MachinePlan::may_wait(const ir::StmtPtr& program) const {
+    return may_suspend(generation_, unit_, program);
 }
 
-bool MachinePlan::chooses(NodeId id) const {
-    return !settles(id) && node(id).kind != NodeKind::state;
+bool MachinePlan::is_choice(NodeId id) const {
+    return !is_resting_place(id) && node(id).kind != NodeKind::state;
 }
 
 /// Searches for a path from this junction through other junctions back to it.
@@ -49,7 +49,7 @@ bool MachinePlan::in_loop(NodeId id) const {
         for (const ir::TransitionId way : node(at).outgoing) {
             const NodeId next = machine().transitions[way.index].target;
             if (next == id) return true;
-            if (!chooses(next) || seen[next.index]) continue;
+            if (!is_choice(next) || seen[next.index]) continue;
             seen[next.index] = true;
             open.push_back(next);
         }
@@ -59,10 +59,10 @@ bool MachinePlan::in_loop(NodeId id) const {
 
 bool MachinePlan::enters_straight(NodeId id) const {
     if (node(id).kind == NodeKind::probabilistic) return false;
-    return chooses(id) ? !in_loop(id) : !waits(node(id).entry);
+    return is_choice(id) ? !in_loop(id) : !may_wait(node(id).entry);
 }
 
-bool MachinePlan::passes(NodeId id) const {
+bool MachinePlan::is_passed_through(NodeId id) const {
     if (node(id).kind != NodeKind::initial || node(id).outgoing.size() != 1) return false;
     const ir::Transition& only = machine().transitions[node(id).outgoing.front().index];
     return !only.guard && only.resets.empty();
@@ -74,23 +74,23 @@ bool MachinePlan::exits_below(NodeId id) const {
                                [&](NodeId child) { return node(child).exit != nullptr || exits_below(child); });
 }
 
-std::vector<NodeId> MachinePlan::chain(NodeId id) const {
+std::vector<NodeId> MachinePlan::state_chain(NodeId id) const {
     std::vector<NodeId> result;
-    for (NodeId at = id; at.valid(); at = node(at).parent) result.push_back(at);
+    for (NodeId at = id; at.is_valid(); at = node(at).parent) result.push_back(at);
     return result;
 }
 
 std::vector<NodeId> MachinePlan::ancestors(NodeId id) const {
-    return chain(node(id).parent);
+    return state_chain(node(id).parent);
 }
 
 bool MachinePlan::notes_entry(NodeId id) const {
     if (node(id).kind != NodeKind::state) return false;
     const ir::ClockId clock = entry_clock(machine(), id);
-    return node(id).during != nullptr || watched(id) || (clock.valid() && unit_.clock_read[clock.index]);
+    return node(id).during != nullptr || is_watched(id) || (clock.is_valid() && unit_.clock_read[clock.index]);
 }
 
-bool MachinePlan::watched(NodeId id) const {
+bool MachinePlan::is_watched(NodeId id) const {
     const auto& outgoing = node(id).outgoing;
     return std::ranges::any_of(outgoing, [&](ir::TransitionId transition) {
         return machine().transitions[transition.index].deadline != nullptr;
@@ -98,8 +98,8 @@ bool MachinePlan::watched(NodeId id) const {
 }
 
 bool MachinePlan::needs_entry(NodeId id) const {
-    if (!settles(id)) return node(id).kind == NodeKind::state;
-    const std::vector<NodeId> around = chain(id);
+    if (!is_resting_place(id)) return node(id).kind == NodeKind::state;
+    const std::vector<NodeId> around = state_chain(id);
     const auto noted = [&](NodeId state) { return notes_entry(state); };
     return node(id).entry != nullptr || std::ranges::any_of(around, noted);
 }
@@ -110,19 +110,19 @@ bool MachinePlan::shared_exit(NodeId id) const {
     const auto waits_while_left = [&](NodeId left) { return !node(left).outgoing.empty() && !straight_exits(left); };
     const std::vector<NodeId> around = ancestors(id);
     if (std::ranges::any_of(around, waits_while_left)) return true;
-    return waits_while_left(id) && (state.composite() || state.outgoing.size() > 1);
+    return waits_while_left(id) && (state.is_composite() || state.outgoing.size() > 1);
 }
 
-bool MachinePlan::acts(const ir::Transition& transition) const {
-    const bool exits_here = waits(node(transition.source).exit) && !shared_exit(transition.source);
-    return waits(transition.action) || exits_here;
+bool MachinePlan::acts_after_trigger(const ir::Transition& transition) const {
+    const bool exits_here = may_wait(node(transition.source).exit) && !shared_exit(transition.source);
+    return may_wait(transition.action) || exits_here;
 }
 
-std::vector<NodeId> MachinePlan::leaves(NodeId id) const {
-    if (!node(id).composite()) return settles(id) ? std::vector<NodeId>{id} : std::vector<NodeId>{};
+std::vector<NodeId> MachinePlan::resting_leaves(NodeId id) const {
+    if (!node(id).is_composite()) return is_resting_place(id) ? std::vector<NodeId>{id} : std::vector<NodeId>{};
     std::vector<NodeId> result;
     for (const NodeId child : node(id).children) {
-        const std::vector<NodeId> below = leaves(child);
+        const std::vector<NodeId> below = resting_leaves(child);
         result.insert(result.end(), below.begin(), below.end());
     }
     return result;
@@ -134,7 +134,7 @@ bool MachinePlan::has_noted_leaving() const {
     return false;
 }
 
-std::vector<NodeId> MachinePlan::finals() const {
+std::vector<NodeId> MachinePlan::final_nodes() const {
     std::vector<NodeId> result;
     for (const NodeId id : machine().top)
         if (node(id).kind == NodeKind::final) result.push_back(id);

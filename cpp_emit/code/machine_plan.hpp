@@ -21,7 +21,7 @@ public:
 
     /// The label of a node: the place where control rests (states and final nodes) or chooses (initial nodes and
     /// junctions).
-    [[nodiscard]] const std::string& label(ir::NodeId id) const { return labels_[id.index]; }
+    [[nodiscard]] const std::string& label_of(ir::NodeId id) const { return labels_[id.index]; }
     [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
     [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
     [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
@@ -30,43 +30,44 @@ public:
     /// Whether control enters the node, up to the end of the node's own program, without waiting. The entry is then a
     /// function. Otherwise the program has places where it may wait, or the junction is part of a loop, which takes one
     /// step in each round.
-    [[nodiscard]] bool straight(ir::NodeId id) const { return straight_[id.index]; }
+    [[nodiscard]] bool is_straight(ir::NodeId id) const { return straight_[id.index]; }
     /// Whether no exit action of the state or of its inner states ever waits.
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }
     /// Whether some inner state of the composite state has an exit action.
     [[nodiscard]] bool exits_below(ir::NodeId) const;
     /// Whether the node is an initial node with a single transition, which has no trigger and no guard. Entering the
     /// node then takes the transition.
-    [[nodiscard]] bool passes(ir::NodeId) const;
+    [[nodiscard]] bool is_passed_through(ir::NodeId) const;
 
     /// Whether control rests in the node between transitions.
-    [[nodiscard]] bool settles(ir::NodeId id) const {
-        return node(id).kind == ir::NodeKind::final || (node(id).kind == ir::NodeKind::state && !node(id).composite());
+    [[nodiscard]] bool is_resting_place(ir::NodeId id) const {
+        return node(id).kind == ir::NodeKind::final ||
+               (node(id).kind == ir::NodeKind::state && !node(id).is_composite());
     }
     /// Whether several transitions share a place for the state's exits, because some exit action may wait.
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
     /// Whether Frame::leaving stores which transition of the state continues after the exits.
     [[nodiscard]] bool notes_leaving(ir::NodeId id) const { return shared_exit(id) && !straight_exits(id); }
     /// Whether the transition has an exit action or an action that may wait and runs after the trigger, at take_label.
-    [[nodiscard]] bool acts(const ir::Transition&) const;
+    [[nodiscard]] bool acts_after_trigger(const ir::Transition&) const;
     /// Whether entering the state has an effect: a during action, a clock of sinceEntry, or a deadline.
     [[nodiscard]] bool notes_entry(ir::NodeId) const;
     /// Whether the state must be left in time because some outgoing transition has a deadline.
-    [[nodiscard]] bool watched(ir::NodeId) const;
+    [[nodiscard]] bool is_watched(ir::NodeId) const;
     /// The state and its enclosing states, innermost first.
-    [[nodiscard]] std::vector<ir::NodeId> chain(ir::NodeId) const;
+    [[nodiscard]] std::vector<ir::NodeId> state_chain(ir::NodeId) const;
     /// The enclosing states of a node, innermost first.
     [[nodiscard]] std::vector<ir::NodeId> ancestors(ir::NodeId) const;
     /// Nodes in which control rests: the state itself, or the leaves inside a composite state.
-    [[nodiscard]] std::vector<ir::NodeId> leaves(ir::NodeId) const;
+    [[nodiscard]] std::vector<ir::NodeId> resting_leaves(ir::NodeId) const;
     [[nodiscard]] bool has_noted_leaving() const;
     /// Final nodes at top level, in which the machine has terminated.
-    [[nodiscard]] std::vector<ir::NodeId> finals() const;
+    [[nodiscard]] std::vector<ir::NodeId> final_nodes() const;
     [[nodiscard]] NameScope& place_labels() { return places_; }
 
 private:
-    [[nodiscard]] bool waits(const ir::StmtPtr&) const;
-    [[nodiscard]] bool chooses(ir::NodeId) const;
+    [[nodiscard]] bool may_wait(const ir::StmtPtr&) const;
+    [[nodiscard]] bool is_choice(ir::NodeId) const;
     [[nodiscard]] bool in_loop(ir::NodeId) const;
     [[nodiscard]] bool enters_straight(ir::NodeId) const;
 

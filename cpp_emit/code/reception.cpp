@@ -14,7 +14,7 @@ namespace {
 
 /// The sender of a connection from which the event is received. With Fault::wrong_sender, another sender of the same
 /// type.
-const EventUse& heard(const Generation& generation, const EventUse& sender) {
+const EventUse& choose_sender(const Generation& generation, const EventUse& sender) {
     for (const Part& part : generation.component.parts) {
         for (const EventUse& use : part.events) {
             if (&use == &sender || use.channel.empty() || use.type != sender.type || use.channel == sender.channel)
@@ -28,10 +28,10 @@ const EventUse& heard(const Generation& generation, const EventUse& sender) {
 /// Replaces the last field of `variable` by that of a value and keeps the other fields.
 std::string last_field(const Generation& generation, const Unit& unit, ir::VariableId variable,
                        const std::string& value, const std::string& field) {
-    const std::string place = ExpressionWriter(generation, unit).variable(variable);
+    const std::string place = ExpressionWriter(generation, unit).variable_member(variable);
     if (place.empty()) return {};
     return fmt::format("{{ auto partly = {}; partly.{} = {}.{}; {} }}", place, field, value, field,
-                       store(generation, unit, variable, "partly"));
+                       store_statement(generation, unit, variable, "partly"));
 }
 
 class Reception {
@@ -41,7 +41,7 @@ public:
         : generation_(generation),
           unit_(unit),
           communication_(communication),
-          use_(generation.component.event(unit, communication.event)),
+          use_(generation.component.find_event(unit, communication.event)),
           out_(out),
           condition_(condition),
           then_(then) {}
@@ -50,29 +50,29 @@ public:
         for (const std::size_t port : use_.ports) from_port(generation_.component.events[port]);
         for (const std::size_t buffer : use_.emptied) from_buffer(generation_.component.buffers[buffer]);
         for (const Peer& peer : use_.peers) {
-            const EventUse* const sender = generation_.component.event(peer);
+            const EventUse* const sender = generation_.component.find_event(peer);
             if (sender != nullptr && sender->sent) from_peer(*sender);
         }
-        return use_.spontaneous() && by_itself();
+        return use_.is_spontaneous() && take_spontaneous();
     }
 
 private:
-    [[nodiscard]] CppExpr condition(const std::string& incoming) const {
+    [[nodiscard]] CppExpr full_condition(const std::string& incoming) const {
         const CppExpr free = may_write(generation_, unit_, communication_.variable);
-        return conjunction(conjunction(free, predicate(generation_, unit_, communication_, incoming)),
+        return conjunction(conjunction(free, value_predicate(generation_, unit_, communication_, incoming)),
                            condition_(incoming));
     }
 
     /// The condition that the event is present and its value satisfies the predicate.
-    [[nodiscard]] std::string wanted(const std::string& there, const std::string& incoming) const {
-        return conjunction(CppExpr(there), condition(incoming)).whole();
+    [[nodiscard]] std::string presence_condition(const std::string& there, const std::string& incoming) const {
+        return conjunction(CppExpr(there), full_condition(incoming)).whole_text();
     }
 
-    [[nodiscard]] std::string stores(const std::string& incoming) const {
-        return received(generation_, unit_, communication_, incoming);
+    [[nodiscard]] std::string storing_code(const std::string& incoming) const {
+        return store_received(generation_, unit_, communication_, incoming);
     }
 
-    void take(const std::string& consume, const std::string& stored) {
+    void write_taking(const std::string& consume, const std::string& stored) {
         if (!consume.empty()) out_.line(consume);
         if (!stored.empty()) out_.line(stored);
         then_();
@@ -80,40 +80,40 @@ private:
 
     void from_port(const EventPort& port) {
         const std::string input = "inputs_." + port.input;
-        out_.open(fmt::format("if ({}) {{", wanted(input + ".present", input + ".value")));
-        take(consume(port), stores(input + ".value"));
+        out_.open(fmt::format("if ({}) {{", presence_condition(input + ".present", input + ".value")));
+        write_taking(consume_statement(port), storing_code(input + ".value"));
         out_.close();
     }
 
     /// Reads and empties the buffer (semantics 3.9).
     void from_buffer(const Buffer& buffer) {
         const std::string place = "state_." + buffer.field;
-        out_.open(fmt::format("if ({}) {{", wanted(place + ".full()", place + ".value")));
-        const std::string stored = stores("incoming");
+        out_.open(fmt::format("if ({}) {{", presence_condition(place + ".full()", place + ".value")));
+        const std::string stored = storing_code("incoming");
         if (!stored.empty())
             out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
-        take(place + " = {};", stored);
+        write_taking(place + " = {};", stored);
         out_.close();
     }
 
     /// Rendezvous: the sender waits at one of its sites, and the receiver advances it.
     void from_peer(const EventUse& sender) {
-        const std::string& channel = heard(generation_, sender).channel;
+        const std::string& channel = choose_sender(generation_, sender).channel;
         out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
         if (use_.type) out_.line(fmt::format("{} incoming{{}};", cpp_type(generation_.system, *use_.type)));
-        const CppExpr guard = condition("incoming");
+        const CppExpr guard = full_condition("incoming");
         out_.line(fmt::format("if (!offers_{}(site{}){}) continue;", channel, use_.type ? ", incoming" : "",
-                              guard.empty() ? "" : " || !(" + guard.whole() + ")"));
-        take(fmt::format("accept_{}(site);", channel), stores("incoming"));
+                              guard.empty() ? "" : " || !(" + guard.whole_text() + ")"));
+        write_taking(fmt::format("accept_{}(site);", channel), storing_code("incoming"));
         out_.close();
     }
 
     /// For an event that is not connected: it happens spontaneously as soon as it is possible, with an arbitrary value
     /// (semantics 3.9).
-    bool by_itself() {
-        const CppExpr guard = condition("");
+    bool take_spontaneous() {
+        const CppExpr guard = full_condition("");
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";
-        out_.when(guard, [&] { take("", stores(value)); });
+        out_.write_if(guard, [&] { write_taking("", storing_code(value)); });
         return guard.empty();
     }
 
@@ -128,29 +128,29 @@ private:
 
 }  // namespace
 
-std::string consume(const EventPort& port) {
+std::string consume_statement(const EventPort& port) {
     return fmt::format("inputs_.{}.present = false;", port.input);
 }
 
-std::string received(const Generation& generation, const Unit& unit, const ir::Communication& communication,
-                     const std::string& value) {
-    if (!communication.variable.valid()) return {};
+std::string store_received(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                           const std::string& value) {
+    if (!communication.variable.is_valid()) return {};
     const ir::Type& type = generation.system.type(unit.machine->variables[communication.variable.index].type);
     const bool fields = type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product;
     const std::string stored = as_variable(generation, unit, communication, value);
     if (fields && generation.mutation.hits(Fault::fields_lost))
-        return last_field(generation, unit, communication.variable, stored, members(type).back().name);
-    return store(generation, unit, communication.variable, stored);
+        return last_field(generation, unit, communication.variable, stored, type_members(type).back().name);
+    return store_statement(generation, unit, communication.variable, stored);
 }
 
 std::string as_variable(const Generation& generation, const Unit& unit, const ir::Communication& communication,
                         const std::string& value) {
     const std::optional<ir::TypeId> carried = unit.machine->events[communication.event.index].type;
-    if (value.empty() || !carried || !communication.variable.valid()) return value;
+    if (value.empty() || !carried || !communication.variable.is_valid()) return value;
     const ir::TypeId wanted = unit.machine->variables[communication.variable.index].type;
     const std::string type = cpp_type(generation.system, wanted);
     if (type == cpp_type(generation.system, *carried)) return value;
-    if (numeric(generation.system.type(wanted).kind)) return fmt::format("{}({})", type, value);
+    if (is_numeric(generation.system.type(wanted).kind)) return fmt::format("{}({})", type, value);
     return fmt::format("robochart::convert<{}>({})", type, value);
 }
 
@@ -159,17 +159,17 @@ std::string default_text(const Generation& generation, ir::TypeId type) {
                      ir::default_value(generation.system, generation.inst, type));
 }
 
-bool receive(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
-             const Condition& condition, const std::function<void()>& then) {
+bool write_reception(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                     CodeWriter& out, const Condition& condition, const std::function<void()>& then) {
     return Reception(generation, unit, communication, out, condition, then).write();
 }
 
-CppExpr predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
-                  const std::string& incoming) {
+CppExpr value_predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                        const std::string& incoming) {
     if (!communication.predicate) return {};
     ExpressionWriter expressions(generation, unit);
     expressions.set_incoming(as_variable(generation, unit, communication, incoming));
-    return expressions.expression_asked(*communication.predicate).enclosed();
+    return expressions.expression_asked(*communication.predicate).in_parentheses();
 }
 
 bool from_register(const EventUse& use) {

@@ -19,15 +19,17 @@ using Condition = std::function<CppExpr(const std::string& incoming)>;
 /// For each source of the event, writes code that takes it if it is present and `condition` holds. The code consumes
 /// the event, stores its value, and continues with the code that `then` writes. Returns whether the last source always
 /// has the event.
-bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWriter&, const Condition& condition,
-             const std::function<void()>& then);
+bool write_reception(const Generation&, const Unit&, const ir::Communication&, CodeWriter&, const Condition& condition,
+                     const std::function<void()>& then);
 
 /// The condition that the value satisfies the communication's own predicate; empty if there is no predicate.
-[[nodiscard]] CppExpr predicate(const Generation&, const Unit&, const ir::Communication&, const std::string& incoming);
+[[nodiscard]] CppExpr value_predicate(const Generation&, const Unit&, const ir::Communication&,
+                                      const std::string& incoming);
 /// The statement that consumes the event: `inputs_.x.present = false;`.
-[[nodiscard]] std::string consume(const EventPort&);
+[[nodiscard]] std::string consume_statement(const EventPort&);
 /// The statement that stores the received value; "" if the value is not stored. Implements Fault::fields_lost.
-[[nodiscard]] std::string received(const Generation&, const Unit&, const ir::Communication&, const std::string& value);
+[[nodiscard]] std::string store_received(const Generation&, const Unit&, const ir::Communication&,
+                                         const std::string& value);
 /// The incoming value, converted to the type of the variable that receives it. For example, a nat may be stored in a
 /// real.
 [[nodiscard]] std::string as_variable(const Generation&, const Unit&, const ir::Communication&,

@@ -21,7 +21,7 @@ using ir::StmtKind;
 namespace {
 
 /// The statement that runs if the condition does not hold; null if there is none.
-ir::StmtPtr otherwise(const ir::Stmt& stmt) {
+ir::StmtPtr else_branch(const ir::Stmt& stmt) {
     return stmt.body.size() > 1 ? stmt.body[1] : nullptr;
 }
 
@@ -30,137 +30,138 @@ ir::StmtPtr otherwise(const ir::Stmt& stmt) {
 ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread, ir::NodeId state)
     : generation_(generation), unit_(unit), thread_(thread), state_(state) {}
 
-CodeWriter& ProgramWriter::code() {
+CodeWriter& ProgramWriter::current_code() {
     resumed_.reset();
     return thread_.places.back().code;
 }
 
-void ProgramWriter::begin(const std::string& label, const diagnostics::ForeignText& comment) {
+void ProgramWriter::begin_place(const std::string& label, const diagnostics::ForeignText& comment) {
     resumed_.reset();
     thread_.places.push_back({label, comment, state_, CodeWriter(5)});
 }
 
 void ProgramWriter::goes_on_from_here(const std::string& condition) {
     if (!calls_hold_up_writes(generation_, unit_)) return;
-    const std::string place = thread_.at(thread_.places.back().label);
+    const std::string place = thread_.qualified_label(thread_.places.back().label);
     resumed_ = {fmt::format("{} == {}{}", thread_.variable, place, condition), {}};
 }
 
-void ProgramWriter::jump(const std::string& label) {
-    code().line(thread_.go(label));
-    code().line("break;");
+void ProgramWriter::write_jump(const std::string& label) {
+    current_code().line(thread_.go_statement(label));
+    current_code().line("break;");
 }
 
 /// Writes a statement that returns if the condition holds.
 void ProgramWriter::return_if(const std::string& condition) {
-    code().open(fmt::format("if ({}) {{", condition));
-    code().line("return moved;");
-    code().close();
+    current_code().open(fmt::format("if ({}) {{", condition));
+    current_code().line("return moved;");
+    current_code().close();
 }
 
-void ProgramWriter::line(const std::string& text) {
-    if (!text.empty()) code().line(text);
+void ProgramWriter::write_line(const std::string& text) {
+    if (!text.empty()) current_code().line(text);
 }
 
 void ProgramWriter::resume_at(const std::string& label, const diagnostics::ForeignText& comment) {
-    jump(label);
-    begin(label, comment);
+    write_jump(label);
+    begin_place(label, comment);
 }
 
 /// A place at which the program can resume: the current place if it is still empty, otherwise a new one.
 std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
-    if (code().empty()) return thread_.places.back().label;
-    std::string label = fresh(stem);
+    if (current_code().empty()) return thread_.places.back().label;
+    std::string label = fresh_label(stem);
     resume_at(label, comment);
     return label;
 }
 
-std::string ProgramWriter::fresh(const std::string& stem) {
+std::string ProgramWriter::fresh_label(const std::string& stem) {
     if (generation_.mutation.hits(Fault::name_collision)) return thread_.places.back().label;
-    return thread_.labels->numbered(stem);
+    return thread_.labels->numbered_name(stem);
 }
 
 /// Writes the precondition in `pre & statement` (semantics 3.5): if it does not hold, the thread is blocked.
-void ProgramWriter::ask(const ir::Stmt& stmt) {
+void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     CppExpr conditions;
-    for (const ir::Expr* expr : evaluated_first(stmt)) conditions = conjunction(conditions, expressions.asked(*expr));
+    for (const ir::Expr* expr : evaluated_first(stmt))
+        conditions = conjunction(conditions, expressions.precondition_test(*expr));
     if (conditions.empty()) return;
-    const std::string stays = thread_.go(stuck_place());
-    code().open(fmt::format("if (!({})) {{", conditions.whole()));
-    code().line(stays);
-    code().line("break;");
-    code().close();
+    const std::string stays = thread_.go_statement(stuck_place());
+    current_code().open(fmt::format("if (!({})) {{", conditions.whole_text()));
+    current_code().line(stays);
+    current_code().line("break;");
+    current_code().close();
 }
 
 /// The place in which a thread stays after a false precondition; it comes before the place that is being written.
 const std::string& ProgramWriter::stuck_place() {
     const auto found = thread_.stuck.find(state_.index);
     if (found != thread_.stuck.end()) return found->second;
-    const std::string& label = thread_.stuck[state_.index] = thread_.labels->numbered("stuck");
+    const std::string& label = thread_.stuck[state_.index] = thread_.labels->numbered_name("stuck");
     CodeWriter stays(5);
     stays.line("return moved;");
     thread_.places.insert(thread_.places.end() - 1, {label, "outside the precondition of a function", state_, stays});
     return label;
 }
 
-void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) {
+void ProgramWriter::write_statement(const ir::StmtPtr& stmt, const std::string& stem) {
     if (!stmt) return;
-    ask(*stmt);
+    test_preconditions(*stmt);
     switch (stmt->kind) {
         case StmtKind::sequence:
-            return sequence(stmt->body, stem);
+            return write_sequence(stmt->body, stem);
         case StmtKind::if_then_else:
             return if_statement(*stmt, stem);
         case StmtKind::assign:
-            return assign(*stmt, stem);
+            return write_assignment(*stmt, stem);
         case StmtKind::communicate:
-            return communicate(*stmt, stem);
+            return write_communication(*stmt, stem);
         case StmtKind::call:
-            return call(*stmt, stem);
+            return write_call(*stmt, stem);
         case StmtKind::wait:
         case StmtKind::wait_interval:
-            return wait(*stmt, stem);
+            return write_wait(*stmt, stem);
         case StmtKind::clock_reset:
-            return line(clock_reset(generation_, unit_, stmt->clock));
+            return write_line(clock_reset(generation_, unit_, stmt->clock));
         case StmtKind::deadline:
-            return deadline(*stmt, stem);
+            return write_deadline(*stmt, stem);
         case StmtKind::skip:
             return;
     }
 }
 
-void ProgramWriter::sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem) {
-    for (const ir::StmtPtr& part : parts) statement(part, stem);
+void ProgramWriter::write_sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem) {
+    for (const ir::StmtPtr& part : parts) write_statement(part, stem);
 }
 
 void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) {
-    if (suspends(generation_, unit_, stmt.body[0]) ||
-        (stmt.body.size() > 1 && suspends(generation_, unit_, stmt.body[1])))
+    if (may_suspend(generation_, unit_, stmt.body[0]) ||
+        (stmt.body.size() > 1 && may_suspend(generation_, unit_, stmt.body[1])))
         return suspending_if(stmt, stem);
     const ExpressionWriter expressions(generation_, unit_);
-    code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
-    statement(stmt.body[0], stem);
-    if (otherwise(stmt) && otherwise(stmt)->kind != StmtKind::skip) {
-        code().reopen("} else {");
-        statement(otherwise(stmt), stem);
+    current_code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
+    write_statement(stmt.body[0], stem);
+    if (else_branch(stmt) && else_branch(stmt)->kind != StmtKind::skip) {
+        current_code().reopen_block("} else {");
+        write_statement(else_branch(stmt), stem);
     }
-    code().close();
+    current_code().close();
 }
 
 void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem) {
     const ExpressionWriter expressions(generation_, unit_);
-    const std::string then_label = fresh(stem);
-    const std::string else_label = fresh(stem);
-    const std::string end_label = fresh(stem);
-    code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.operand(*stmt.condition),
-                            thread_.at(then_label), thread_.at(else_label)));
-    code().line("break;");
-    begin(then_label, "then");
-    statement(stmt.body[0], stem);
-    jump(end_label);
-    begin(else_label, "else");
-    statement(otherwise(stmt), stem);
+    const std::string then_label = fresh_label(stem);
+    const std::string else_label = fresh_label(stem);
+    const std::string end_label = fresh_label(stem);
+    current_code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.write_operand(*stmt.condition),
+                                    thread_.qualified_label(then_label), thread_.qualified_label(else_label)));
+    current_code().line("break;");
+    begin_place(then_label, "then");
+    write_statement(stmt.body[0], stem);
+    write_jump(end_label);
+    begin_place(else_label, "else");
+    write_statement(else_branch(stmt), stem);
     resume_at(end_label, "end if");
 }
 
@@ -175,31 +176,31 @@ std::string ProgramWriter::look_at_deadlines() const {
 void ProgramWriter::await_propagation(const ir::Stmt& assignment, const std::string& stem) {
     const CppExpr free = may_write(generation_, unit_, assignment.variable);
     if (free.empty()) return;
-    const std::string label = fresh(stem);
+    const std::string label = fresh_label(stem);
     resume_at(label, fmt::format("writes {}", unit_.machine->variables[assignment.variable.index].name));
     thread_.held_up.push_back(label);
-    return_if(negation(free).whole());
+    return_if(negation(free).whole_text());
 }
 
-void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
+void ProgramWriter::write_assignment(const ir::Stmt& stmt, const std::string& stem) {
     const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
     await_propagation(stmt, stem);
-    if (variable.scope == ir::VariableScope::required) line(look_at_deadlines());
+    if (variable.scope == ir::VariableScope::required) write_line(look_at_deadlines());
     const ExpressionWriter expressions(generation_, unit_);
     const ir::TypeId type = variable.type;
     if (!stmt.path.empty()) return assign_part(stmt, type);
-    line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
+    write_line(store_statement(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
 
 /// Writes an assignment to a part of a variable: changes the value in a copy and stores the copy, as the semantics
 /// does.
 void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     const ExpressionWriter expressions(generation_, unit_);
-    const std::string place = expressions.variable(stmt.variable);
+    const std::string place = expressions.variable_member(stmt.variable);
     if (place.empty()) return;
-    code().open("{");
+    current_code().open("{");
     std::string part = "changed";
-    code().line(fmt::format("auto changed = {};", place));
+    current_code().line(fmt::format("auto changed = {};", place));
     ir::TypeId type = whole;
     bool in_row = false;  // the first index of a matrix selects a row
     std::vector<std::string> back;
@@ -213,87 +214,89 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
             continue;
         }
         const std::string index = fmt::format("place_{}", step);
-        code().line(fmt::format("const std::int64_t {} = {};", index, expressions.place(*stmt.path[step])));
-        code().line(fmt::format("auto item_{} = {}.at({});", step, part, index));
+        current_code().line(
+            fmt::format("const std::int64_t {} = {};", index, expressions.item_index(*stmt.path[step])));
+        current_code().line(fmt::format("auto item_{} = {}.at({});", step, part, index));
         back.push_back(fmt::format("{}.put({}, item_{});", part, index, step));
         part = fmt::format("item_{}", step);
         in_row = outer.kind == ir::TypeKind::matrix && !in_row;
         if (!in_row) type = outer.args.at(0);
     }
-    code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
-    for (auto change = back.rbegin(); change != back.rend(); ++change) code().line(*change);
-    line(store(generation_, unit_, stmt.variable, "changed"));
-    code().close();
+    current_code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
+    for (auto change = back.rbegin(); change != back.rend(); ++change) current_code().line(*change);
+    write_line(store_statement(generation_, unit_, stmt.variable, "changed"));
+    current_code().close();
 }
 
-void ProgramWriter::communicate(const ir::Stmt& stmt, const std::string& stem) {
+void ProgramWriter::write_communication(const ir::Stmt& stmt, const std::string& stem) {
     waiting_.clear();
-    line(look_at_deadlines());
+    write_line(look_at_deadlines());
     if (stmt.communication.kind == CommKind::input) {
         await_input(stmt, stem);
     } else {
-        send(stmt, stem);
+        write_send(stmt, stem);
     }
 }
 
 void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     const ir::Communication& communication = stmt.communication;
-    const EventUse& use = generation_.component.event(unit_, communication.event);
+    const EventUse& use = generation_.component.find_event(unit_, communication.event);
     if (!from_register(use)) {
         return await_any(stmt, use, stem);
     }
     const EventPort& port = generation_.component.events[use.ports.front()];
     const std::string value = "inputs_." + port.input + ".value";
-    waiting_ = fresh(stem);
+    waiting_ = fresh_label(stem);
     resume_at(waiting_, fmt::format("waits for {}", use.name));
     const CppExpr there("inputs_." + port.input + ".present");
     const CppExpr free = conjunction(there, may_write(generation_, unit_, communication.variable));
-    const CppExpr wanted = conjunction(free, predicate(generation_, unit_, communication, value));
-    return_if(fmt::format("!({})", wanted.whole()));
-    line(consume(port));
-    line(received(generation_, unit_, communication, value));
+    const CppExpr wanted = conjunction(free, value_predicate(generation_, unit_, communication, value));
+    return_if(fmt::format("!({})", wanted.whole_text()));
+    write_line(consume_statement(port));
+    write_line(store_received(generation_, unit_, communication, value));
 }
 
 /// Awaits an event with several sources, or from another machine: a separate function tries the sources.
 void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
-    const std::string at = fresh(stem);
-    const std::string next = fresh(stem);
+    const std::string at = fresh_label(stem);
+    const std::string next = fresh_label(stem);
     const std::string name = "await_" + thread_.prefix + at;
     waiting_ = at;
     resume_at(at, fmt::format("waits for {}", use.name));
     return_if(fmt::format("!{}({})", name, frame_arguments(generation_.component, unit_)));
-    code().line("break;");
-    begin(next, fmt::format("has {}", use.name));
+    current_code().line("break;");
+    begin_place(next, fmt::format("has {}", use.name));
     CodeWriter& helper = thread_.helpers;
-    helper.declaration(fmt::format("Takes {} if it is there.", use.name),
-                       fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
-    const bool always = receive(
+    helper.open_declaration(
+        fmt::format("Takes {} if it is there.", use.name),
+        fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
+    const bool always = write_reception(
         generation_, unit_, stmt.communication, helper, [](const std::string&) { return CppExpr(); },
         [&] {
-            helper.line(thread_.go(next));
+            helper.line(thread_.go_statement(next));
             helper.line("return true;");
         });
     if (!always) helper.line("return false;");
     helper.close();
 }
 
-void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
-    const EventUse& use = generation_.component.event(unit_, stmt.communication.event);
+void ProgramWriter::write_send(const ir::Stmt& stmt, const std::string& stem) {
+    const EventUse& use = generation_.component.find_event(unit_, stmt.communication.event);
     const ExpressionWriter expressions(generation_, unit_);
     const ir::ExprPtr& expr = stmt.communication.value;
     const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
     if (!use.filled.empty()) return fill_buffers(use, value);
     if (!use.ports.empty()) return send_out(use, value);
-    if (use.peers.empty()) return code().comment(fmt::format("{} is connected to nothing", use.name));
+    if (use.peers.empty()) return current_code().comment(fmt::format("{} is connected to nothing", use.name));
     const std::string at = resume_here(stem, fmt::format("sends {}", use.name));
-    offer(use, value, at, fresh(stem));
+    write_offer(use, value, at, fresh_label(stem));
 }
 
 /// The writer never waits, and the newest value replaces the older value (semantics 3.9).
 void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
     for (const std::size_t index : use.filled) {
         const std::string place = "state_." + generation_.component.buffers[index].field;
-        code().line(fmt::format("{}.fill({});", place, value));
+        current_code().line(fmt::format("{}.fill({});", place, value));
     }
 }
 
@@ -301,24 +304,25 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
 /// could receive the event, the platform receives it, because it is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
     const EventPort& port = generation_.component.events[use.ports.front()];
-    code().line(fmt::format("platform_.{}({});", port.output, value));
+    current_code().line(fmt::format("platform_.{}({});", port.output, value));
 }
 
 /// Waits until the machine that receives the event advances this thread.
-void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
-                          const std::string& next) {
+void ProgramWriter::write_offer(const EventUse& use, const std::string& value, const std::string& at,
+                                const std::string& next) {
     waiting_ = at;
-    thread_.sites.push_back({use.channel, thread_.variable, thread_.at(at), thread_.at(next), value});
+    thread_.sites.push_back(
+        {use.channel, thread_.variable, thread_.qualified_label(at), thread_.qualified_label(next), value});
     if (generation_.mutation.hits(Fault::send_not_awaited)) {
-        jump(next);
+        write_jump(next);
     } else {
-        code().line("return moved;");
+        current_code().line("return moved;");
     }
-    begin(next, fmt::format("has sent {}", use.name));
+    begin_place(next, fmt::format("has sent {}", use.name));
     goes_on_from_here();
 }
 
-std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
+std::vector<std::string> ProgramWriter::write_arguments(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
     std::vector<std::string> texts;
@@ -327,9 +331,9 @@ std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
     return texts;
 }
 
-void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
-    const std::vector<std::string> texts = arguments(stmt);
-    if (unit_.definitions[stmt.operation.index].valid()) {
+void ProgramWriter::write_call(const ir::Stmt& stmt, const std::string& stem) {
+    const std::vector<std::string> texts = write_arguments(stmt);
+    if (unit_.definitions[stmt.operation.index].is_valid()) {
         call_operation(stmt, texts, stem);
     } else {
         call_platform(stmt, texts, stem);
@@ -343,13 +347,13 @@ void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::s
     std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
     std::vector<std::string> lines;
     if (const std::string watch = look_at_deadlines(); !watch.empty()) lines.push_back(watch);
-    const PlatformCall& call = generation_.component.call(unit_, stmt.operation);
+    const PlatformCall& call = generation_.component.find_platform_call(unit_, stmt.operation);
     lines.push_back(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
-    for (const std::string& text : lines) code().line(text);
+    for (const std::string& text : lines) current_code().line(text);
     if (!prompt) return;
-    const std::string next = fresh(stem);
+    const std::string next = fresh_label(stem);
     prompt->lines.insert(prompt->lines.end(), lines.begin(), lines.end());
-    prompt->lines.push_back(thread_.go(next));
+    prompt->lines.push_back(thread_.go_statement(next));
     thread_.prompt_steps.push_back(std::move(*prompt));
     resume_at(next, fmt::format("has called {}", call.method));
     goes_on_from_here();
@@ -359,30 +363,30 @@ CallFrame& ProgramWriter::call_frame(const Unit& operation) {
     for (auto& frame : thread_.calls)
         if (frame.operation == operation.number) return frame;
     const std::string& name = operation.machine->name;
-    thread_.calls.push_back({thread_.fields->unique(thread_.prefix + name), operation.number, {}});
+    thread_.calls.push_back({thread_.fields->unique_name(thread_.prefix + name), operation.number, {}});
     return thread_.calls.back();
 }
 
 void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                    const std::string& stem) {
-    const Unit& operation = generation_.component.callee(unit_, stmt.operation);
+    const Unit& operation = generation_.component.called_unit(unit_, stmt.operation);
     CallFrame& frame = call_frame(operation);
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
-        code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
+        current_code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
     require_preconditions(operation, place);
     offer_to_platform(operation, place);
-    if (!operation.machine->initial.valid()) {
-        code().line(place + " = {};");
+    if (!operation.machine->initial.is_valid()) {
+        current_code().line(place + " = {};");
         return;
     }
-    const std::string label = fresh(stem);
+    const std::string label = fresh_label(stem);
     frame.live.push_back(label);
     resume_at(label, fmt::format("operation {}", operation.machine->name));
     const std::string run =
         fmt::format("run({}, moved)", frame_arguments(generation_.component, operation, unit_, place));
     return_if(fmt::format("!{}", run));
-    code().line(place + " = {};");
+    current_code().line(place + " = {};");
 }
 
 /// Reports a violated precondition of an operation.
@@ -390,7 +394,7 @@ void ProgramWriter::require_preconditions(const Unit& operation, const std::stri
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
         const CppExpr holds = expressions.expression_asked(*condition);
-        code().line(fmt::format("ROBOCHART_PRECONDITION({});", holds.whole()));
+        current_code().line(fmt::format("ROBOCHART_PRECONDITION({});", holds.whole_text()));
     }
 }
 
@@ -404,57 +408,59 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     const auto& machine = *operation.machine;
     const auto final = std::ranges::find_if(
         machine.top, [&](ir::NodeId id) { return machine.nodes[id.index].kind == ir::NodeKind::final; });
-    if (!machine.initial.valid()) {
-        code().line(fmt::format("static_cast<void>({});", offer));
+    if (!machine.initial.is_valid()) {
+        current_code().line(fmt::format("static_cast<void>({});", offer));
     } else if (final != machine.top.end()) {
         const MachinePlan plan(generation_, operation);
-        code().line(fmt::format("if ({}) {}.at = {}::{};", offer, frame, operation.points, plan.label(*final)));
+        current_code().line(
+            fmt::format("if ({}) {}.at = {}::{};", offer, frame, operation.points, plan.label_of(*final)));
     }
 }
 
 /// `S <{d}` (semantics 3.10): if S may have to wait, a counter measures its waiting time. A thread that continues with
 /// a communication holds up writes at once.
-void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
-    if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
-    const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
+void ProgramWriter::write_deadline(const ir::Stmt& stmt, const std::string& stem) {
+    if (!may_suspend(generation_, unit_, stmt.body[0])) return write_statement(stmt.body[0], stem);
+    const std::string field = thread_.fields->unique_name(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
     thread_.deadlines.push_back(field);
     const bool holds = stmt.body[0]->kind == StmtKind::communicate;
     std::optional<PromptStep> prompt = holds ? std::move(resumed_) : std::nullopt;
     std::vector<std::string> lines{watch_from(generation_, unit_, field, *stmt.value)};
     if (holds) begin_to_hold(lines);
-    for (const std::string& text : lines) line(text);
-    statement(stmt.body[0], stem);
+    for (const std::string& text : lines) write_line(text);
+    write_statement(stmt.body[0], stem);
     if (holds && !waiting_.empty()) thread_.holding.push_back(waiting_);
     if (prompt && !waiting_.empty()) {
         prompt->lines.insert(prompt->lines.end(), lines.begin(), lines.end());
-        prompt->lines.push_back(thread_.go(waiting_));
+        prompt->lines.push_back(thread_.go_statement(waiting_));
         thread_.prompt_steps.push_back(std::move(*prompt));
     }
     std::optional<PromptStep> resumed = std::move(resumed_);
     const std::string ended = fmt::format("f.{} = 0;", field);
-    code().line(ended);
+    current_code().line(ended);
     if (resumed) resumed->lines.push_back(ended);
     resumed_ = std::move(resumed);
 }
 
 /// Starts to hold up writes. Earlier writes are no longer being propagated, unless another thread holds them up.
 void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
-    const Part& part = generation_.component.part(unit_);
+    const Part& part = generation_.component.part_of(unit_);
     for (const StoredVariable& variable : generation_.component.variables)
         for (const PropagationHolder& holder : variable.holders)
             if (holder.part == unit_.part)
-                lines.push_back(fmt::format("if (!holds_up({})) state_.{} = 0;", part.place(), holder.field));
+                lines.push_back(
+                    fmt::format("if (!holds_up({})) state_.{} = 0;", part.frame_expression(), holder.field));
 }
 
-void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
+void ProgramWriter::write_wait(const ir::Stmt& stmt, const std::string& stem) {
     const ExpressionWriter expressions(generation_, unit_);
     std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
     if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
         length =
             fmt::format("robochart::pick_between(platform_, {}, duration({}))", length, expressions.write(*stmt.upper));
-    code().line(fmt::format("{} = {};", thread_.wait, length));
+    current_code().line(fmt::format("{} = {};", thread_.wait, length));
     thread_.waits = true;
-    resume_at(fresh(stem), "waits");
+    resume_at(fresh_label(stem), "waits");
     return_if(fmt::format("{} > 0", thread_.wait));
     goes_on_from_here(fmt::format(" && {} == 0", thread_.wait));
 }

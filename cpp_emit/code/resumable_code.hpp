@@ -67,8 +67,10 @@ struct Thread {
     std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: the place after a false precondition
     bool waits = false;
 
-    [[nodiscard]] std::string at(const std::string& label) const { return enumeration + "::" + label; }
-    [[nodiscard]] std::string go(const std::string& label) const { return variable + " = " + at(label) + ";"; }
+    [[nodiscard]] std::string qualified_label(const std::string& label) const { return enumeration + "::" + label; }
+    [[nodiscard]] std::string go_statement(const std::string& label) const {
+        return variable + " = " + qualified_label(label) + ";";
+    }
 };
 
 /// Writes programs as places of a thread.
@@ -77,49 +79,49 @@ public:
     /// `state` is the state that the machine shows while the program runs.
     ProgramWriter(const Generation&, const Unit&, Thread&, ir::NodeId state);
 
-    /// Starts a place; the following code belongs to it until the next `begin`.
-    void begin(const std::string& label, const diagnostics::ForeignText& comment);
+    /// Starts a place. The following code belongs to it until the next place starts.
+    void begin_place(const std::string& label, const diagnostics::ForeignText& comment);
     /// Ends the current place. Control continues at another place.
-    void jump(const std::string& label);
+    void write_jump(const std::string& label);
     /// Lets the thread stop before the current place and resume there without another event.
     void goes_on_from_here(const std::string& condition = "");
     /// Ends the current place with code written by the caller.
-    [[nodiscard]] CodeWriter& code();
+    [[nodiscard]] CodeWriter& current_code();
     /// Writes a statement. Places inside it are called `stem`_1, `stem`_2, ...
-    void statement(const ir::StmtPtr&, const std::string& stem);
+    void write_statement(const ir::StmtPtr&, const std::string& stem);
     /// Writes a line of the current place; writes nothing for "".
-    void line(const std::string&);
+    void write_line(const std::string&);
 
 private:
     void resume_at(const std::string& label, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
-    [[nodiscard]] std::string fresh(const std::string& stem);
+    [[nodiscard]] std::string fresh_label(const std::string& stem);
     void return_if(const std::string& condition);
-    void ask(const ir::Stmt&);
+    void test_preconditions(const ir::Stmt&);
     [[nodiscard]] const std::string& stuck_place();
-    void sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem);
+    void write_sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
     [[nodiscard]] std::string look_at_deadlines() const;
     void await_propagation(const ir::Stmt& assignment, const std::string& stem);
     void begin_to_hold(std::vector<std::string>& lines) const;
-    void assign(const ir::Stmt&, const std::string& stem);
+    void write_assignment(const ir::Stmt&, const std::string& stem);
     void assign_part(const ir::Stmt&, ir::TypeId whole);
-    void communicate(const ir::Stmt&, const std::string& stem);
+    void write_communication(const ir::Stmt&, const std::string& stem);
     void await_input(const ir::Stmt&, const std::string& stem);
     void await_any(const ir::Stmt&, const EventUse&, const std::string& stem);
-    void send(const ir::Stmt&, const std::string& stem);
+    void write_send(const ir::Stmt&, const std::string& stem);
     void fill_buffers(const EventUse&, const std::string& value);
     void send_out(const EventUse&, const std::string& value);
-    void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
-    void call(const ir::Stmt&, const std::string& stem);
+    void write_offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
+    void write_call(const ir::Stmt&, const std::string& stem);
     void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void offer_to_platform(const Unit& operation, const std::string& frame);
     void require_preconditions(const Unit& operation, const std::string& frame);
-    [[nodiscard]] std::vector<std::string> arguments(const ir::Stmt&);
-    void wait(const ir::Stmt&, const std::string& stem);
-    void deadline(const ir::Stmt&, const std::string& stem);
+    [[nodiscard]] std::vector<std::string> write_arguments(const ir::Stmt&);
+    void write_wait(const ir::Stmt&, const std::string& stem);
+    void write_deadline(const ir::Stmt&, const std::string& stem);
     CallFrame& call_frame(const Unit& operation);
 
     const Generation& generation_;

@@ -49,11 +49,11 @@ bool suspends_itself(const Generation& generation, const Unit& unit, const ir::S
             return true;
         case StmtKind::communicate:
             return stmt.communication.kind == CommKind::input ||
-                   generation.component.event(unit, stmt.communication.event).waits_to_send();
+                   generation.component.find_event(unit, stmt.communication.event).waits_to_send();
         case StmtKind::assign:
             return may_be_held_up(generation, unit, stmt.variable);
         case StmtKind::call:
-            return unit.definitions[stmt.operation.index].valid();
+            return unit.definitions[stmt.operation.index].is_valid();
         case StmtKind::skip:
         case StmtKind::sequence:
         case StmtKind::if_then_else:
@@ -66,10 +66,11 @@ bool suspends_itself(const Generation& generation, const Unit& unit, const ir::S
 
 }  // namespace
 
-bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
+bool may_suspend(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
     if (!stmt) return false;
-    return suspends_itself(generation, unit, *stmt) ||
-           std::ranges::any_of(stmt->body, [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
+    return suspends_itself(generation, unit, *stmt) || std::ranges::any_of(stmt->body, [&](const ir::StmtPtr& part) {
+               return may_suspend(generation, unit, part);
+           });
 }
 
 namespace {
@@ -79,9 +80,9 @@ bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& 
     const auto zero = [](const ir::ExprPtr& expr) { return expr->kind == ir::ExprKind::integer && expr->number == 0; };
     if (stmt.kind == StmtKind::wait && zero(stmt.value)) return false;
     if (stmt.kind == StmtKind::wait_interval && zero(stmt.upper)) return false;
-    if (stmt.kind == StmtKind::call && unit.definitions[stmt.operation.index].valid())
+    if (stmt.kind == StmtKind::call && unit.definitions[stmt.operation.index].is_valid())
         return may_be_stuck(generation, unit, stmt) ||
-               actions_take_time(generation, generation.component.unit(unit.callees[stmt.operation.index]));
+               actions_take_time(generation, generation.component.unit_at(unit.callees[stmt.operation.index]));
     return suspends_itself(generation, unit, stmt);
 }
 
@@ -109,10 +110,10 @@ bool actions_take_time(const Generation& generation, const Unit& unit) {
 namespace {
 
 /// Counts the writes of a variable in a machine, by statements and by triggers.
-std::size_t writes(const ir::Machine& machine, const std::string& name) {
+std::size_t count_writes(const ir::Machine& machine, const std::string& name) {
     std::size_t count = 0;
     const auto into = [&](ir::VariableId id) {
-        if (id.valid() && machine.variables[id.index].name == name) ++count;
+        if (id.is_valid() && machine.variables[id.index].name == name) ++count;
     };
     ir::visit_statements(machine, [&](const ir::Stmt& stmt) {
         if (stmt.kind == StmtKind::assign) into(stmt.variable);
@@ -128,13 +129,13 @@ std::size_t writes(const ir::Machine& machine, const std::string& name) {
 bool calls_hold_up_writes(const Generation& generation, const Unit& unit) {
     const Component& component = generation.component;
     std::size_t count = 0;
-    for (const auto& [name, index] : component.part(unit).variables) {
+    for (const auto& [name, index] : component.part_of(unit).variables) {
         const StoredVariable& required = component.variables[index];
         if (!required.shared || required.level == nullptr) continue;
         for (const Unit& other : component.units) {
-            const auto& theirs = component.part(other).variables;
+            const auto& theirs = component.part_of(other).variables;
             for (const auto& [their_name, their_index] : theirs)
-                if (their_index == index) count += writes(*other.machine, their_name);
+                if (their_index == index) count += count_writes(*other.machine, their_name);
         }
     }
     return count > 1;

@@ -11,7 +11,7 @@ namespace robochart::cpp_emit {
 
 /// Whether the statement may stop before it is finished. Such statements are waits, inputs, outputs, calls of defined
 /// operations, calls of functions outside their preconditions, and writes that may be held up.
-[[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
+[[nodiscard]] bool may_suspend(const Generation&, const Unit&, const ir::StmtPtr&);
 
 /// Whether some action of the machine may last beyond a cycle: it suspends for a reason other than a wait of 0 or a
 /// call of an operation that ends at once.

@@ -12,10 +12,10 @@ std::vector<TransitionName> transition_names(const Generation& generation) {
     std::vector<TransitionName> names;
     for (const Unit& unit : generation.component.units) {
         if (unit.first_transition < names.size()) continue;  // the numbers of an earlier unit for the same operation
-        const std::string& part = generation.component.part(unit).name;
+        const std::string& part = generation.component.part_of(unit).name;
         for (const ir::Transition& transition : unit.machine->transitions) {
             const ir::Origin& origin = transition.origin;
-            names.push_back({(part.empty() ? "" : part + ": ") + origin.element, generation.line(origin.span)});
+            names.push_back({(part.empty() ? "" : part + ": ") + origin.element, generation.line_text(origin.span)});
         }
     }
     return names;

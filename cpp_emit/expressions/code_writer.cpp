@@ -20,22 +20,23 @@ namespace {
 /// A last check: callers have already converted names to identifiers and foreign text to literals.
 void require_code(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= 0x20 && c < 0x7F; });
-    if (!printable) throw std::logic_error("a line of generated code holds foreign text: " + diagnostics::shown(text));
+    if (!printable)
+        throw std::logic_error("a line of generated code holds foreign text: " + diagnostics::escape_for_display(text));
 }
 
 }  // namespace
 
 void CodeWriter::line_with_doc(std::string_view text, const diagnostics::ForeignText& behind) {
     require_code(text);
-    put(fmt::format("{}  ///< {}", text, diagnostics::comment_text(behind)));
+    put_line(fmt::format("{}  ///< {}", text, diagnostics::comment_text(behind)));
 }
 
 void CodeWriter::line(std::string_view text) {
     require_code(text);
-    put(text);
+    put_line(text);
 }
 
-void CodeWriter::put(std::string_view text) {
+void CodeWriter::put_line(std::string_view text) {
     if (!text.empty()) {
         text_.append(depth_ * indent_width, ' ');
         text_ += text;
@@ -50,15 +51,15 @@ void CodeWriter::open(std::string_view text) {
     fresh_ = true;
 }
 
-void CodeWriter::declaration(const diagnostics::ForeignText& comment, std::string_view head) {
+void CodeWriter::open_declaration(const diagnostics::ForeignText& comment, std::string_view head) {
     gap();
     doc(comment);
     open(head);
 }
 
-void CodeWriter::when(const CppExpr& condition, const std::function<void()>& body) {
+void CodeWriter::write_if(const CppExpr& condition, const std::function<void()>& body) {
     if (condition.empty()) return body();
-    open(fmt::format("if ({}) {{", condition.whole()));
+    open(fmt::format("if ({}) {{", condition.whole_text()));
     body();
     close();
 }
@@ -68,13 +69,13 @@ void CodeWriter::close(std::string_view text) {
     line(text);
 }
 
-void CodeWriter::reopen(std::string_view text) {
+void CodeWriter::reopen_block(std::string_view text) {
     close(text);
     ++depth_;
     fresh_ = true;
 }
 
-void CodeWriter::label(std::string_view text) {
+void CodeWriter::write_label(std::string_view text) {
     close(text);
     ++depth_;
     fresh_ = true;
@@ -85,20 +86,20 @@ void CodeWriter::gap() {
     line();
 }
 
-void CodeWriter::raw(std::string_view lines) {
+void CodeWriter::write_raw(std::string_view lines) {
     text_ += lines;
     fresh_ = false;
 }
 
-void CodeWriter::wrapped(std::string_view prefix, std::string_view text) {
+void CodeWriter::write_wrapped(std::string_view prefix, std::string_view text) {
     const std::size_t width = line_width - depth_ * indent_width - prefix.size();
     while (text.size() > width) {
         const std::size_t blank = text.rfind(' ', width);
         if (blank == std::string_view::npos || blank == 0) break;
-        put(std::string(prefix) + std::string(text.substr(0, blank)));
+        put_line(std::string(prefix) + std::string(text.substr(0, blank)));
         text.remove_prefix(blank + 1);
     }
-    put(std::string(prefix) + std::string(text));
+    put_line(std::string(prefix) + std::string(text));
 }
 
 }  // namespace robochart::cpp_emit

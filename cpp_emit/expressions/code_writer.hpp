@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "cpp_emit/expressions/cpp_expr.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "cpp_emit/expressions/cpp_expr.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -23,23 +23,23 @@ public:
     /// Writes `text`, which ends in a brace or colon, and indents the following lines.
     void open(std::string_view text);
     /// Opens a function or type after an empty line, with its comment. `head` ends in a brace, which `close` closes.
-    void declaration(const diagnostics::ForeignText& comment, std::string_view head);
+    void open_declaration(const diagnostics::ForeignText& comment, std::string_view head);
     /// Writes the lines that `body` writes; if there is a condition, inside an `if`.
-    void when(const CppExpr& condition, const std::function<void()>& body);
+    void write_if(const CppExpr& condition, const std::function<void()>& body);
     /// Ends a block: writes "}", "};", "} else {" one level less deep.
     void close(std::string_view text = "}");
     /// Writes "public:" and similar lines one level less deep.
-    void label(std::string_view text);
+    void write_label(std::string_view text);
     /// Ends a block and opens the next one: "} else {".
-    void reopen(std::string_view text);
+    void reopen_block(std::string_view text);
     /// Writes `/// text`, wrapped at the line width.
-    void doc(const diagnostics::ForeignText& text) { wrapped("/// ", diagnostics::comment_text(text)); }
+    void doc(const diagnostics::ForeignText& text) { write_wrapped("/// ", diagnostics::comment_text(text)); }
     /// Writes `// text`, wrapped at the line width.
-    void comment(const diagnostics::ForeignText& text) { wrapped("// ", diagnostics::comment_text(text)); }
+    void comment(const diagnostics::ForeignText& text) { write_wrapped("// ", diagnostics::comment_text(text)); }
     /// Writes `text  ///< behind` on one line.
     void line_with_doc(std::string_view text, const diagnostics::ForeignText& behind);
     /// Writes lines that are already indented.
-    void raw(std::string_view lines);
+    void write_raw(std::string_view lines);
     /// Writes an empty line between parts; never two consecutive ones, and none at the beginning of a block.
     void gap();
 
@@ -47,8 +47,8 @@ public:
     [[nodiscard]] bool empty() const { return text_.empty(); }
 
 private:
-    void wrapped(std::string_view prefix, std::string_view text);
-    void put(std::string_view text);
+    void write_wrapped(std::string_view prefix, std::string_view text);
+    void put_line(std::string_view text);
 
     std::string text_;
     std::size_t depth_ = 0;

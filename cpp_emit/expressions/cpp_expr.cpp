@@ -3,13 +3,13 @@
 
 namespace robochart::cpp_emit {
 
-CppExpr CppExpr::test(std::string text, std::string operand, bool differs) {
+CppExpr CppExpr::equality_test(std::string text, std::string operand, bool differs) {
     CppExpr result(std::move(text), Binding::equality);
     result.last_ = {std::move(operand), differs, Joined::alone};
     return result;
 }
 
-CppExpr CppExpr::enclosed() const {
+CppExpr CppExpr::in_parentheses() const {
     CppExpr result("(" + text_ + ")");
     result.last_ = last_;
     return result;
@@ -17,7 +17,7 @@ CppExpr CppExpr::enclosed() const {
 
 /// GCC warns about a test after another test that excludes it (`a && x == 1 && x == 2`). The warning has no name that a
 /// pragma could disable, but it does not occur if the second test is the result of a function.
-CppExpr CppExpr::joined(const CppExpr& first, const CppExpr& second, Binding least, Joined how) {
+CppExpr CppExpr::join_conditions(const CppExpr& first, const CppExpr& second, Binding least, Joined how) {
     if (first.empty()) return second;
     if (second.empty()) return first;
     const bool differs = how == Joined::any;
@@ -26,24 +26,24 @@ CppExpr CppExpr::joined(const CppExpr& first, const CppExpr& second, Binding lea
                (each.last_.joined == Joined::alone || each.last_.joined == how);
     };
     const bool excluded = tests(first) && tests(second) && first.last_.operand == second.last_.operand;
-    const CppExpr behind = excluded ? CppExpr("robochart::holds(" + second.whole() + ")") : second;
+    const CppExpr behind = excluded ? CppExpr("robochart::holds(" + second.whole_text() + ")") : second;
     const bool all = how == Joined::all;
-    CppExpr result(first.operand(least) + (all ? " && " : " || ") + behind.operand(least),
+    CppExpr result(first.as_operand(least) + (all ? " && " : " || ") + behind.as_operand(least),
                    all ? Binding::conjunction : Binding::disjunction);
     if (tests(second)) result.last_ = {second.last_.operand, differs, how};
     return result;
 }
 
 CppExpr conjunction(const CppExpr& first, const CppExpr& second, Binding least) {
-    return CppExpr::joined(first, second, least, CppExpr::Joined::all);
+    return CppExpr::join_conditions(first, second, least, CppExpr::Joined::all);
 }
 
 CppExpr disjunction(const CppExpr& first, const CppExpr& second, Binding least) {
-    return CppExpr::joined(first, second, least, CppExpr::Joined::any);
+    return CppExpr::join_conditions(first, second, least, CppExpr::Joined::any);
 }
 
 CppExpr negation(const CppExpr& condition) {
-    CppExpr result("!" + condition.operand(), Binding::prefix);
+    CppExpr result("!" + condition.as_operand(), Binding::prefix);
     result.last_ = condition.last_;
     result.last_.differs = !result.last_.differs;
     if (result.last_.joined == CppExpr::Joined::all) {

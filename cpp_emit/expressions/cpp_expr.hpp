@@ -20,18 +20,18 @@ public:
     /// A name, a literal, a call, something in parentheses.
     explicit CppExpr(std::string text) : text_(std::move(text)) {}
     /// A test whether `operand` is equal to a constant, or differs from it.
-    [[nodiscard]] static CppExpr test(std::string text, std::string operand, bool differs);
+    [[nodiscard]] static CppExpr equality_test(std::string text, std::string operand, bool differs);
 
     [[nodiscard]] bool empty() const { return text_.empty(); }
     /// The text as a complete expression: an argument, an initial value, a returned value, a condition inside
     /// parentheses.
-    [[nodiscard]] const std::string& whole() const { return text_; }
+    [[nodiscard]] const std::string& whole_text() const { return text_; }
     /// The text as an operand, in parentheses if its precedence is lower than `least`.
-    [[nodiscard]] std::string operand(Binding least = Binding::primary) const {
+    [[nodiscard]] std::string as_operand(Binding least = Binding::primary) const {
         return binding_ < least ? "(" + text_ + ")" : text_;
     }
     /// The same expression in parentheses.
-    [[nodiscard]] CppExpr enclosed() const;
+    [[nodiscard]] CppExpr in_parentheses() const;
 
     /// The conjunction; either condition may be empty. Operands with lower precedence than `least` get parentheses.
     friend CppExpr conjunction(const CppExpr& first, const CppExpr& second, Binding least);
@@ -50,7 +50,8 @@ private:
         Joined joined = Joined::alone;
     };
 
-    [[nodiscard]] static CppExpr joined(const CppExpr& first, const CppExpr& second, Binding least, Joined how);
+    [[nodiscard]] static CppExpr join_conditions(const CppExpr& first, const CppExpr& second, Binding least,
+                                                 Joined how);
 
     std::string text_;
     Binding binding_ = Binding::primary;

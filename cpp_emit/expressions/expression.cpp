@@ -17,13 +17,13 @@ using ir::TypeKind;
 namespace {
 
 /// The wider of two numeric types: nat, int, real in this order.
-TypeKind wider(TypeKind left, TypeKind right) {
+TypeKind wider_kind(TypeKind left, TypeKind right) {
     const auto rank = [](TypeKind kind) { return kind == TypeKind::real ? 2 : kind == TypeKind::integer ? 1 : 0; };
     return rank(left) >= rank(right) ? left : right;
 }
 
 /// Whether the expression has the same value everywhere in the machine.
-bool fixed(const ir::Expr& expr) {
+bool is_fixed(const ir::Expr& expr) {
     bool result = true;
     ir::visit_operands(expr, [&](const ir::Expr& part) {
         result = result &&
@@ -42,7 +42,7 @@ const char* numeric_name(TypeKind kind) {
 }  // namespace
 
 std::string member_name(const ir::Type& type, std::int64_t number) {
-    const std::vector<TypeMember> all = members(type);
+    const std::vector<TypeMember> all = type_members(type);
     const std::int64_t first = type.kind == TypeKind::product ? 1 : 0;
     return all.at(static_cast<std::size_t>(number - first)).name;
 }
@@ -54,7 +54,7 @@ std::string lent_frame(const Unit& owner) {
 std::string frame_parameters(const Component& component, const Unit& unit) {
     std::string text = fmt::format("[[maybe_unused]] {}<Types>& f", unit.frame);
     for (const std::size_t number : unit.lenders) {
-        const Unit& lender = component.unit(number);
+        const Unit& lender = component.unit_at(number);
         text += fmt::format(", [[maybe_unused]] {}<Types>& {}", lender.frame, lent_frame(lender));
     }
     return text;
@@ -68,16 +68,16 @@ std::string frame_arguments(const Component& component, const Unit& unit, const 
                             const std::string& frame) {
     std::string text = frame;
     for (const std::size_t number : unit.lenders)
-        text += number == caller.number ? ", f" : ", " + lent_frame(component.unit(number));
+        text += number == caller.number ? ", f" : ", " + lent_frame(component.unit_at(number));
     return text;
 }
 
-TypeKind ExpressionWriter::kind(const ir::Expr& expr) const {
+TypeKind ExpressionWriter::kind_of(const ir::Expr& expr) const {
     return generation_.system.type(expr.type).kind;
 }
 
 std::string ExpressionWriter::operand_as(const ir::Expr& expr, TypeKind target) const {
-    if (!numeric(target) || kind(expr) == target) return operand(expr);
+    if (!is_numeric(target) || kind_of(expr) == target) return write_operand(expr);
     return fmt::format("{}({})", numeric_name(target), write(expr));
 }
 
@@ -87,75 +87,77 @@ std::string ExpressionWriter::type_text(ir::TypeId id) const {
 
 CppExpr ExpressionWriter::expression_as(const ir::Expr& expr, ir::TypeId id) const {
     const ir::Type& type = generation_.system.type(id);
-    if (numeric(type.kind) && numeric(kind(expr)) && kind(expr) != type.kind)
+    if (is_numeric(type.kind) && is_numeric(kind_of(expr)) && kind_of(expr) != type.kind)
         return CppExpr(fmt::format("{}({})", numeric_name(type.kind), write(expr)));
     const bool converts =
-        composed(type) && composed(generation_.system.type(expr.type)) && type_text(id) != type_text(expr.type);
-    return converts ? CppExpr(fmt::format("robochart::convert<{}>({})", type_text(id), write(expr))) : expression(expr);
+        is_composed(type) && is_composed(generation_.system.type(expr.type)) && type_text(id) != type_text(expr.type);
+    return converts ? CppExpr(fmt::format("robochart::convert<{}>({})", type_text(id), write(expr)))
+                    : cpp_expression(expr);
 }
 
-std::string ExpressionWriter::variable(ir::VariableId id) const {
+std::string ExpressionWriter::variable_member(ir::VariableId id) const {
     const Component& component = generation_.component;
-    if (const StoredVariable* stored = component.stored(unit_, id))
-        return stored->stored() ? "state_." + stored->path : "";
+    if (const StoredVariable* stored = component.stored_variable(unit_, id))
+        return stored->has_member() ? "state_." + stored->path : "";
     const Owner& place = unit_.variable_owners[id.index];
-    const Unit& owner = component.unit(place.unit);
+    const Unit& owner = component.unit_at(place.unit);
     return frame_of(owner) + "." + owner.variable_fields[place.place];
 }
 
-std::string ExpressionWriter::clock(ir::ClockId id) const {
-    const auto [owner, own] = generation_.component.clock(unit_, id);
+std::string ExpressionWriter::clock_member(ir::ClockId id) const {
+    const auto [owner, own] = generation_.component.clock_owner(unit_, id);
     return frame_of(*owner) + "." + owner->clock_fields[own.index];
 }
 
 /// The frame of the unit, of a unit that called it, or of the part's machine.
 std::string ExpressionWriter::frame_of(const Unit& owner) const {
     if (&owner == &unit_) return frame_;
-    if (owner.root) return generation_.component.part(unit_).place();
+    if (owner.root) return generation_.component.part_of(unit_).frame_expression();
     return &owner == &caller_ ? "f" : lent_frame(owner);
 }
 
-CppExpr ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol, const char* name,
-                                     Binding binding) const {
+CppExpr ExpressionWriter::write_arithmetic(const ir::Expr& expr, const char* symbol, const char* name,
+                                           Binding binding) const {
     if (block_arithmetic(expr)) return block_arithmetic_text(expr);
-    const TypeKind result = kind(expr);
-    if (result != TypeKind::real) return CppExpr(function(expr, name));
+    const TypeKind result = kind_of(expr);
+    if (result != TypeKind::real) return CppExpr(write_function(expr, name));
     return {fmt::format("{} {} {}", operand_as(*expr.args[0], result), symbol, operand_as(*expr.args[1], result)),
             binding};
 }
 
-CppExpr ExpressionWriter::negated(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::write_negation(const ir::Expr& expr) const {
     const ir::Expr& arg = *expr.args[0];
-    if (!numeric(kind(expr))) return {"-" + operand(arg), Binding::prefix};
-    const bool defined = kind(expr) == TypeKind::real || arg.kind == ExprKind::integer;  // a literal is not negative
-    if (defined) return {"-" + operand_as(arg, kind(expr)), Binding::prefix};
+    if (!is_numeric(kind_of(expr))) return {"-" + write_operand(arg), Binding::prefix};
+    const bool defined = kind_of(expr) == TypeKind::real || arg.kind == ExprKind::integer;  // a literal is not negative
+    if (defined) return {"-" + operand_as(arg, kind_of(expr)), Binding::prefix};
     return CppExpr(fmt::format("negative({})", write_as(arg, expr.type)));
 }
 
-std::string ExpressionWriter::function(const ir::Expr& expr, const char* name) const {
+std::string ExpressionWriter::write_function(const ir::Expr& expr, const char* name) const {
     return fmt::format("{}({}, {})", name, write_as(*expr.args[0], expr.type), write_as(*expr.args[1], expr.type));
 }
 
-CppExpr ExpressionWriter::comparison(const ir::Expr& expr, const char* symbol, Binding binding) const {
-    const TypeKind left = kind(*expr.args[0]);
-    const TypeKind right = kind(*expr.args[1]);
-    if (numeric(left) && numeric(right)) {
-        const TypeKind common = wider(left, right);
-        return compared(expr, symbol, operand_as(*expr.args[0], common), operand_as(*expr.args[1], common), binding);
+CppExpr ExpressionWriter::write_comparison(const ir::Expr& expr, const char* symbol, Binding binding) const {
+    const TypeKind left = kind_of(*expr.args[0]);
+    const TypeKind right = kind_of(*expr.args[1]);
+    if (is_numeric(left) && is_numeric(right)) {
+        const TypeKind common = wider_kind(left, right);
+        return comparison_text(expr, symbol, operand_as(*expr.args[0], common), operand_as(*expr.args[1], common),
+                               binding);
     }
-    return compared(expr, symbol, operand(*expr.args[0]), expression_as(*expr.args[1], expr.args[0]->type).operand(),
-                    binding);
+    return comparison_text(expr, symbol, write_operand(*expr.args[0]),
+                           expression_as(*expr.args[1], expr.args[0]->type).as_operand(), binding);
 }
 
-CppExpr ExpressionWriter::compared(const ir::Expr& expr, const char* symbol, const std::string& left,
-                                   const std::string& right, Binding binding) const {
+CppExpr ExpressionWriter::comparison_text(const ir::Expr& expr, const char* symbol, const std::string& left,
+                                          const std::string& right, Binding binding) const {
     std::string text = fmt::format("{} {} {}", left, symbol, right);
-    const bool left_fixed = fixed(*expr.args[0]);
-    if (binding != Binding::equality || left_fixed == fixed(*expr.args[1])) return {std::move(text), binding};
-    return CppExpr::test(std::move(text), left_fixed ? right : left, expr.kind == ExprKind::not_equal);
+    const bool left_fixed = is_fixed(*expr.args[0]);
+    if (binding != Binding::equality || left_fixed == is_fixed(*expr.args[1])) return {std::move(text), binding};
+    return CppExpr::equality_test(std::move(text), left_fixed ? right : left, expr.kind == ExprKind::not_equal);
 }
 
-std::string ExpressionWriter::constant(const ir::Expr& expr) const {
+std::string ExpressionWriter::constant_text(const ir::Expr& expr) const {
     const auto& value = unit_.constants[expr.constant.index];
     return cpp_value(generation_.system, generation_.inst, expr.type, value);
 }
@@ -167,10 +169,10 @@ std::string ExpressionWriter::enum_literal(const ir::Expr& expr) const {
     if (!is_struct(type)) return name;
     std::vector<ir::TypeId> types;
     if (index < type.literal_args.size()) types = type.literal_args[index];
-    return fmt::format("{}({})", name, list(expr, types));
+    return fmt::format("{}({})", name, argument_list(expr, types));
 }
 
-std::string ExpressionWriter::list(const ir::Expr& expr, const std::vector<ir::TypeId>& types) const {
+std::string ExpressionWriter::argument_list(const ir::Expr& expr, const std::vector<ir::TypeId>& types) const {
     std::string text;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         const ir::TypeId type = types.at(types.size() > 1 ? i : 0);
@@ -179,9 +181,9 @@ std::string ExpressionWriter::list(const ir::Expr& expr, const std::vector<ir::T
     return text;
 }
 
-std::string ExpressionWriter::built(const ir::Expr& expr, const char* maker) const {
+std::string ExpressionWriter::built_value(const ir::Expr& expr, const char* maker) const {
     const ir::Type& type = generation_.system.type(expr.type);
-    if (!of_pairs(type)) return fmt::format("{}::{}({})", type_text(expr.type), maker, list(expr, type.args));
+    if (!has_pairs(type)) return fmt::format("{}::{}({})", type_text(expr.type), maker, argument_list(expr, type.args));
     std::string pairs;
     for (const ir::ExprPtr& pair : expr.args)
         pairs += fmt::format("{}robochart::convert<{}>({})", pairs.empty() ? "" : ", ",
@@ -190,17 +192,17 @@ std::string ExpressionWriter::built(const ir::Expr& expr, const char* maker) con
 }
 
 /// Conversion to a coarser unit rounds down (semantics 3.13).
-std::string ExpressionWriter::cast(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_cast(const ir::Expr& expr) const {
     const ir::Expr& from = *expr.args[0];
-    if (composed(generation_.system.type(expr.type))) return write_as(from, expr.type);
-    if (kind(from) == kind(expr)) return operand(from);
-    const bool down = kind(from) == TypeKind::real;
+    if (is_composed(generation_.system.type(expr.type))) return write_as(from, expr.type);
+    if (kind_of(from) == kind_of(expr)) return write_operand(from);
+    const bool down = kind_of(from) == TypeKind::real;
     const std::string type = cpp_type(generation_.system, expr.type);
     return down ? fmt::format("rounded_down<{}>({})", type, write(from)) : fmt::format("{}({})", type, write(from));
 }
 
 /// Functions are specified only by contracts: the platform computes them.
-std::string ExpressionWriter::call(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
     return platform_call(expr.function, call_arguments(expr));
 }
 
@@ -212,47 +214,47 @@ std::string ExpressionWriter::call_arguments(const ir::Expr& expr) const {
     return arguments;
 }
 
-const FunctionHook& ExpressionWriter::hook(ir::FunctionId id) const {
+const FunctionHook& ExpressionWriter::hook_of(ir::FunctionId id) const {
     const auto& hooks = generation_.component.functions;
     return *std::ranges::find_if(hooks, [&](const FunctionHook& each) { return each.id == id; });
 }
 
 std::string ExpressionWriter::platform_call(ir::FunctionId id, const std::string& arguments) const {
-    return fmt::format("platform_.{}({})", hook(id).method, arguments);
+    return fmt::format("platform_.{}({})", hook_of(id).method, arguments);
 }
 
-std::string ExpressionWriter::place(const ir::Expr& index) const {
+std::string ExpressionWriter::item_index(const ir::Expr& index) const {
     return fmt::format("place_of({})", write(index));
 }
 
 /// Indices of sequences and vectors. For a matrix, the first index is the row, the second the position in the row.
-std::string ExpressionWriter::index(const ir::Expr& expr) const {
-    std::string text = operand(*expr.args[0]);
-    for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at({})", place(*expr.args[i]));
+std::string ExpressionWriter::write_index(const ir::Expr& expr) const {
+    std::string text = write_operand(*expr.args[0]);
+    for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at({})", item_index(*expr.args[i]));
     return text;
 }
 
 /// Tests membership in a range by its bounds, because ranges may be large.
-std::string ExpressionWriter::membership(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_membership(const ir::Expr& expr) const {
     const ir::Expr& value = *expr.args[0];
     const ir::Expr& set = *expr.args[1];
     const ir::Type& whole = generation_.system.type(set.type);
-    if (of_pairs(whole))
-        return fmt::format("{}.contains(robochart::convert<{}>({}))", operand(set), cpp_pair(generation_.system, whole),
-                           write(value));
+    if (has_pairs(whole))
+        return fmt::format("{}.contains(robochart::convert<{}>({}))", write_operand(set),
+                           cpp_pair(generation_.system, whole), write(value));
     const ir::TypeId member = whole.args.at(0);
     const bool range = set.kind == ExprKind::set_range || set.kind == ExprKind::range;
     if (!range || generation_.system.type(member).kind == TypeKind::real)
-        return fmt::format("{}.contains({})", operand(set), write_as(value, member));
+        return fmt::format("{}.contains({})", write_operand(set), write_as(value, member));
     const bool open_low = set.kind == ExprKind::range && (set.number == 1 || set.number == 3);
     const bool open_high = set.kind == ExprKind::range && set.number >= 2;
     return fmt::format(
         "[&] {{ const auto tested = {}; return {} {} tested && tested {} {}; }}()", write_as(value, member),
-        expression_as(*set.args[0], member).operand(Binding::sum),
-        open_low ? "<" : "<=", open_high ? "<" : "<=", expression_as(*set.args[1], member).operand(Binding::sum));
+        expression_as(*set.args[0], member).as_operand(Binding::sum),
+        open_low ? "<" : "<=", open_high ? "<" : "<=", expression_as(*set.args[1], member).as_operand(Binding::sum));
 }
 
-std::string ExpressionWriter::let(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_let(const ir::Expr& expr) const {
     return bound_by_let(expr, expr.bound_names.size(), write_as(*expr.args.back(), expr.type));
 }
 
@@ -265,7 +267,7 @@ std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t cou
     return text;
 }
 
-CppExpr ExpressionWriter::expression(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::cpp_expression(const ir::Expr& expr) const {
     generation_.inst.poll();
     CppExpr text = of_kind(expr);
     if (text.empty())
@@ -278,106 +280,107 @@ CppExpr ExpressionWriter::of_kind(const ir::Expr& expr) const {
         case ExprKind::boolean:
             return CppExpr(expr.number != 0 ? "true" : "false");
         case ExprKind::integer:
-            return CppExpr(fmt::format("{}({})", numeric_name(kind(expr)), expr.number));
+            return CppExpr(fmt::format("{}({})", numeric_name(kind_of(expr)), expr.number));
         case ExprKind::real:
             return CppExpr(fmt::format("Real({})", decimal_text(expr.decimal)));
         case ExprKind::enum_literal:
             return CppExpr(enum_literal(expr));
         case ExprKind::variable:
-            return CppExpr(variable(expr.variable));
+            return CppExpr(variable_member(expr.variable));
         case ExprKind::trigger_value:
             return CppExpr(incoming_);
         case ExprKind::constant:
-            return CppExpr(constant(expr));
+            return CppExpr(constant_text(expr));
         case ExprKind::since:
         case ExprKind::since_entry:
-            return CppExpr(fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr))));
+            return CppExpr(fmt::format("Nat({})", clock_member(clock_of(*unit_.machine, expr))));
         case ExprKind::negate:
-            return negated(expr);
+            return write_negation(expr);
         case ExprKind::logical_not:
-            return negation(expression(*expr.args[0]));
+            return negation(cpp_expression(*expr.args[0]));
         case ExprKind::iff:
-            return {fmt::format("{} == {}", operand(*expr.args[0]), operand(*expr.args[1])), Binding::equality};
+            return {fmt::format("{} == {}", write_operand(*expr.args[0]), write_operand(*expr.args[1])),
+                    Binding::equality};
         case ExprKind::implies:
-            return disjunction(negation(expression(*expr.args[0])), expression(*expr.args[1]), Binding::prefix);
+            return disjunction(negation(cpp_expression(*expr.args[0])), cpp_expression(*expr.args[1]), Binding::prefix);
         case ExprKind::disjunction:
-            return disjunction(expression(*expr.args[0]), expression(*expr.args[1]), Binding::primary);
+            return disjunction(cpp_expression(*expr.args[0]), cpp_expression(*expr.args[1]), Binding::primary);
         case ExprKind::conjunction:
-            return conjunction(expression(*expr.args[0]), expression(*expr.args[1]), Binding::primary);
+            return conjunction(cpp_expression(*expr.args[0]), cpp_expression(*expr.args[1]), Binding::primary);
         case ExprKind::equal:
-            return comparison(expr, "==", Binding::equality);
+            return write_comparison(expr, "==", Binding::equality);
         case ExprKind::not_equal:
-            return comparison(expr, "!=", Binding::equality);
+            return write_comparison(expr, "!=", Binding::equality);
         case ExprKind::greater:
-            return comparison(expr, ">", Binding::order);
+            return write_comparison(expr, ">", Binding::order);
         case ExprKind::greater_equal:
-            return comparison(expr, ">=", Binding::order);
+            return write_comparison(expr, ">=", Binding::order);
         case ExprKind::less:
-            return comparison(expr, "<", Binding::order);
+            return write_comparison(expr, "<", Binding::order);
         case ExprKind::less_equal:
-            return comparison(expr, "<=", Binding::order);
+            return write_comparison(expr, "<=", Binding::order);
         case ExprKind::plus:
-            return arithmetic(expr, "+", "plus", Binding::sum);
+            return write_arithmetic(expr, "+", "plus", Binding::sum);
         case ExprKind::minus:
-            return arithmetic(expr, "-", "minus", Binding::sum);
+            return write_arithmetic(expr, "-", "minus", Binding::sum);
         case ExprKind::times:
-            return arithmetic(expr, "*", "times", Binding::product);
+            return write_arithmetic(expr, "*", "times", Binding::product);
         case ExprKind::divide:
-            return CppExpr(function(expr, "divide"));
+            return CppExpr(write_function(expr, "divide"));
         case ExprKind::modulus:
-            return CppExpr(function(expr, "modulus"));
+            return CppExpr(write_function(expr, "modulus"));
         case ExprKind::if_then_else:
-            return {fmt::format("{} ? {} : {}", operand(*expr.args[0]), write_as(*expr.args[1], expr.type),
+            return {fmt::format("{} ? {} : {}", write_operand(*expr.args[0]), write_as(*expr.args[1], expr.type),
                                 write_as(*expr.args[2], expr.type)),
                     Binding::conditional};
         case ExprKind::cast:
-            return CppExpr(cast(expr));
+            return CppExpr(write_cast(expr));
         case ExprKind::tuple:
         case ExprKind::record:
-            return CppExpr(built(expr, "make"));
+            return CppExpr(built_value(expr, "make"));
         case ExprKind::sequence:
         case ExprKind::set:
         case ExprKind::matrix:
-            return CppExpr(built(expr, "of"));
+            return CppExpr(built_value(expr, "of"));
         case ExprKind::member:
-            return CppExpr(operand(*expr.args[0]) + "." +
+            return CppExpr(write_operand(*expr.args[0]) + "." +
                            member_name(generation_.system.type(expr.args[0]->type), expr.number));
         case ExprKind::index:
-            return CppExpr(index(expr));
+            return CppExpr(write_index(expr));
         case ExprKind::concat:
             return CppExpr(
                 fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type), write_as(*expr.args[1], expr.type)));
         case ExprKind::is_in:
-            return CppExpr(membership(expr));
+            return CppExpr(write_membership(expr));
         case ExprKind::string:
             return CppExpr(fmt::format("{}::of({})", type_text(expr.type), diagnostics::cpp_string(expr.characters)));
         case ExprKind::set_range:
         case ExprKind::range:
-            return CppExpr(range(expr));
+            return CppExpr(write_range(expr));
         case ExprKind::forall:
         case ExprKind::exists:
         case ExprKind::exists_unique:
-            return quantified(expr);
+            return write_quantifier(expr);
         case ExprKind::lambda:
         case ExprKind::the:
         case ExprKind::set_comprehension:
-            return CppExpr(collected(expr));
+            return CppExpr(write_collection(expr));
         case ExprKind::apply:
-            return CppExpr(apply(expr));
+            return CppExpr(write_application(expr));
         case ExprKind::function_value:
             return CppExpr(function_value(expr));
         case ExprKind::toolkit:
-            return CppExpr(toolkit(expr));
+            return CppExpr(write_toolkit_call(expr));
         case ExprKind::is_type:
             return CppExpr(is_type(expr));
         case ExprKind::transpose:
             return CppExpr(fmt::format("robochart::transposed<{}>({})", type_text(expr.type), write(*expr.args[0])));
         case ExprKind::call:
-            return CppExpr(call(expr));
+            return CppExpr(write_call(expr));
         case ExprKind::bound:
             return CppExpr(bound_identifier(expr.text));
         case ExprKind::let:
-            return CppExpr(let(expr));
+            return CppExpr(write_let(expr));
     }
     return {};
 }

@@ -38,49 +38,49 @@ public:
     /// Sets the C++ text of `trigger_value`, the incoming value.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
-    [[nodiscard]] CppExpr expression(const ir::Expr&) const;
+    [[nodiscard]] CppExpr cpp_expression(const ir::Expr&) const;
     /// The expression converted to a numeric type; unchanged for other types.
     [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
     /// The text as a complete expression: an argument, an initial value, a condition inside parentheses.
-    [[nodiscard]] std::string write(const ir::Expr& expr) const { return expression(expr).whole(); }
+    [[nodiscard]] std::string write(const ir::Expr& expr) const { return cpp_expression(expr).whole_text(); }
     [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
-        return expression_as(expr, type).whole();
+        return expression_as(expr, type).whole_text();
     }
     /// The text as an operand of any operator, in parentheses unless it has the highest precedence.
-    [[nodiscard]] std::string operand(const ir::Expr& expr) const { return expression(expr).operand(); }
+    [[nodiscard]] std::string write_operand(const ir::Expr& expr) const { return cpp_expression(expr).as_operand(); }
     /// The condition that all preconditions of called functions hold, innermost calls first (semantics 3.5); empty if
     /// none can be false. It is tested before the expression is evaluated.
-    [[nodiscard]] CppExpr asked(const ir::Expr&) const;
+    [[nodiscard]] CppExpr precondition_test(const ir::Expr&) const;
     /// The condition preceded by its preconditions.
     [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
     /// The member that stores a variable; "" for shared variables that are never read.
-    [[nodiscard]] std::string variable(ir::VariableId) const;
-    [[nodiscard]] std::string clock(ir::ClockId) const;
+    [[nodiscard]] std::string variable_member(ir::VariableId) const;
+    [[nodiscard]] std::string clock_member(ir::ClockId) const;
     /// The index of an item, counted from 1.
-    [[nodiscard]] std::string place(const ir::Expr& index) const;
+    [[nodiscard]] std::string item_index(const ir::Expr& index) const;
 
 private:
     [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< empty for a kind that C++ cannot express
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
     /// Arithmetic on two operands. Reals use the operator. Whole numbers use the function with that name, which is
     /// defined at the limits of the type, too.
-    [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
-    [[nodiscard]] CppExpr negated(const ir::Expr&) const;
-    [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
-    [[nodiscard]] CppExpr comparison(const ir::Expr&, const char* symbol, Binding) const;
-    [[nodiscard]] CppExpr compared(const ir::Expr&, const char* symbol, const std::string& left,
-                                   const std::string& right, Binding) const;
-    [[nodiscard]] std::string constant(const ir::Expr&) const;
+    [[nodiscard]] CppExpr write_arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
+    [[nodiscard]] CppExpr write_negation(const ir::Expr&) const;
+    [[nodiscard]] std::string write_function(const ir::Expr&, const char* name) const;
+    [[nodiscard]] CppExpr write_comparison(const ir::Expr&, const char* symbol, Binding) const;
+    [[nodiscard]] CppExpr comparison_text(const ir::Expr&, const char* symbol, const std::string& left,
+                                          const std::string& right, Binding) const;
+    [[nodiscard]] std::string constant_text(const ir::Expr&) const;
     [[nodiscard]] std::string enum_literal(const ir::Expr&) const;
-    [[nodiscard]] std::string list(const ir::Expr&, const std::vector<ir::TypeId>& types) const;
-    [[nodiscard]] std::string built(const ir::Expr&, const char* maker) const;
-    [[nodiscard]] std::string cast(const ir::Expr&) const;
-    [[nodiscard]] std::string call(const ir::Expr&) const;
-    [[nodiscard]] std::string let(const ir::Expr&) const;
-    [[nodiscard]] ir::TypeKind kind(const ir::Expr&) const;
+    [[nodiscard]] std::string argument_list(const ir::Expr&, const std::vector<ir::TypeId>& types) const;
+    [[nodiscard]] std::string built_value(const ir::Expr&, const char* maker) const;
+    [[nodiscard]] std::string write_cast(const ir::Expr&) const;
+    [[nodiscard]] std::string write_call(const ir::Expr&) const;
+    [[nodiscard]] std::string write_let(const ir::Expr&) const;
+    [[nodiscard]] ir::TypeKind kind_of(const ir::Expr&) const;
     [[nodiscard]] std::string type_text(ir::TypeId) const;
-    [[nodiscard]] std::string index(const ir::Expr&) const;
-    [[nodiscard]] std::string membership(const ir::Expr&) const;
+    [[nodiscard]] std::string write_index(const ir::Expr&) const;
+    [[nodiscard]] std::string write_membership(const ir::Expr&) const;
 
     // expression_conditions.cpp: preconditions of functions
     [[nodiscard]] std::vector<CppExpr> preconditions(const ir::Expr&) const;
@@ -89,21 +89,21 @@ private:
     [[nodiscard]] std::string bound_by_let(const ir::Expr&, std::size_t count, std::string text) const;
 
     // expression_composed.cpp: binders, functions as values, toolkits, vectors and matrices
-    [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
-    [[nodiscard]] CppExpr quantified(const ir::Expr&) const;
-    [[nodiscard]] std::string collected(const ir::Expr&) const;
+    [[nodiscard]] std::string write_any(const ir::Expr&, std::size_t from, const std::string& visit) const;
+    [[nodiscard]] CppExpr write_quantifier(const ir::Expr&) const;
+    [[nodiscard]] std::string write_collection(const ir::Expr&) const;
     [[nodiscard]] std::string collected_item(const ir::Expr&) const;
     [[nodiscard]] std::string bound_values(const ir::Expr&, ir::TypeId) const;
-    [[nodiscard]] std::string apply(const ir::Expr&) const;
-    [[nodiscard]] std::string lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
-                                     ir::TypeId domain) const;
+    [[nodiscard]] std::string write_application(const ir::Expr&) const;
+    [[nodiscard]] std::string write_lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
+                                           ir::TypeId domain) const;
     [[nodiscard]] std::string beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const;
     [[nodiscard]] std::string platform_call(ir::FunctionId, const std::string& arguments) const;
-    [[nodiscard]] const FunctionHook& hook(ir::FunctionId) const;
+    [[nodiscard]] const FunctionHook& hook_of(ir::FunctionId) const;
     [[nodiscard]] std::string call_arguments(const ir::Expr&) const;
     [[nodiscard]] std::string function_value(const ir::Expr&) const;
-    [[nodiscard]] std::string toolkit(const ir::Expr&) const;
-    [[nodiscard]] std::string range(const ir::Expr&) const;
+    [[nodiscard]] std::string write_toolkit_call(const ir::Expr&) const;
+    [[nodiscard]] std::string write_range(const ir::Expr&) const;
     [[nodiscard]] std::string is_type(const ir::Expr&) const;
     [[nodiscard]] bool block_arithmetic(const ir::Expr&) const;
     [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;

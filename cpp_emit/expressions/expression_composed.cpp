@@ -16,24 +16,27 @@ using ir::TypeKind;
 
 /// Calls `visit` for the values of the bound variables from index `from` on, until it returns true: any_Nat([&](Nat
 /// bound_x) { ... }).
-std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
+std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
     if (from == expr.bound_names.size()) return visit;
     const ir::TypeId type = expr.bound_types.at(from);
-    const std::string inner = any(expr, from + 1, visit);
+    const std::string inner = write_any(expr, from + 1, visit);
     const std::string body = from + 1 == expr.bound_names.size() ? inner : fmt::format("return {};", inner);
-    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})", generation_.component.carrier(type).method,
-                       type_text(type), bound_identifier(expr.bound_names[from]), body);
+    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})",
+                       generation_.component.find_carrier(type).method, type_text(type),
+                       bound_identifier(expr.bound_names[from]), body);
 }
 
 /// Whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
-CppExpr ExpressionWriter::quantified(const ir::Expr& expr) const {
-    const std::string predicate = operand(*expr.args[0]);
-    const std::string body = operand(*expr.args[1]);
+CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
+    const std::string predicate = write_operand(*expr.args[0]);
+    const std::string body = write_operand(*expr.args[1]);
     if (expr.kind == ExprKind::forall)
-        return negation(CppExpr(any(expr, 0, fmt::format("return {} && !{};", predicate, body))));
-    if (expr.kind == ExprKind::exists) return CppExpr(any(expr, 0, fmt::format("return {} && {};", predicate, body)));
-    return CppExpr(fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
-                               any(expr, 0, fmt::format("if ({} && {}) ++found; return false;", predicate, body))));
+        return negation(CppExpr(write_any(expr, 0, fmt::format("return {} && !{};", predicate, body))));
+    if (expr.kind == ExprKind::exists)
+        return CppExpr(write_any(expr, 0, fmt::format("return {} && {};", predicate, body)));
+    return CppExpr(
+        fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
+                    write_any(expr, 0, fmt::format("if ({} && {}) ++found; return false;", predicate, body))));
 }
 
 /// The bound variables as one value of the type: the variable itself, or a tuple.
@@ -54,28 +57,28 @@ std::string ExpressionWriter::collected_item(const ir::Expr& expr) const {
 
 /// Collects the value of the body for each value that satisfies the predicate. Used for lambdas as sets of pairs,
 /// comprehensions, and `the`.
-std::string ExpressionWriter::collected(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_collection(const ir::Expr& expr) const {
     const std::string item = collected_item(expr);
     const std::string take =
         expr.kind == ExprKind::the ? fmt::format("chosen = {};", item) : fmt::format("chosen.insert({});", item);
     const std::string visit = fmt::format("if ({}) {{ {} }} return false;", write(*expr.args[0]), take);
     return fmt::format("[&] {{ {} chosen{{}}; (void){}; return chosen; }}()", type_text(expr.type),
-                       any(expr, 0, visit));
+                       write_any(expr, 0, visit));
 }
 
-std::string ExpressionWriter::apply(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_application(const ir::Expr& expr) const {
     const ir::TypeId domain = generation_.system.type(expr.args[0]->type).args.at(0);
     const ir::Type& type = generation_.system.type(domain);
     std::vector<std::string> arguments;
     const bool several = expr.args.size() > 2;
     for (std::size_t i = 1; i < expr.args.size(); ++i)
         arguments.push_back(write_as(*expr.args[i], several ? type.args.at(i - 1) : domain));
-    return lookup(*expr.args[0], arguments, domain);
+    return write_lookup(*expr.args[0], arguments, domain);
 }
 
 /// A function that is written as an expression is called directly, so that it need not be finite on the robot.
-std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
-                                     ir::TypeId domain) const {
+std::string ExpressionWriter::write_lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
+                                           ir::TypeId domain) const {
     std::string listed;
     for (const std::string& argument : arguments) listed += (listed.empty() ? "" : ", ") + argument;
     const bool several = arguments.size() > 1;
@@ -85,7 +88,7 @@ std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector
     if (function.kind == ExprKind::function_value && parameters() == arguments.size())
         return platform_call(function.function, listed);
     if (function.kind == ExprKind::cast && type_text(function.args[0]->type) == type_text(function.type))
-        return lookup(*function.args[0], arguments, domain);
+        return write_lookup(*function.args[0], arguments, domain);
     const std::string argument = several ? fmt::format("{}::make({})", type_text(domain), listed) : listed;
     const ir::TypeId result = generation_.system.type(function.type).args.at(1);
     if (function.kind == ExprKind::toolkit && function.text == "relation_toolkit_override" && !several)
@@ -93,7 +96,7 @@ std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector
             "[&](const auto& argument, const auto& over) {{ "
             "return robochart::toolkit::in_domain(over, argument) ? robochart::apply<{}>(over, argument) : {}; }}({}, "
             "{})",
-            type_text(result), lookup(*function.args[0], {"argument"}, domain), argument,
+            type_text(result), write_lookup(*function.args[0], {"argument"}, domain), argument,
             write_as(*function.args[1], function.type));
     return fmt::format("robochart::apply<{}>({}, {})", type_text(result), write(function), argument);
 }
@@ -119,31 +122,31 @@ std::string ExpressionWriter::function_value(const ir::Expr& expr) const {
     std::string arguments = "argument";
     if (parameters > 1) {
         arguments.clear();
-        for (const TypeMember& member : members(generation_.system.type(domain)))
+        for (const TypeMember& member : type_members(generation_.system.type(domain)))
             arguments += (arguments.empty() ? "argument." : ", argument.") + member.name;
     }
-    const std::string& precondition = hook(expr.function).precondition;
+    const std::string& precondition = hook_of(expr.function).precondition;
     return fmt::format(
         "[&] {{ {0} pairs; (void){1}([&](const {2}& argument) {{ {5}pairs.insert({3}::make(argument, {4})); return "
         "false; }}); return pairs; }}()",
-        type_text(expr.type), generation_.component.carrier(domain).method, type_text(domain),
+        type_text(expr.type), generation_.component.find_carrier(domain).method, type_text(domain),
         cpp_pair(generation_.system, whole), platform_call(expr.function, arguments),
         precondition.empty() ? "" : fmt::format("if ({}({})) ", precondition, arguments));
 }
 
-std::string ExpressionWriter::toolkit(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_toolkit_call(const ir::Expr& expr) const {
     std::string name = expr.text.substr(expr.text.find("toolkit_") + std::string("toolkit_").size());
     if (name == "union") name += '_';
     std::string arguments;
     for (const ir::ExprPtr& argument : expr.args) arguments += (arguments.empty() ? "" : ", ") + write(*argument);
     for (const std::size_t place : ir::toolkit_carriers(expr.text))
         arguments += fmt::format("{}[&](auto visit) {{ return {}(visit); }}", arguments.empty() ? "" : ", ",
-                                 generation_.component.carrier(expr.bound_types.at(place)).method);
+                                 generation_.component.find_carrier(expr.bound_types.at(place)).method);
     return fmt::format("robochart::toolkit::{}<{}>({})", name, type_text(expr.type), arguments);
 }
 
 /// The whole numbers between the bounds, or the reals of the carrier between them.
-std::string ExpressionWriter::range(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_range(const ir::Expr& expr) const {
     const ir::TypeId member = generation_.system.type(expr.type).args.at(0);
     const bool written = expr.kind == ExprKind::range;
     const bool open_low = written && (expr.number == 1 || expr.number == 3);
@@ -156,7 +159,7 @@ std::string ExpressionWriter::range(const ir::Expr& expr) const {
     return fmt::format(
         "[&] {{ const Real low = {}; const Real high = {}; {} chosen; (void){}([&](const Real& value) {{ "
         "if (low {} value && value {} high) chosen.insert(value); return false; }}); return chosen; }}()",
-        low, high, type_text(expr.type), generation_.component.carrier(member).method,
+        low, high, type_text(expr.type), generation_.component.find_carrier(member).method,
         open_low ? "<" : "<=", open_high ? "<" : "<=");
 }
 
@@ -168,15 +171,16 @@ std::string ExpressionWriter::is_type(const ir::Expr& expr) const {
 }
 
 bool ExpressionWriter::block_arithmetic(const ir::Expr& expr) const {
-    return std::ranges::any_of(expr.args,
-                               [&](const ir::ExprPtr& arg) { return block(generation_.system.type(arg->type)); });
+    return std::ranges::any_of(
+        expr.args, [&](const ir::ExprPtr& arg) { return is_block_type(generation_.system.type(arg->type)); });
 }
 
 /// A vector or matrix with entries of the type, or a number of that type.
 std::string ExpressionWriter::block_operand(const ir::Expr& expr, ir::TypeId entry) const {
     const ir::Type& type = generation_.system.type(expr.type);
-    if (!block(type)) return operand_as(expr, generation_.system.type(entry).kind);
-    if (generation_.system.type(type.args.at(0)).kind == generation_.system.type(entry).kind) return operand(expr);
+    if (!is_block_type(type)) return operand_as(expr, generation_.system.type(entry).kind);
+    if (generation_.system.type(type.args.at(0)).kind == generation_.system.type(entry).kind)
+        return write_operand(expr);
     std::string sizes;
     for (const std::int64_t size : type.sizes) sizes += fmt::format(", {}", size);
     return fmt::format("robochart::convert<robochart::{}<{}{}>>({})",
@@ -185,14 +189,14 @@ std::string ExpressionWriter::block_operand(const ir::Expr& expr, ir::TypeId ent
 
 CppExpr ExpressionWriter::block_arithmetic_text(const ir::Expr& expr) const {
     const ir::Type& result = generation_.system.type(expr.type);
-    const ir::TypeId entry = block(result) ? result.args.at(0) : expr.type;
+    const ir::TypeId entry = is_block_type(result) ? result.args.at(0) : expr.type;
     const std::string left = block_operand(*expr.args[0], entry);
     const std::string right = block_operand(*expr.args[1], entry);
     if (expr.kind != ExprKind::times)
         return {fmt::format("{} {} {}", left, expr.kind == ExprKind::plus ? "+" : "-", right), Binding::sum};
-    const auto is_block = [&](std::size_t i) { return block(generation_.system.type(expr.args[i]->type)); };
+    const auto is_block = [&](std::size_t i) { return is_block_type(generation_.system.type(expr.args[i]->type)); };
     if (!is_block(0) || !is_block(1)) return {fmt::format("{} * {}", left, right), Binding::product};
-    if (!block(result)) return CppExpr(fmt::format("robochart::dot({}, {})", left, right));
+    if (!is_block_type(result)) return CppExpr(fmt::format("robochart::dot({}, {})", left, right));
     return CppExpr(fmt::format("robochart::product<{}>({}, {})", type_text(expr.type), left, right));
 }
 

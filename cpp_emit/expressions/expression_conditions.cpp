@@ -24,28 +24,28 @@ CppExpr all_of(const std::vector<CppExpr>& conditions) {
     return result;
 }
 
-void append(std::vector<CppExpr>& list, const std::vector<CppExpr>& more) {
+void append_all(std::vector<CppExpr>& list, const std::vector<CppExpr>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
 std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const {
-    if (ir::binds(expr.kind)) return bound_preconditions(expr);
+    if (ir::binds_names(expr.kind)) return bound_preconditions(expr);
     std::vector<CppExpr> result;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;
         std::vector<CppExpr> inner = preconditions(*expr.args[i]);
         if (expr.kind == ExprKind::let && i > 0 && !inner.empty())
-            inner = {CppExpr(bound_by_let(expr, i, all_of(inner).whole()))};
-        append(result, inner);
+            inner = {CppExpr(bound_by_let(expr, i, all_of(inner).whole_text()))};
+        append_all(result, inner);
     }
     const bool called = expr.kind == ExprKind::toolkit || expr.kind == ExprKind::call;
     if (!called || !ir::precondition_can_fail(generation_.system, generation_.inst, unit_.constants, expr))
         return result;
     result.push_back(expr.kind == ExprKind::toolkit
-                         ? CppExpr(fmt::format("{}.size() > 0", operand(*expr.args.at(0))), Binding::order)
-                         : CppExpr(fmt::format("{}({})", hook(expr.function).precondition, call_arguments(expr))));
+                         ? CppExpr(fmt::format("{}.size() > 0", write_operand(*expr.args.at(0))), Binding::order)
+                         : CppExpr(fmt::format("{}({})", hook_of(expr.function).precondition, call_arguments(expr))));
     return result;
 }
 
@@ -55,28 +55,28 @@ std::vector<CppExpr> ExpressionWriter::bound_preconditions(const ir::Expr& expr)
     std::vector<CppExpr> result;
     const auto never_false = [&](const CppExpr& where, const std::vector<CppExpr>& conditions) {
         const CppExpr found = conjunction(where, negation(all_of(conditions)));
-        result.push_back(negation(CppExpr(any(expr, 0, fmt::format("return {};", found.whole())))));
+        result.push_back(negation(CppExpr(write_any(expr, 0, fmt::format("return {};", found.whole_text())))));
     };
     const std::vector<CppExpr> of_predicate = expr.args.at(0) ? preconditions(*expr.args[0]) : std::vector<CppExpr>{};
     if (!of_predicate.empty()) never_false({}, of_predicate);
     if (expr.args.size() < 2 || !expr.args[1]) return result;
     const std::vector<CppExpr> of_body = preconditions(*expr.args[1]);
-    if (!of_body.empty()) never_false(expr.args[0] ? expression(*expr.args[0]) : CppExpr(), of_body);
+    if (!of_body.empty()) never_false(expr.args[0] ? cpp_expression(*expr.args[0]) : CppExpr(), of_body);
     return result;
 }
 
-CppExpr ExpressionWriter::asked(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::precondition_test(const ir::Expr& expr) const {
     const std::vector<CppExpr> conditions = preconditions(expr);
     if (conditions.empty() || generation_.mutation.hits(Fault::function_precondition_dropped, &unit_, &expr)) return {};
     return all_of(conditions);
 }
 
 CppExpr ExpressionWriter::expression_asked(const ir::Expr& condition) const {
-    return conjunction(asked(condition), expression(condition));
+    return conjunction(precondition_test(condition), cpp_expression(condition));
 }
 
 void write_preconditions(const Generation& generation, CodeWriter& out) {
-    const ExpressionWriter expressions(generation, generation.component.root());
+    const ExpressionWriter expressions(generation, generation.component.root_unit());
     for (const FunctionHook& hook : generation.component.functions) {
         if (!hook.guarded) continue;
         const ir::Function& function = generation.system.functions[hook.id.index];
@@ -91,7 +91,7 @@ void write_preconditions(const Generation& generation, CodeWriter& out) {
         out.gap();
         out.doc(fmt::format("The precondition of {}: what uses the function waits until it holds.", function.name));
         out.open(fmt::format("[[nodiscard]] bool {}({}) noexcept {{", hook.precondition, fmt::join(parameters, ", ")));
-        out.line(fmt::format("return {};", all_of(conditions).whole()));
+        out.line(fmt::format("return {};", all_of(conditions).whole_text()));
         out.close();
     }
 }

@@ -20,15 +20,15 @@ struct Generation {
     Mutation& mutation;
 
     /// "S1 (aggregation.rct:83)"; only the element if its place is unknown. File names may contain any characters.
-    [[nodiscard]] diagnostics::ForeignText place(std::string_view element, diagnostics::Span) const;
+    [[nodiscard]] diagnostics::ForeignText place_text(std::string_view element, diagnostics::Span) const;
     /// "aggregation.rct:83"; "" if unknown.
-    [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
+    [[nodiscard]] diagnostics::ForeignText line_text(diagnostics::Span) const;
     /// "aggregation.rct"; "" if unknown.
-    [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
+    [[nodiscard]] diagnostics::ForeignText file_text(diagnostics::Span) const;
     /// The test for the bound on steps in a loop's condition; "" with Fault::loop_never_ends.
     [[nodiscard]] std::string bound_test() const;
-    [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const {
-        return place(origin.element, origin.span);
+    [[nodiscard]] diagnostics::ForeignText place_text(const ir::Origin& origin) const {
+        return place_text(origin.element, origin.span);
     }
 };
 

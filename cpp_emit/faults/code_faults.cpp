@@ -66,7 +66,7 @@ constexpr OrderRule order_rules[] = {
     {Fault::machines_reversed, "run", R"((while \(.*\()(round\(.* \|\| .*\))(\)\) \{))"},
 };
 
-std::string reversed(std::string_view list) {
+std::string reverse_calls(std::string_view list) {
     constexpr std::string_view joint = " || ";
     std::string result;
     for (std::size_t begin = 0; begin <= list.size();) {
@@ -83,14 +83,14 @@ class FaultyCode {
 public:
     explicit FaultyCode(Mutation& mutation) : mutation_(mutation) {}
 
-    std::string write(std::string_view text) {
+    std::string write_faulty(std::string_view text) {
         std::string result;
         while (!text.empty()) {
             const std::size_t end = text.find('\n');
             const std::string line(text.substr(0, end));
             text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
             note_function(line);
-            append(result, line);
+            append_line(result, line);
         }
         return result;
     }
@@ -103,28 +103,28 @@ private:
         if (line == "    }") function_.clear();
     }
 
-    void append(std::string& result, const std::string& line) {
+    void append_line(std::string& result, const std::string& line) {
         const std::size_t depth = std::min(line.find_first_not_of(' '), line.size());
-        const std::string changed = wrong(line.substr(depth));
+        const std::string changed = apply_fault(line.substr(depth));
         if (!changed.empty() || depth == line.size()) result += line.substr(0, depth) + changed + "\n";
     }
 
-    [[nodiscard]] bool in(const char* functions) const {
+    [[nodiscard]] bool in_function(const char* functions) const {
         return !function_.empty() && std::regex_match(function_, std::regex(functions));
     }
 
-    std::string wrong(const std::string& line) {
+    std::string apply_fault(const std::string& line) {
         for (const LineRule& rule : line_rules) {
-            if (!mutation_.seeded(rule.fault) || !in(rule.function)) continue;
+            if (!mutation_.is_seeded(rule.fault) || !in_function(rule.function)) continue;
             const std::regex pattern(rule.line);
             if (std::regex_match(line, pattern) && mutation_.hits(rule.fault))
                 return std::regex_replace(line, pattern, rule.wrong);
         }
         for (const OrderRule& rule : order_rules) {
             std::smatch parts;
-            if (!mutation_.seeded(rule.fault) || !in(rule.function)) continue;
+            if (!mutation_.is_seeded(rule.fault) || !in_function(rule.function)) continue;
             if (std::regex_match(line, parts, std::regex(rule.line)) && mutation_.hits(rule.fault))
-                return parts[1].str() + reversed(parts[2].str()) + parts[3].str();
+                return parts[1].str() + reverse_calls(parts[2].str()) + parts[3].str();
         }
         return line;
     }
@@ -134,7 +134,7 @@ private:
 };
 
 bool of_lines(const Mutation& mutation) {
-    const auto seeded = [&](const auto& rule) { return mutation.seeded(rule.fault); };
+    const auto seeded = [&](const auto& rule) { return mutation.is_seeded(rule.fault); };
     return std::any_of(std::begin(line_rules), std::end(line_rules), seeded) ||
            std::any_of(std::begin(order_rules), std::end(order_rules), seeded);
 }
@@ -142,7 +142,7 @@ bool of_lines(const Mutation& mutation) {
 }  // namespace
 
 std::string faulty_code(std::string text, Mutation& mutation) {
-    return of_lines(mutation) ? FaultyCode(mutation).write(text) : text;
+    return of_lines(mutation) ? FaultyCode(mutation).write_faulty(text) : text;
 }
 
 }  // namespace robochart::cpp_emit

@@ -50,13 +50,13 @@ std::string other_function(std::string_view name) {
 }
 
 template <std::size_t count>
-const Exchange* exchange(const Exchange (&table)[count], ExprKind kind) {
+const Exchange* find_exchange(const Exchange (&table)[count], ExprKind kind) {
     const auto* const found =
         std::find_if(std::begin(table), std::end(table), [&](Exchange each) { return each.from == kind; });
     return found == std::end(table) ? nullptr : found;
 }
 
-bool commutes(ExprKind kind) {
+bool is_commutative(ExprKind kind) {
     return kind != ExprKind::minus && kind != ExprKind::divide && kind != ExprKind::modulus && kind != ExprKind::concat;
 }
 
@@ -66,39 +66,41 @@ public:
     OneExpression(const ir::System& system, Mutation& mutation, const Expr& expr)
         : system_(system), mutation_(mutation), expr_(expr) {}
 
-    std::optional<Expr> wrong() const {
-        if (const Exchange* const other = exchange(arithmetic, expr_.kind); other != nullptr && numbers())
+    std::optional<Expr> apply_fault() const {
+        if (const Exchange* const other = find_exchange(arithmetic, expr_.kind);
+            other != nullptr && has_number_operands())
             if (hits(Fault::arithmetic_wrong)) return with_kind(other->to);
-        if (const Exchange* const other = exchange(comparisons, expr_.kind))
+        if (const Exchange* const other = find_exchange(comparisons, expr_.kind))
             if (hits(Fault::comparison_wrong)) return with_kind(other->to);
-        if (const Exchange* const other = exchange(logic, expr_.kind))
+        if (const Exchange* const other = find_exchange(logic, expr_.kind))
             if (hits(Fault::logic_wrong)) return with_kind(other->to);
-        if (const Exchange* const other = exchange(quantifiers, expr_.kind))
+        if (const Exchange* const other = find_exchange(quantifiers, expr_.kind))
             if (hits(Fault::quantifier_wrong)) return with_kind(other->to);
         const bool negation = expr_.kind == ExprKind::logical_not || expr_.kind == ExprKind::negate;
         if (negation && hits(Fault::negation_dropped)) return *expr_.args[0];
-        if (!commutes(expr_.kind) && alike(0, 1) && hits(Fault::operands_exchanged)) return with_args_exchanged(0, 1);
+        if (!is_commutative(expr_.kind) && have_same_type(0, 1) && hits(Fault::operands_exchanged))
+            return with_args_exchanged(0, 1);
         if (expr_.kind == ExprKind::if_then_else && hits(Fault::conditional_exchanged))
             return with_args_exchanged(1, 2);
         if (expr_.kind == ExprKind::is_in && hits(Fault::set_operation_wrong))
-            return *negated(std::make_shared<Expr>(expr_));
-        if (expr_.kind == ExprKind::member) return member();
-        if (expr_.kind == ExprKind::toolkit) return function();
-        return literal();
+            return *negate_condition(std::make_shared<Expr>(expr_));
+        if (expr_.kind == ExprKind::member) return wrong_member();
+        if (expr_.kind == ExprKind::toolkit) return wrong_function();
+        return wrong_literal();
     }
 
 private:
     [[nodiscard]] bool hits(Fault fault) const { return mutation_.hits(fault); }
-    [[nodiscard]] ir::TypeKind kind(const Expr& expr) const { return system_.type(expr.type).kind; }
+    [[nodiscard]] ir::TypeKind kind_of(const Expr& expr) const { return system_.type(expr.type).kind; }
 
     /// Whether all operands are single numbers, not vectors or matrices.
-    [[nodiscard]] bool numbers() const {
+    [[nodiscard]] bool has_number_operands() const {
         return std::ranges::all_of(expr_.args, [&](const ir::ExprPtr& each) {
-            const ir::TypeKind type = kind(*each);
+            const ir::TypeKind type = kind_of(*each);
             return type == ir::TypeKind::nat || type == ir::TypeKind::integer || type == ir::TypeKind::real;
         });
     }
-    [[nodiscard]] bool alike(std::size_t a, std::size_t b) const {
+    [[nodiscard]] bool have_same_type(std::size_t a, std::size_t b) const {
         return expr_.args.size() > b && expr_.args[a]->type == expr_.args[b]->type;
     }
 
@@ -118,7 +120,7 @@ private:
         return changed;
     }
 
-    [[nodiscard]] std::optional<Expr> member() const {
+    [[nodiscard]] std::optional<Expr> wrong_member() const {
         const ir::Type& whole = system_.type(expr_.args[0]->type);
         const std::int64_t first = whole.kind == ir::TypeKind::product ? 1 : 0;
         for (std::size_t other = 0; other < whole.args.size(); ++other) {
@@ -129,7 +131,7 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] std::optional<Expr> function() const {
+    [[nodiscard]] std::optional<Expr> wrong_function() const {
         std::string other = other_function(expr_.text);
         if (other.empty() || !hits(Fault::set_operation_wrong)) return std::nullopt;
         Expr changed = expr_;
@@ -138,7 +140,7 @@ private:
     }
 
     /// Changes a literal within its carrier: to one less, or to 1 for 0.
-    [[nodiscard]] std::optional<Expr> literal() const {
+    [[nodiscard]] std::optional<Expr> wrong_literal() const {
         const bool number = expr_.kind == ExprKind::integer || expr_.kind == ExprKind::boolean;
         const ir::Type& type = system_.type(expr_.type);
         const bool label = expr_.kind == ExprKind::enum_literal && expr_.args.empty() && type.literal_args.empty() &&
@@ -161,7 +163,7 @@ Expr literal_of(ir::TypeId type, ExprKind kind, std::int64_t number) {
     return result;
 }
 
-Expr operation(ExprKind kind, ir::TypeId type, std::vector<ir::ExprPtr> args) {
+Expr make_operation(ExprKind kind, ir::TypeId type, std::vector<ir::ExprPtr> args) {
     Expr result;
     result.kind = kind;
     result.type = type;
@@ -169,13 +171,13 @@ Expr operation(ExprKind kind, ir::TypeId type, std::vector<ir::ExprPtr> args) {
     return result;
 }
 
-ir::ExprPtr number(const ir::System& system, ir::TypeId type, std::int64_t value) {
+ir::ExprPtr number_literal(const ir::System& system, ir::TypeId type, std::int64_t value) {
     const bool real = system.type(type).kind == ir::TypeKind::real;
     return std::make_shared<Expr>(literal_of(type, real ? ExprKind::real : ExprKind::integer, value));
 }
 
 /// The model's boolean type, which exists if a machine has a condition.
-ir::TypeId boolean(const ir::System& system) {
+ir::TypeId boolean_type(const ir::System& system) {
     const auto found =
         std::ranges::find_if(system.types, [](const ir::Type& type) { return type.kind == ir::TypeKind::boolean; });
     if (found == system.types.end()) return {};
@@ -183,7 +185,7 @@ ir::TypeId boolean(const ir::System& system) {
 }
 
 /// Whether the operands are the parts of a value, with types given by `Type::args` or by one type for all parts.
-bool builds(ExprKind kind) {
+bool builds_value(ExprKind kind) {
     return kind == ExprKind::tuple || kind == ExprKind::record || kind == ExprKind::sequence || kind == ExprKind::set ||
            kind == ExprKind::matrix || kind == ExprKind::enum_literal;
 }
@@ -204,7 +206,7 @@ ir::ExprPtr default_parts(const ir::System& system, const ir::Instantiation& ins
     std::vector<ir::ExprPtr> parts;
     for (const ir::TypeId part : system.type(id).args) parts.push_back(default_literal(system, inst, part));
     const bool known = std::ranges::none_of(parts, [](const ir::ExprPtr& part) { return !part; });
-    return known ? std::make_shared<Expr>(operation(kind, id, std::move(parts))) : nullptr;
+    return known ? std::make_shared<Expr>(make_operation(kind, id, std::move(parts))) : nullptr;
 }
 
 }  // namespace
@@ -218,7 +220,7 @@ ir::ExprPtr default_literal(const ir::System& system, const ir::Instantiation& i
         case ir::TypeKind::nat:
         case ir::TypeKind::integer:
         case ir::TypeKind::real:
-            return number(system, id, 0);
+            return number_literal(system, id, 0);
         case ir::TypeKind::enumeration:
             if (!type.literal_args.empty()) return nullptr;
             return std::make_shared<Expr>(literal_of(id, ExprKind::enum_literal, 0));
@@ -227,9 +229,9 @@ ir::ExprPtr default_literal(const ir::System& system, const ir::Instantiation& i
         case ir::TypeKind::record:
             return default_parts(system, inst, id, ExprKind::record);
         case ir::TypeKind::sequence:
-            return std::make_shared<Expr>(operation(ExprKind::sequence, id, {}));
+            return std::make_shared<Expr>(make_operation(ExprKind::sequence, id, {}));
         case ir::TypeKind::set:
-            return std::make_shared<Expr>(operation(ExprKind::set, id, {}));
+            return std::make_shared<Expr>(make_operation(ExprKind::set, id, {}));
         case ir::TypeKind::string:
         case ir::TypeKind::given:
         case ir::TypeKind::function:
@@ -242,41 +244,42 @@ ir::ExprPtr default_literal(const ir::System& system, const ir::Instantiation& i
     return nullptr;
 }
 
-ir::ExprPtr one(const ir::System& system, ir::TypeId type) {
-    return number(system, type, 1);
+ir::ExprPtr one_literal(const ir::System& system, ir::TypeId type) {
+    return number_literal(system, type, 1);
 }
 
 ir::ExprPtr one_more(const ir::System& system, const ir::ExprPtr& expr) {
-    if (expr->kind == ExprKind::integer) return number(system, expr->type, expr->number + 1);
-    return std::make_shared<Expr>(operation(ExprKind::plus, expr->type, {expr, one(system, expr->type)}));
+    if (expr->kind == ExprKind::integer) return number_literal(system, expr->type, expr->number + 1);
+    return std::make_shared<Expr>(make_operation(ExprKind::plus, expr->type, {expr, one_literal(system, expr->type)}));
 }
 
 ir::ExprPtr one_less(const ir::System& system, const ir::ExprPtr& expr) {
-    const ir::ExprPtr none = number(system, expr->type, 0);
+    const ir::ExprPtr none = number_literal(system, expr->type, 0);
     if (expr->kind == ExprKind::integer)
-        return expr->number > 0 ? number(system, expr->type, expr->number - 1) : nullptr;
-    const auto more =
-        std::make_shared<Expr>(operation(ExprKind::greater, boolean(system), {expr, one(system, expr->type)}));
-    const auto less = std::make_shared<Expr>(operation(ExprKind::minus, expr->type, {expr, one(system, expr->type)}));
-    return std::make_shared<Expr>(operation(ExprKind::if_then_else, expr->type, {more, less, none}));
+        return expr->number > 0 ? number_literal(system, expr->type, expr->number - 1) : nullptr;
+    const auto more = std::make_shared<Expr>(
+        make_operation(ExprKind::greater, boolean_type(system), {expr, one_literal(system, expr->type)}));
+    const auto less =
+        std::make_shared<Expr>(make_operation(ExprKind::minus, expr->type, {expr, one_literal(system, expr->type)}));
+    return std::make_shared<Expr>(make_operation(ExprKind::if_then_else, expr->type, {more, less, none}));
 }
 
-ir::ExprPtr negated(const ir::ExprPtr& expr) {
-    return std::make_shared<Expr>(operation(ExprKind::logical_not, expr->type, {expr}));
+ir::ExprPtr negate_condition(const ir::ExprPtr& expr) {
+    return std::make_shared<Expr>(make_operation(ExprKind::logical_not, expr->type, {expr}));
 }
 
-ir::ExprPtr ExpressionFaults::field(const Expr& whole, std::size_t place, const ir::ExprPtr& part) {
+ir::ExprPtr ExpressionFaults::rewrite_field(const Expr& whole, std::size_t place, const ir::ExprPtr& part) {
     const ir::TypeId type = part_type(system_, whole, place);
-    const ir::ExprPtr kept = type.valid() ? default_literal(system_, inst_, type) : nullptr;
+    const ir::ExprPtr kept = type.is_valid() ? default_literal(system_, inst_, type) : nullptr;
     return kept && mutation_.hits(Fault::field_dropped) ? kept : part;
 }
 
-std::vector<ir::ExprPtr> ExpressionFaults::operands(const Expr& expr) {
+std::vector<ir::ExprPtr> ExpressionFaults::rewrite_operands(const Expr& expr) {
     std::vector<ir::ExprPtr> result;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         const bool place = expr.kind == ExprKind::index && i > 0;
         ir::ExprPtr part = place ? rewrite_place(expr.args[i]) : rewrite(expr.args[i]);
-        result.push_back(builds(expr.kind) ? field(expr, i, part) : std::move(part));
+        result.push_back(builds_value(expr.kind) ? rewrite_field(expr, i, part) : std::move(part));
     }
     return result;
 }
@@ -291,8 +294,8 @@ ir::ExprPtr ExpressionFaults::rewrite(const ir::ExprPtr& expr) {
     const auto found = known_.find(expr.get());
     if (found != known_.end()) return found->second;
     Expr changed = *expr;
-    changed.args = operands(*expr);
-    const std::optional<Expr> wrong = OneExpression(system_, mutation_, changed).wrong();
+    changed.args = rewrite_operands(*expr);
+    const std::optional<Expr> wrong = OneExpression(system_, mutation_, changed).apply_fault();
     ir::ExprPtr result = expr;
     if (wrong || changed.args != expr->args) result = std::make_shared<Expr>(wrong ? *wrong : std::move(changed));
     known_.emplace(expr.get(), result);

@@ -13,14 +13,14 @@ namespace robochart::cpp_emit {
 /// A literal with the default value of a type; null if no literal can express it.
 [[nodiscard]] ir::ExprPtr default_literal(const ir::System&, const ir::Instantiation&, ir::TypeId);
 /// The number one as a literal of a numeric type.
-[[nodiscard]] ir::ExprPtr one(const ir::System&, ir::TypeId);
+[[nodiscard]] ir::ExprPtr one_literal(const ir::System&, ir::TypeId);
 /// The expression `expr` + 1. In a finite carrier the largest number stays unchanged (semantics 3.13), except for a
 /// literal.
 [[nodiscard]] ir::ExprPtr one_more(const ir::System&, const ir::ExprPtr& expr);
 /// The expression `expr` - 1, or 0 if that is negative; null for the literal 0.
 [[nodiscard]] ir::ExprPtr one_less(const ir::System&, const ir::ExprPtr& expr);
 /// The expression `not expr`.
-[[nodiscard]] ir::ExprPtr negated(const ir::ExprPtr& expr);
+[[nodiscard]] ir::ExprPtr negate_condition(const ir::ExprPtr& expr);
 
 /// Rewrites the expressions of one machine. A subexpression that several expressions share counts as one place.
 class ExpressionFaults {
@@ -35,8 +35,8 @@ public:
     [[nodiscard]] ir::ExprPtr rewrite_place(const ir::ExprPtr&);
 
 private:
-    [[nodiscard]] std::vector<ir::ExprPtr> operands(const ir::Expr&);
-    [[nodiscard]] ir::ExprPtr field(const ir::Expr& whole, std::size_t number, const ir::ExprPtr&);
+    [[nodiscard]] std::vector<ir::ExprPtr> rewrite_operands(const ir::Expr&);
+    [[nodiscard]] ir::ExprPtr rewrite_field(const ir::Expr& whole, std::size_t number, const ir::ExprPtr&);
 
     const ir::System& system_;
     const ir::Instantiation& inst_;

@@ -28,7 +28,7 @@ void FaultyModel::change_initials(const ir::Instantiation& inst, Mutation& mutat
         if (lost != initial && mutation.hits(Fault::initial_lost)) initial = lost;
     };
     for (StoredVariable& variable : changed_component_->variables)
-        if (variable.stored()) change(*variable.variable, variable.initial);
+        if (variable.has_member()) change(*variable.variable, variable.initial);
     for (Unit& unit : changed_component_->units)
         for (std::size_t index = 0; index < unit.variable_fields.size(); ++index)
             if (!unit.variable_fields[index].empty()) change(unit.machine->variables[index], unit.initials[index]);

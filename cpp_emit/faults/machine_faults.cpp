@@ -23,14 +23,14 @@ public:
           statements_(system, inst, component, unit, mutation),
           machine_(*unit.machine) {}
 
-    ir::Machine write() {
+    ir::Machine write_machine() {
         for (ir::Node& node : machine_.nodes) rewrite(node);
         for (ir::Transition& transition : machine_.transitions) rewrite(transition);
         for (const ir::Node& node : machine_.nodes)
             if (node.kind == NodeKind::probabilistic) exchange_ways(node);
         for (ir::ExprPtr& condition : machine_.preconditions) {
             condition = statements_.expressions().rewrite(condition);
-            if (mutation_.hits(Fault::precondition_negated)) condition = negated(condition);
+            if (mutation_.hits(Fault::precondition_negated)) condition = negate_condition(condition);
         }
         return std::move(machine_);
     }
@@ -53,13 +53,13 @@ private:
     void rewrite(ir::Transition& transition) {
         rewrite_guard(transition);
         transition.probability = statements_.expressions().rewrite(transition.probability);
-        if (transition.trigger) receive(transition);
+        if (transition.trigger) rewrite_trigger(transition);
         rewrite_resets(transition);
         rewrite_deadline(transition);
         transition.action = statements_.rewrite(transition.action);
         if (transition.action && mutation_.hits(Fault::action_dropped)) transition.action = nullptr;
-        const NodeId other = beside(transition.target);
-        if (other.valid() && mutation_.hits(Fault::wrong_target)) transition.target = other;
+        const NodeId other = next_sibling(transition.target);
+        if (other.is_valid() && mutation_.hits(Fault::wrong_target)) transition.target = other;
     }
 
     void rewrite_guard(ir::Transition& transition) {
@@ -68,14 +68,14 @@ private:
         if (asks_for_value(*transition.guard) && has_place(transition.trigger->variable) &&
             mutation_.hits(Fault::trigger_value_old))
             transition.guard = with_old_value(transition.guard, transition.trigger->variable);
-        if (mutation_.hits(Fault::guard_negated)) transition.guard = negated(transition.guard);
+        if (mutation_.hits(Fault::guard_negated)) transition.guard = negate_condition(transition.guard);
         if (mutation_.hits(Fault::guard_dropped)) transition.guard = nullptr;
     }
 
     /// If a deadline depends on a guard over the received value, the trigger must name the variable.
-    void receive(ir::Transition& transition) {
+    void rewrite_trigger(ir::Transition& transition) {
         const ir::VariableId stored = transition.trigger->variable;
-        statements_.receive(*transition.trigger);
+        statements_.rewrite_reception(*transition.trigger);
         if (transition.deadline && transition.guard && asks_for_value(*transition.guard))
             transition.trigger->variable = stored;
     }
@@ -88,9 +88,9 @@ private:
     }
 
     [[nodiscard]] bool has_place(ir::VariableId variable) const {
-        if (!variable.valid()) return false;
-        const StoredVariable* const stored = component_.stored(unit_, variable);
-        return stored == nullptr || stored->stored();
+        if (!variable.is_valid()) return false;
+        const StoredVariable* const stored = component_.stored_variable(unit_, variable);
+        return stored == nullptr || stored->has_member();
     }
 
     /// The guard with the variable in place of the incoming value.
@@ -108,7 +108,7 @@ private:
     void rewrite_resets(ir::Transition& transition) {
         std::vector<ir::ClockId> kept;
         for (const ir::ClockId clock : transition.resets)
-            if (!statements_.counts(clock) || !mutation_.hits(Fault::clock_not_reset)) kept.push_back(clock);
+            if (!statements_.has_effect(clock) || !mutation_.hits(Fault::clock_not_reset)) kept.push_back(clock);
         transition.resets = std::move(kept);
     }
 
@@ -117,13 +117,13 @@ private:
         const bool watched = machine_.nodes[transition.source.index].kind == NodeKind::state;
         if (!transition.deadline || !watched) return;
         transition.deadline =
-            mutation_.hits(Fault::deadline_ignored) ? nullptr : statements_.deadline(transition.deadline);
+            mutation_.hits(Fault::deadline_ignored) ? nullptr : statements_.rewrite_bound(transition.deadline);
     }
 
     /// The next state after a node in the same parent, cyclically; invalid if there is no other state.
-    [[nodiscard]] NodeId beside(NodeId target) const {
+    [[nodiscard]] NodeId next_sibling(NodeId target) const {
         const NodeId parent = machine_.nodes[target.index].parent;
-        const auto& siblings = parent.valid() ? machine_.nodes[parent.index].children : machine_.top;
+        const auto& siblings = parent.is_valid() ? machine_.nodes[parent.index].children : machine_.top;
         std::vector<NodeId> others;
         for (const NodeId id : siblings)
             if (id != target && machine_.nodes[id.index].kind == NodeKind::state) others.push_back(id);
@@ -156,7 +156,7 @@ private:
 
 ir::Machine faulty_machine(const ir::System& system, const ir::Instantiation& inst, const Component& component,
                            const Unit& unit, Mutation& mutation) {
-    return MachineFaults(system, inst, component, unit, mutation).write();
+    return MachineFaults(system, inst, component, unit, mutation).write_machine();
 }
 
 }  // namespace robochart::cpp_emit

@@ -18,21 +18,21 @@ public:
     Mutation(Fault fault, std::uint32_t site) : fault_(fault), site_(site) {}
 
     /// Must be called once for each place to which `fault` applies, in textual order.
-    [[nodiscard]] bool hits(Fault fault) { return seeded(fault) && sites_++ == site_; }
+    [[nodiscard]] bool hits(Fault fault) { return is_seeded(fault) && sites_++ == site_; }
     /// Does the same for a part of the model whose code is written more than once: the answer for a part is always the
     /// same. A part has several uses if machines run in several places.
     [[nodiscard]] bool hits(Fault fault, const void* use, const void* part) {
-        if (!seeded(fault)) return false;
+        if (!is_seeded(fault)) return false;
         const auto [place, fresh] = known_.emplace(std::pair(use, part), sites_);
         if (fresh) ++sites_;
         return place->second == site_;
     }
     /// Whether this run has the fault in some place.
-    [[nodiscard]] bool seeded(Fault fault) const { return fault == fault_ && fault != Fault::none; }
+    [[nodiscard]] bool is_seeded(Fault fault) const { return fault == fault_ && fault != Fault::none; }
     /// This run's kind of fault; `none` in production.
     [[nodiscard]] Fault fault() const { return fault_; }
     /// The number of places found so far to which the requested fault applies.
-    [[nodiscard]] std::uint32_t sites() const { return sites_; }
+    [[nodiscard]] std::uint32_t site_count() const { return sites_; }
 
 private:
     Fault fault_;

@@ -12,15 +12,15 @@ using ir::StmtPtr;
 
 namespace {
 
-StmtPtr made(ir::Stmt stmt) {
+StmtPtr make_statement(ir::Stmt stmt) {
     return std::make_shared<ir::Stmt>(std::move(stmt));
 }
 
-StmtPtr nothing(const ir::Stmt& in_place_of) {
+StmtPtr skip_statement(const ir::Stmt& in_place_of) {
     ir::Stmt skip;
     skip.point = in_place_of.point;
     skip.origin = in_place_of.origin;
-    return made(std::move(skip));
+    return make_statement(std::move(skip));
 }
 
 StmtPtr one_after_the_other(std::vector<StmtPtr> parts) {
@@ -29,16 +29,16 @@ StmtPtr one_after_the_other(std::vector<StmtPtr> parts) {
     all.point = parts.front()->point;
     all.origin = parts.front()->origin;
     all.body = std::move(parts);
-    return made(std::move(all));
+    return make_statement(std::move(all));
 }
 
-StmtPtr pause(const ir::Stmt& at, ir::ExprPtr duration) {
+StmtPtr wait_statement(const ir::Stmt& at, ir::ExprPtr duration) {
     ir::Stmt wait;
     wait.kind = StmtKind::wait;
     wait.point = at.point;
     wait.origin = at.origin;
     wait.value = std::move(duration);
-    return made(std::move(wait));
+    return make_statement(std::move(wait));
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ StmtPtr StatementFaults::rewrite(const StmtPtr& stmt) {
     if (!stmt) return stmt;
     ir::Stmt changed = *stmt;
     rewrite_parts(changed);
-    return wrong(changed);
+    return apply_fault(changed);
 }
 
 void StatementFaults::rewrite_parts(ir::Stmt& stmt) {
@@ -59,7 +59,7 @@ void StatementFaults::rewrite_parts(ir::Stmt& stmt) {
     for (ir::ExprPtr& argument : stmt.args) argument = expressions_.rewrite(argument);
     if (stmt.kind != StmtKind::communicate) return;
     if (stmt.communication.kind == ir::CommKind::input)
-        receive(stmt.communication);
+        rewrite_reception(stmt.communication);
     else
         stmt.communication.value = expressions_.rewrite(stmt.communication.value);
 }
@@ -82,90 +82,91 @@ void StatementFaults::rewrite_path(ir::Stmt& stmt) {
     }
 }
 
-StmtPtr StatementFaults::wrong(const ir::Stmt& stmt) {
+StmtPtr StatementFaults::apply_fault(const ir::Stmt& stmt) {
     switch (stmt.kind) {
         case StmtKind::sequence:
-            return sequence(stmt);
+            return rewrite_sequence(stmt);
         case StmtKind::if_then_else:
-            return branches(stmt);
+            return rewrite_branches(stmt);
         case StmtKind::assign:
-            return assignment(stmt);
+            return rewrite_assignment(stmt);
         case StmtKind::communicate:
-            return communication(stmt);
+            return rewrite_communication(stmt);
         case StmtKind::call:
-            return call(stmt);
+            return rewrite_call(stmt);
         case StmtKind::wait:
         case StmtKind::wait_interval:
-            return wait(stmt);
+            return rewrite_wait(stmt);
         case StmtKind::clock_reset:
-            return counts(stmt.clock) && mutation_.hits(Fault::clock_not_reset) ? nothing(stmt) : made(stmt);
+            return has_effect(stmt.clock) && mutation_.hits(Fault::clock_not_reset) ? skip_statement(stmt)
+                                                                                    : make_statement(stmt);
         case StmtKind::deadline:
             return deadline_statement(stmt);
         case StmtKind::skip:
             break;
     }
-    return made(stmt);
+    return make_statement(stmt);
 }
 
-StmtPtr StatementFaults::sequence(ir::Stmt stmt) {
+StmtPtr StatementFaults::rewrite_sequence(ir::Stmt stmt) {
     for (std::size_t i = 0; i + 1 < stmt.body.size(); ++i)
         if (mutation_.hits(Fault::statements_exchanged)) std::swap(stmt.body[i], stmt.body[i + 1]);
-    return made(std::move(stmt));
+    return make_statement(std::move(stmt));
 }
 
-StmtPtr StatementFaults::branches(ir::Stmt stmt) {
-    if (!mutation_.hits(Fault::branches_exchanged)) return made(std::move(stmt));
-    if (stmt.body.size() < 2) stmt.body.push_back(nothing(stmt));
+StmtPtr StatementFaults::rewrite_branches(ir::Stmt stmt) {
+    if (!mutation_.hits(Fault::branches_exchanged)) return make_statement(std::move(stmt));
+    if (stmt.body.size() < 2) stmt.body.push_back(skip_statement(stmt));
     std::swap(stmt.body[0], stmt.body[1]);
-    return made(std::move(stmt));
+    return make_statement(std::move(stmt));
 }
 
-StmtPtr StatementFaults::assignment(ir::Stmt stmt) {
-    if (mutation_.hits(Fault::assignment_dropped)) return nothing(stmt);
-    if (stmt.path.empty() || !mutation_.hits(Fault::part_not_assigned)) return made(std::move(stmt));
+StmtPtr StatementFaults::rewrite_assignment(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::assignment_dropped)) return skip_statement(stmt);
+    if (stmt.path.empty() || !mutation_.hits(Fault::part_not_assigned)) return make_statement(std::move(stmt));
     ir::Expr same;
     same.kind = ir::ExprKind::variable;
     same.variable = stmt.variable;
     same.type = unit_.machine->variables[stmt.variable.index].type;
     stmt.value = std::make_shared<ir::Expr>(std::move(same));
     stmt.path.clear();
-    return made(std::move(stmt));
+    return make_statement(std::move(stmt));
 }
 
-StmtPtr StatementFaults::communication(ir::Stmt stmt) {
+StmtPtr StatementFaults::rewrite_communication(ir::Stmt stmt) {
     ir::Communication& what = stmt.communication;
     if (what.kind == ir::CommKind::input)
-        return mutation_.hits(Fault::loop_never_ends) ? nothing(stmt) : made(std::move(stmt));
-    if (mutation_.hits(Fault::send_dropped)) return nothing(stmt);
-    const EventUse& use = component_.event(unit_, what.event);
-    if (use.ports.empty() || !use.filled.empty()) return made(std::move(stmt));
+        return mutation_.hits(Fault::loop_never_ends) ? skip_statement(stmt) : make_statement(std::move(stmt));
+    if (mutation_.hits(Fault::send_dropped)) return skip_statement(stmt);
+    const EventUse& use = component_.find_event(unit_, what.event);
+    if (use.ports.empty() || !use.filled.empty()) return make_statement(std::move(stmt));
     const ir::EventId other = other_event(what.event, false);
-    if (other.valid() && mutation_.hits(Fault::wrong_output)) what.event = other;
-    return repeated(std::move(stmt));
+    if (other.is_valid() && mutation_.hits(Fault::wrong_output)) what.event = other;
+    return repeat_if_faulty(std::move(stmt));
 }
 
 /// Changes an output of the component according to Fault::output_repeated.
-StmtPtr StatementFaults::repeated(ir::Stmt stmt) {
-    const StmtPtr once = made(std::move(stmt));
+StmtPtr StatementFaults::repeat_if_faulty(ir::Stmt stmt) {
+    const StmtPtr once = make_statement(std::move(stmt));
     return mutation_.hits(Fault::output_repeated) ? one_after_the_other({once, once}) : once;
 }
 
-void StatementFaults::receive(ir::Communication& what) {
+void StatementFaults::rewrite_reception(ir::Communication& what) {
     what.predicate = expressions_.rewrite(what.predicate);
     if (what.predicate && mutation_.hits(Fault::predicate_dropped)) what.predicate = nullptr;
     const ir::EventId other = other_event(what.event, true);
-    if (other.valid() && mutation_.hits(Fault::wrong_input)) what.event = other;
-    if (what.variable.valid() && mutation_.hits(Fault::value_not_stored)) what.variable = {};
+    if (other.is_valid() && mutation_.hits(Fault::wrong_input)) what.event = other;
+    if (what.variable.is_valid() && mutation_.hits(Fault::value_not_stored)) what.variable = {};
 }
 
 /// The machine's next event of the same type at the component's boundary, cyclically; invalid if there is none.
 ir::EventId StatementFaults::other_event(ir::EventId own, bool received) const {
-    const EventUse& use = component_.event(unit_, own);
+    const EventUse& use = component_.find_event(unit_, own);
     const auto& all = unit_.machine->events;
     if (use.ports.empty()) return {};
     for (std::size_t step = 1; step < all.size(); ++step) {
         const auto place = static_cast<std::uint32_t>((own.index + step) % all.size());
-        const EventUse* const next = component_.event(Peer{unit_.part, all[place].name});
+        const EventUse* const next = component_.find_event(Peer{unit_.part, all[place].name});
         if (next == nullptr || next->ports.empty() || next->type != use.type) continue;
         const EventPort& port = component_.events[next->ports.front()];
         if (received ? port.received : port.sent) return {place};
@@ -173,20 +174,20 @@ ir::EventId StatementFaults::other_event(ir::EventId own, bool received) const {
     return {};
 }
 
-StmtPtr StatementFaults::call(ir::Stmt stmt) {
-    if (mutation_.hits(Fault::call_dropped)) return nothing(stmt);
+StmtPtr StatementFaults::rewrite_call(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::call_dropped)) return skip_statement(stmt);
     exchange_arguments(stmt);
-    if (!unit_.definitions[stmt.operation.index].valid()) {
+    if (!unit_.definitions[stmt.operation.index].is_valid()) {
         const ir::OperationId other = other_operation(stmt.operation);
-        if (other.valid() && mutation_.hits(Fault::wrong_output)) stmt.operation = other;
-        return repeated(std::move(stmt));
+        if (other.is_valid() && mutation_.hits(Fault::wrong_output)) stmt.operation = other;
+        return repeat_if_faulty(std::move(stmt));
     }
     const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
     for (std::size_t i = 0; i < stmt.args.size(); ++i) {
         const ir::ExprPtr kept = default_literal(system_, inst_, parameters[i]);
         if (kept && mutation_.hits(Fault::argument_dropped)) stmt.args[i] = kept;
     }
-    return made(std::move(stmt));
+    return make_statement(std::move(stmt));
 }
 
 void StatementFaults::exchange_arguments(ir::Stmt& stmt) {
@@ -202,28 +203,28 @@ ir::OperationId StatementFaults::other_operation(ir::OperationId own) const {
         const auto place = static_cast<std::uint32_t>((own.index + step) % all.size());
         const bool called = std::ranges::any_of(
             component_.calls, [&](const PlatformCall& call) { return call.signature->name == all[place].name; });
-        if (called && !unit_.definitions[place].valid() && all[place].parameters == all[own.index].parameters)
+        if (called && !unit_.definitions[place].is_valid() && all[place].parameters == all[own.index].parameters)
             return {place};
     }
     return {};
 }
 
-StmtPtr StatementFaults::wait(ir::Stmt stmt) {
-    if (mutation_.hits(Fault::wait_dropped) || mutation_.hits(Fault::loop_never_ends)) return nothing(stmt);
+StmtPtr StatementFaults::rewrite_wait(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::wait_dropped) || mutation_.hits(Fault::loop_never_ends)) return skip_statement(stmt);
     const ir::ExprPtr less = one_less(system_, stmt.value);
     if (less && mutation_.hits(Fault::wait_early)) stmt.value = less;
-    const ir::ExprPtr unit = one(system_, stmt.value->type);
-    const StmtPtr all = made(std::move(stmt));
-    return mutation_.hits(Fault::wait_late) ? one_after_the_other({all, pause(*all, unit)}) : all;
+    const ir::ExprPtr unit = one_literal(system_, stmt.value->type);
+    const StmtPtr all = make_statement(std::move(stmt));
+    return mutation_.hits(Fault::wait_late) ? one_after_the_other({all, wait_statement(*all, unit)}) : all;
 }
 
 StmtPtr StatementFaults::deadline_statement(ir::Stmt stmt) {
     if (mutation_.hits(Fault::deadline_ignored)) return stmt.body[0];
-    stmt.value = deadline(stmt.value);
-    return made(std::move(stmt));
+    stmt.value = rewrite_bound(stmt.value);
+    return make_statement(std::move(stmt));
 }
 
-ir::ExprPtr StatementFaults::deadline(const ir::ExprPtr& bound) {
+ir::ExprPtr StatementFaults::rewrite_bound(const ir::ExprPtr& bound) {
     if (mutation_.hits(Fault::deadline_late)) return one_more(system_, bound);
     const ir::ExprPtr less = one_less(system_, bound);
     return less && mutation_.hits(Fault::deadline_early) ? less : bound;
@@ -237,11 +238,12 @@ StmtPtr StatementFaults::run_again(const StmtPtr& program) const {
         std::ranges::find_if(system_.types, [](const ir::Type& type) { return type.kind == ir::TypeKind::nat; });
     if (nat == system_.types.end()) return program;
     unit.type = {static_cast<std::uint32_t>(nat - system_.types.begin())};
-    return one_after_the_other({program, pause(*program, std::make_shared<ir::Expr>(std::move(unit))), program});
+    return one_after_the_other(
+        {program, wait_statement(*program, std::make_shared<ir::Expr>(std::move(unit))), program});
 }
 
-bool StatementFaults::counts(ir::ClockId clock) const {
-    const auto [owner, own] = component_.clock(unit_, clock);
+bool StatementFaults::has_effect(ir::ClockId clock) const {
+    const auto [owner, own] = component_.clock_owner(unit_, clock);
     return owner->clock_read[own.index];
 }
 

@@ -22,27 +22,27 @@ public:
     /// The statement with the fault; parts are rewritten before the whole. Null for null.
     [[nodiscard]] ir::StmtPtr rewrite(const ir::StmtPtr&);
     /// Rewrites a trigger or the communication of an input statement.
-    void receive(ir::Communication&);
+    void rewrite_reception(ir::Communication&);
     /// Rewrites the deadline of a statement or transition. The fault that ignores a deadline is not handled here.
-    [[nodiscard]] ir::ExprPtr deadline(const ir::ExprPtr& bound);
+    [[nodiscard]] ir::ExprPtr rewrite_bound(const ir::ExprPtr& bound);
     /// A program that runs a second time, one time unit after it has ended.
     [[nodiscard]] ir::StmtPtr run_again(const ir::StmtPtr&) const;
     [[nodiscard]] ExpressionFaults& expressions() { return expressions_; }
     /// Whether resetting the clock has any effect.
-    [[nodiscard]] bool counts(ir::ClockId) const;
+    [[nodiscard]] bool has_effect(ir::ClockId) const;
 
 private:
     void rewrite_parts(ir::Stmt&);
     void rewrite_path(ir::Stmt&);
-    [[nodiscard]] ir::StmtPtr wrong(const ir::Stmt&);
-    [[nodiscard]] ir::StmtPtr sequence(ir::Stmt);
-    [[nodiscard]] ir::StmtPtr branches(ir::Stmt);
-    [[nodiscard]] ir::StmtPtr assignment(ir::Stmt);
-    [[nodiscard]] ir::StmtPtr communication(ir::Stmt);
-    [[nodiscard]] ir::StmtPtr call(ir::Stmt);
-    [[nodiscard]] ir::StmtPtr wait(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr apply_fault(const ir::Stmt&);
+    [[nodiscard]] ir::StmtPtr rewrite_sequence(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr rewrite_branches(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr rewrite_assignment(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr rewrite_communication(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr rewrite_call(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr rewrite_wait(ir::Stmt);
     [[nodiscard]] ir::StmtPtr deadline_statement(ir::Stmt);
-    [[nodiscard]] ir::StmtPtr repeated(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr repeat_if_faulty(ir::Stmt);
     void exchange_arguments(ir::Stmt&);
     [[nodiscard]] ir::EventId other_event(ir::EventId, bool received) const;
     [[nodiscard]] ir::OperationId other_operation(ir::OperationId) const;

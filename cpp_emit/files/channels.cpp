@@ -30,9 +30,9 @@ public:
     ChannelWriter(const Generation& generation, const Core& core, CodeWriter& out)
         : generation_(generation), core_(core), out_(out) {}
 
-    void write(const Part& part, const EventUse& use) {
+    void write_channel(const Part& part, const EventUse& use) {
         places_.clear();
-        collect({{&generation_.component.units[part.root], part.place()}}, use.channel);
+        collect_places({{&generation_.component.units[part.root], part.frame_expression()}}, use.channel);
         const std::string who = part.name + " sends " + use.name;
         const std::string value =
             use.type ? fmt::format(", [[maybe_unused]] {}& value", cpp_type(generation_.system, *use.type)) : "";
@@ -42,18 +42,18 @@ public:
         out_.gap();
         out_.open(fmt::format("[[nodiscard]] bool offers_{}([[maybe_unused]] std::uint32_t site{}) const noexcept {{",
                               use.channel, value));
-        switch_of([&](const Place& place) { offer(place, use); }, "return false;", "const auto& ");
+        switch_of([&](const Place& place) { write_offer(place, use); }, "return false;", "const auto& ");
         out_.close();
         out_.gap();
         out_.open(fmt::format("void accept_{}([[maybe_unused]] std::uint32_t site) noexcept {{", use.channel));
-        switch_of([&](const Place& place) { accept(part, place); }, "return;", "auto& ");
+        switch_of([&](const Place& place) { write_acceptance(part, place); }, "return;", "auto& ");
         out_.close();
     }
 
 private:
     /// Collects the sites of the last unit in `calls`, then the sites of the operations that its threads run, through
     /// all nested calls.
-    void collect(const std::vector<Running>& calls, const std::string& channel) {
+    void collect_places(const std::vector<Running>& calls, const std::string& channel) {
         const Component& component = generation_.component;
         const Running& running = calls.back();
         const MachineCode& code = core_.machines[component.unit_places[running.unit->number]];
@@ -61,13 +61,13 @@ private:
             if (site.channel == channel) places_.push_back({calls, &site});
         for (const CallFrame& call : code.calls) {
             std::vector<Running> inside = calls;
-            inside.push_back({&component.unit(call.operation), running.frame + "." + call.field});
-            collect(inside, channel);
+            inside.push_back({&component.unit_at(call.operation), running.frame + "." + call.field});
+            collect_places(inside, channel);
         }
     }
 
     /// Declares names for the frame of the site's unit and for the frames of the operations that lend it variables.
-    void bind(const Place& place, const std::string& reference) {
+    void bind_frames(const Place& place, const std::string& reference) {
         const Running& running = place.calls.back();
         out_.line(fmt::format("{}f = {};", reference, running.frame));
         if (place.site->value.empty()) return;
@@ -84,7 +84,7 @@ private:
         out_.open("switch (site) {");
         for (std::size_t index = 0; index < places_.size(); ++index) {
             out_.open(fmt::format("case {}: {{", index));
-            bind(places_[index], binding);
+            bind_frames(places_[index], binding);
             write_case(places_[index]);
             out_.close();
         }
@@ -92,15 +92,15 @@ private:
         out_.close();
     }
 
-    void offer(const Place& place, const EventUse& use) {
+    void write_offer(const Place& place, const EventUse& use) {
         out_.line(fmt::format("if ({} != {}) return false;", place.site->thread, place.site->at));
         if (use.type && !place.site->value.empty()) out_.line(fmt::format("value = {};", place.site->value));
         out_.line("return true;");
     }
 
-    void accept(const Part& part, const Place& place) {
+    void write_acceptance(const Part& part, const Place& place) {
         out_.line(fmt::format("{} = {};", place.site->thread, place.site->next));
-        if (core_.machines[part.root].layout.prompt) out_.line(fmt::format("prompt({});", part.place()));
+        if (core_.machines[part.root].layout.prompt) out_.line(fmt::format("prompt({});", part.frame_expression()));
         out_.line("return;");
     }
 
@@ -114,7 +114,7 @@ private:
 std::vector<std::string> each_part(const Generation& generation, const char* format) {
     std::vector<std::string> result;
     for (const Part& part : generation.component.parts)
-        result.push_back(fmt::format(fmt::runtime(format), part.place()));
+        result.push_back(fmt::format(fmt::runtime(format), part.frame_expression()));
     return result;
 }
 
@@ -124,7 +124,7 @@ void write_channels(const Generation& generation, const Core& core, CodeWriter& 
     ChannelWriter writer(generation, core, out);
     for (const Part& part : generation.component.parts)
         for (const EventUse& use : part.events)
-            if (!use.channel.empty()) writer.write(part, use);
+            if (!use.channel.empty()) writer.write_channel(part, use);
 }
 
 std::vector<Field> common_fields(const Generation& generation) {
@@ -143,13 +143,14 @@ std::vector<Field> common_fields(const Generation& generation) {
                               fmt::format("writes of {} on their way to {}", variable.variable->name,
                                           generation.component.parts[holder.part].name),
                               1, 1});
-    if (!generation.component.composed()) return fields;
+    if (!generation.component.is_composed()) return fields;
     for (const StoredVariable& stored : generation.component.variables) {
-        if (!stored.stored() || stored.home != no_part) continue;
+        if (!stored.has_member() || stored.home != no_part) continue;
         const Extent extent = cpp_extent(generation.system, generation.inst, stored.variable->type);
         fields.push_back({cpp_type(generation.system, stored.variable->type), stored.field,
                           cpp_value(generation.system, generation.inst, stored.variable->type, stored.initial),
-                          generation.place(stored.variable->origin), extent.size, extent.alignment, extent.varies});
+                          generation.place_text(stored.variable->origin), extent.size, extent.alignment,
+                          extent.varies});
     }
     return fields;
 }
@@ -162,25 +163,25 @@ FrameLayout composed_layout(const Generation& generation, const Core& core, std:
                         inner.alignment, inner.varies});
         timed = timed || inner.timed;
     }
-    return arrange(std::move(more), timed);
+    return arrange_fields(std::move(more), timed);
 }
 
 void write_composition(const Generation& generation, const Core& core, CodeWriter& out) {
-    out.declaration("Everything that can happen in this cycle, in any machine.", "void run() noexcept {");
+    out.open_declaration("Everything that can happen in this cycle, in any machine.", "void run() noexcept {");
     for (const Part& part : generation.component.parts)
-        if (core.machines[part.root].layout.prompt) out.line(fmt::format("prompt({});", part.place()));
+        if (core.machines[part.root].layout.prompt) out.line(fmt::format("prompt({});", part.frame_expression()));
     const std::vector<std::string> rounds = each_part(generation, "round({})");
     out.open(fmt::format("while ({}({})) {{", generation.bound_test(), fmt::join(rounds, " || ")));
     out.close();
     out.close();
-    out.declaration("All machines have ended: they terminate together.",
-                    "[[nodiscard]] bool finished() const noexcept {");
+    out.open_declaration("All machines have ended: they terminate together.",
+                         "[[nodiscard]] bool finished() const noexcept {");
     out.line(fmt::format("return {};", fmt::join(each_part(generation, "finished({})"), " && ")));
     out.close();
     if (!core.layout.timed) return;
-    out.declaration("Time passes for all.", "void advance() noexcept {");
+    out.open_declaration("Time passes for all.", "void advance() noexcept {");
     for (const Part& part : generation.component.parts)
-        if (core.machines[part.root].layout.timed) out.line(fmt::format("advance({});", part.place()));
+        if (core.machines[part.root].layout.timed) out.line(fmt::format("advance({});", part.frame_expression()));
     out.close();
 }
 

@@ -83,7 +83,7 @@ void write_maker(const Generation& generation, CodeWriter& out, const std::strin
 /// Records and products have one maker; enumerations whose literals have arguments have one for each literal.
 void write_makers(const Generation& generation, CodeWriter& out, const ir::Type& type) {
     const std::string name = declared_name(type);
-    const std::vector<TypeMember> all = members(type);
+    const std::vector<TypeMember> all = type_members(type);
     if (type.kind != ir::TypeKind::enumeration) return write_maker(generation, out, name, "make", all, "");
     for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
         std::vector<TypeMember> given;
@@ -96,16 +96,16 @@ void write_makers(const Generation& generation, CodeWriter& out, const ir::Type&
 
 void write_value_struct(const Generation& generation, CodeWriter& out, const ir::Type& type) {
     std::vector<Field> fields;
-    for (const TypeMember& member : members(type)) {
+    for (const TypeMember& member : type_members(type)) {
         const Extent extent = cpp_extent(generation.system, generation.inst, member.type);
         fields.push_back({cpp_type(generation.system, member.type), member.name, "", "", extent.size, extent.alignment,
                           extent.varies});
     }
     const bool tagged = type.kind == ir::TypeKind::enumeration;
     if (tagged) fields.push_back({"Kind", "kind", "Kind::" + literal_name(type, 0), "", 1, 1});
-    const FrameLayout layout = arrange(std::move(fields), false);
+    const FrameLayout layout = arrange_fields(std::move(fields), false);
     out.gap();
-    out.doc(generation.place(type.origin.element.empty() ? type.name : type.origin.element, type.origin.span));
+    out.doc(generation.place_text(type.origin.element.empty() ? type.name : type.origin.element, type.origin.span));
     out.line("template <class Types>");
     out.open(fmt::format("struct {} {{", declared_name(type)));
     numeric_aliases(out);
@@ -136,11 +136,11 @@ void write_declared_types(const Generation& generation, CodeWriter& out) {
         }
         if (type.kind == ir::TypeKind::given) {
             out.gap();
-            out.doc("Given type " + generation.place(type.origin) + ": its elements are numbered.");
+            out.doc("Given type " + generation.place_text(type.origin) + ": its elements are numbered.");
             out.line(fmt::format("enum class {} : std::uint8_t {{}};", cpp_type(generation.system, id)));
             continue;
         }
-        Enumeration enumeration{cpp_type(generation.system, id), generation.place(type.origin), {}};
+        Enumeration enumeration{cpp_type(generation.system, id), generation.place_text(type.origin), {}};
         for (std::size_t index = 0; index < type.labels.size(); ++index)
             enumeration.values.push_back({literal_name(type, index), "", {}});
         write_enumeration(out, enumeration);
@@ -170,10 +170,10 @@ void write_struct(const Generation& generation, CodeWriter& out, const std::stri
 
 void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
     out.gap();
-    const bool whole = unit.root && !generation.component.composed();
+    const bool whole = unit.root && !generation.component.is_composed();
     out.doc(whole       ? fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
                                       unit.machine->name)
-            : unit.root ? fmt::format("Machine {}.", generation.component.part(unit).name)
+            : unit.root ? fmt::format("Machine {}.", generation.component.part_of(unit).name)
                         : fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
     write_struct(generation, out, unit.frame, layout);
 }
@@ -255,10 +255,10 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
 void write_variables(const Generation& generation, CodeWriter& out) {
     for (const StoredVariable& variable : generation.component.variables) {
         if (!variable.visible) continue;
-        out.declaration("Shared variable " + generation.place(variable.variable->origin),
-                        fmt::format("void {}({} value) noexcept {{", variable.writer,
-                                    cpp_type(generation.system, variable.variable->type)));
-        if (variable.stored()) out.line(fmt::format("state_.{} = value;", variable.path));
+        out.open_declaration("Shared variable " + generation.place_text(variable.variable->origin),
+                             fmt::format("void {}({} value) noexcept {{", variable.writer,
+                                         cpp_type(generation.system, variable.variable->type)));
+        if (variable.has_member()) out.line(fmt::format("state_.{} = value;", variable.path));
         out.line(fmt::format("platform_.{}(value);", variable.output));
         out.close();
     }
@@ -270,18 +270,19 @@ void write_propagation(const Generation& generation, CodeWriter& out) {
     const Component& component = generation.component;
     for (const StoredVariable& variable : component.variables) {
         if (variable.holders.empty()) continue;
-        out.declaration(
+        out.open_declaration(
             fmt::format("Earlier writes of {} are not propagated yet: the next has to wait.", variable.variable->name),
             fmt::format("[[nodiscard]] bool {}() const noexcept {{", variable.held_up));
         for (const PropagationHolder& holder : variable.holders)
             out.line(fmt::format("if (holds_up({}) && state_.{} >= {}) return true;",
-                                 component.parts[holder.part].place(), holder.field, variable.memories));
+                                 component.parts[holder.part].frame_expression(), holder.field, variable.memories));
         out.line("return false;");
         out.close();
-        out.declaration(fmt::format("A write of {} is on its way to the machines.", variable.variable->name),
-                        fmt::format("void {}() noexcept {{", variable.propagate));
+        out.open_declaration(fmt::format("A write of {} is on its way to the machines.", variable.variable->name),
+                             fmt::format("void {}() noexcept {{", variable.propagate));
         for (const PropagationHolder& holder : variable.holders)
-            out.line(fmt::format("if (holds_up({})) ++state_.{};", component.parts[holder.part].place(), holder.field));
+            out.line(fmt::format("if (holds_up({})) ++state_.{};", component.parts[holder.part].frame_expression(),
+                                 holder.field));
         out.close();
     }
 }
@@ -293,7 +294,7 @@ void take_kept(CodeWriter& out, const EventPort& event) {
     out.close();
 }
 
-void keep(CodeWriter& out, const EventPort& event) {
+void keep_input(CodeWriter& out, const EventPort& event) {
     out.line(fmt::format("state_.kept_{0} = inputs_.{0}.present;", event.input));
     if (!event.type) return;
     out.line(fmt::format("state_.kept_value_{0} = {{}};", event.input));
@@ -317,11 +318,11 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.open("robochart::StepResult cycle() noexcept {");
     std::vector<std::string> late;
     for (const StoredVariable& variable : generation.component.variables)
-        if (!variable.input.empty() && variable.stored()) write_outside(generation, variable, out, late);
+        if (!variable.input.empty() && variable.has_member()) write_outside(generation, variable, out, late);
     for (const EventPort* event : core.kept) take_kept(out, *event);
-    const char* const state = generation.component.composed() ? "" : "state_";
+    const char* const state = generation.component.is_composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
-    for (const EventPort* event : core.kept) keep(out, *event);
+    for (const EventPort* event : core.kept) keep_input(out, *event);
     for (const std::string& line : late) out.line(line);
     out.line(fmt::format("const robochart::StepResult result = this->result(finished({}));", state));
     if (core.layout.timed) out.line(fmt::format("if (result == robochart::StepResult::quiescent) advance({});", state));
@@ -331,18 +332,19 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
 
 /// Writes the trace hook. It produces no code if the platform does not use it.
 void write_hook(const Generation& generation, CodeWriter& out) {
-    out.declaration(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
-                                generation.component.cpp_name),
-                    "void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
+    out.open_declaration(
+        fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
+                    generation.component.cpp_name),
+        "void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
     out.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
     out.close();
     if (!generation.options.choices) return;
-    out.declaration(
+    out.open_declaration(
         "Whether an enabled transition is the one to take, while a platform that has a method `pick` is asked.",
         "bool in_turn() noexcept {");
     out.open("if constexpr (robochart::Picks<Platform>::value) {");
     out.line("return turn_.come();");
-    out.reopen("} else {");
+    out.reopen_block("} else {");
     out.line("return true;");
     out.close();
     out.close();
@@ -354,27 +356,27 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.doc("The behaviour. It lives for one cycle.");
     out.line("template <class Types, class Platform>");
     out.open("class Step : private robochart::Cycle {");
-    out.label("public:");
+    out.write_label("public:");
     numeric_aliases(out);
     out.gap();
     out.line("Step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept");
     out.line("    : Cycle(step_bound), state_(state), inputs_(inputs), platform_(platform) {}");
     out.gap();
     write_cycle(generation, core, out);
-    write_dispatch(generation, generation.component.composed() ? "" : core.machines.back().dispatch, out);
+    write_dispatch(generation, generation.component.is_composed() ? "" : core.machines.back().dispatch, out);
     out.gap();
-    out.label("private:");
+    out.write_label("private:");
     write_variables(generation, out);
     write_propagation(generation, out);
     write_hook(generation, out);
     for (const MachineCode& machine : core.machines) {
         out.gap();
-        out.raw(machine.methods);
+        out.write_raw(machine.methods);
     }
     write_preconditions(generation, out);
     write_carriers(generation, out);
     write_channels(generation, core, out);
-    if (generation.component.composed()) write_composition(generation, core, out);
+    if (generation.component.is_composed()) write_composition(generation, core, out);
     out.gap();
     out.line("State<Types>& state_;");
     out.line("Inputs<Types> inputs_;");
@@ -409,7 +411,7 @@ std::string package_namespace(const std::string& package) {
     while (begin <= package.size() && !package.empty()) {
         const std::size_t end = std::min(package.find("::", begin), package.size());
         NameScope scope(result.empty() ? reserved_at_global_scope : reserved_below_global_scope);
-        result += (result.empty() ? "" : "::") + scope.unique(package.substr(begin, end - begin));
+        result += (result.empty() ? "" : "::") + scope.unique_name(package.substr(begin, end - begin));
         begin = end + 2;
     }
     return result.empty() ? "robot" : result;
@@ -417,7 +419,7 @@ std::string package_namespace(const std::string& package) {
 
 void file_comment(const Generation& generation, CodeWriter& out, const std::string& what) {
     const Component& component = generation.component;
-    out.comment(fmt::format("{} of the RoboChart {} ", what, component.kind) + generation.place(component.origin) +
+    out.comment(fmt::format("{} of the RoboChart {} ", what, component.kind) + generation.place_text(component.origin) +
                 ".");
     out.comment("Generated by robochart-verify; change the model, not this file.");
 }
@@ -430,22 +432,22 @@ Core make_core(const Generation& generation) {
     core.header = component.cpp_name + "_core.hpp";
     NameScope type_names = core_type_scope(component);
     for (const ir::TypeId id : component.enumerations)
-        (void)type_names.unique(declared_name(generation.system.type(id)));
+        (void)type_names.unique_name(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {
-        (void)type_names.unique(unit.frame);
-        (void)type_names.unique(unit.points);
+        (void)type_names.unique_name(unit.frame);
+        (void)type_names.unique_name(unit.points);
     }
     for (const EventPort& event : component.events)
         if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept.push_back(&event);
-    if (!input_events(component).empty()) (void)type_names.unique(event_type(generation));
+    if (!input_events(component).empty()) (void)type_names.unique_name(event_type(generation));
     std::vector<Field> more = kept_fields(generation, core);
     const std::vector<Field> common = common_fields(generation);
     more.insert(more.end(), common.begin(), common.end());
     Layouts layouts;
-    const bool composed = component.composed();
+    const bool composed = component.is_composed();
     for (const Unit& unit : component.units) {
-        core.machines.push_back(
-            generate(generation, unit, layouts, type_names, unit.root && !composed ? more : std::vector<Field>{}));
+        core.machines.push_back(generate_machine(generation, unit, layouts, type_names,
+                                                 unit.root && !composed ? more : std::vector<Field>{}));
         layouts[unit.number] = core.machines.back().layout;
     }
     core.layout = composed ? composed_layout(generation, core, std::move(more)) : core.machines.back().layout;
@@ -482,7 +484,7 @@ std::string core_header(const Generation& generation, const Core& core) {
         for (const Enumeration& enumeration : core.machines[index].enumerations) write_enumeration(out, enumeration);
         write_frame(generation, out, generation.component.units[index], core.machines[index].layout);
     }
-    if (generation.component.composed()) write_state(generation, out, core.layout);
+    if (generation.component.is_composed()) write_state(generation, out, core.layout);
     write_inputs(generation, out);
     write_event_type(generation, out);
     write_platform_comment(generation, out);

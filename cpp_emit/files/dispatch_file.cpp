@@ -26,15 +26,15 @@ std::string event_type(const Generation& generation) {
         taken.insert(unit.points);
     }
     NameScope scope(taken);
-    return scope.unique("Event");
+    return scope.unique_name("Event");
 }
 
 void write_event_type(const Generation& generation, CodeWriter& out) {
     const auto events = input_events(generation.component);
     if (events.empty()) return;
-    out.declaration("The events received, for dispatch().",
-                    fmt::format("enum class {} : {} {{", event_type(generation),
-                                events.size() < 256 ? "std::uint8_t" : "std::uint16_t"));
+    out.open_declaration("The events received, for dispatch().",
+                         fmt::format("enum class {} : {} {{", event_type(generation),
+                                     events.size() < 256 ? "std::uint8_t" : "std::uint16_t"));
     for (const EventPort* event : events) out.line(event->input + ",");
     out.close("};");
 }
@@ -44,7 +44,7 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
     if (events.empty()) return;
     out.gap();
     out.doc("What a cycle with this event and no other input does before time passes.");
-    if (!direct.empty()) return out.raw(direct);
+    if (!direct.empty()) return out.write_raw(direct);
     const std::string type = event_type(generation);
     out.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
     out.line("[[maybe_unused]] const Inputs<Types> values = inputs_;");
@@ -57,16 +57,16 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
         out.line("    break;");
     }
     out.close();
-    const char* const state = generation.component.composed() ? "" : "state_";
+    const char* const state = generation.component.is_composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
     out.line(fmt::format("return this->result(finished({}));", state));
     out.close();
-    out.declaration("What needs no event.", "robochart::StepResult begin() noexcept {");
+    out.open_declaration("What needs no event.", "robochart::StepResult begin() noexcept {");
     out.line("inputs_ = {};");
     out.line(fmt::format("run({});", state));
     out.line(fmt::format("return this->result(finished({}));", state));
     out.close();
-    out.declaration("A cycle without inputs.", "robochart::StepResult pass() noexcept {");
+    out.open_declaration("A cycle without inputs.", "robochart::StepResult pass() noexcept {");
     out.line("inputs_ = {};");
     out.line("return cycle();");
     out.close();

@@ -22,30 +22,30 @@ public:
     PlaceFinder(const Generation& generation, const Core& core)
         : generation_(generation), core_(core), events_(input_events(generation.component)) {}
 
-    std::vector<EventPlace> find() {
-        for (const Part& part : generation_.component.parts) machine(part, part.root);
+    std::vector<EventPlace> find_places() {
+        for (const Part& part : generation_.component.parts) find_in_machine(part, part.root);
         return std::move(places_);
     }
 
 private:
-    void machine(const Part& part, std::size_t root) {
+    void find_in_machine(const Part& part, std::size_t root) {
         const ir::Machine& machine = *generation_.component.units[root].machine;
-        if (!machine.initial.valid()) return;
+        if (!machine.initial.is_valid()) return;
         const std::string member = member_of(part);
         const std::vector<Enumerator>& values = core_.machines[root].enumerations.front().values;
         std::string program;  // the program whose places are being visited
         for (std::size_t i = 0; i < values.size(); ++i) {
             const Enumerator& value = values[i];
-            const std::string comment = diagnostics::shown(value.comment);
+            const std::string comment = diagnostics::escape_for_display(value.comment);
             if (comment != "waits") program = comment;
             if (i == 0) continue;  // before the first cycle
             EventPlace place{member, value.name, program, !value.rests};
             Awaited awaited(events_.size());
-            await(part, machine, value.state, awaited);
+            add_awaited(part, machine, value.state, awaited);
             place.level.assign(events_.size(), EventPlace::no_level);
             if (value.rests) place.level = awaited.level;
-            if (!value.rests) lead(part, machine, value.target, awaited);
-            place.events = value.rests ? awaited.conditional() : awaited.all;
+            if (!value.rests) follow_junctions(part, machine, value.target, awaited);
+            place.events = value.rests ? awaited.conditional_events() : awaited.all;
             const bool missed = std::ranges::find(place.events, true) != place.events.end();
             const bool outer = std::ranges::any_of(
                 place.level, [](std::uint32_t level) { return level > 0 && level != EventPlace::no_level; });
@@ -54,7 +54,7 @@ private:
     }
 
     /// For each event of the platform, whether the platform raises it as this event of the machine.
-    [[nodiscard]] std::vector<bool> raised(const EventUse& use) const {
+    [[nodiscard]] std::vector<bool> raised_events(const EventUse& use) const {
         std::vector<bool> result(events_.size());
         for (const std::size_t port : use.ports) {
             const auto found = std::ranges::find(events_, &generation_.component.events[port]);
@@ -69,19 +69,19 @@ private:
         std::vector<bool> all;             ///< some transition awaits it
         std::vector<bool> taken;           ///< some transition awaits it without a condition
         std::vector<std::uint32_t> level;  ///< how many levels outside the state the innermost such transition is
-        [[nodiscard]] std::vector<bool> conditional() const {
+        [[nodiscard]] std::vector<bool> conditional_events() const {
             std::vector<bool> result = all;
             for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && !taken[i];
             return result;
         }
     };
 
-    static void add(const std::vector<bool>& more, std::vector<bool>& to) {
+    static void add_flags(const std::vector<bool>& more, std::vector<bool>& to) {
         for (std::size_t i = 0; i < to.size(); ++i) to[i] = to[i] || more[i];
     }
 
-    void await(const Part& part, const ir::Machine& machine, ir::NodeId state, Awaited& awaited) const {
-        for (std::uint32_t level = 0; state.valid(); state = machine.nodes[state.index].parent, ++level)
+    void add_awaited(const Part& part, const ir::Machine& machine, ir::NodeId state, Awaited& awaited) const {
+        for (std::uint32_t level = 0; state.is_valid(); state = machine.nodes[state.index].parent, ++level)
             for (const ir::TransitionId id : machine.nodes[state.index].outgoing) {
                 const ir::Transition& transition = machine.transitions[id.index];
                 if (!transition.trigger) continue;
@@ -89,25 +89,25 @@ private:
                 const auto use =
                     std::ranges::find_if(part.events, [&](const EventUse& each) { return each.name == name; });
                 if (use == part.events.end()) continue;
-                const std::vector<bool> events = raised(*use);
+                const std::vector<bool> events = raised_events(*use);
                 for (std::size_t i = 0; i < events.size(); ++i)
                     if (events[i]) awaited.level[i] = std::min(awaited.level[i], level);
-                add(events, awaited.all);
-                if (!transition.guard && !transition.trigger->predicate) add(events, awaited.taken);
+                add_flags(events, awaited.all);
+                if (!transition.guard && !transition.trigger->predicate) add_flags(events, awaited.taken);
             }
     }
 
     /// Follows a transition through junctions, and adds the events that the junctions and the targets await.
-    void lead(const Part& part, const ir::Machine& machine, ir::NodeId target, Awaited& awaited) const {
+    void follow_junctions(const Part& part, const ir::Machine& machine, ir::NodeId target, Awaited& awaited) const {
         std::vector<ir::NodeId> open;
-        if (target.valid()) open.push_back(target);
+        if (target.is_valid()) open.push_back(target);
         std::vector<bool> seen(machine.nodes.size());
         while (!open.empty()) {
             const ir::NodeId node = open.back();
             open.pop_back();
             if (seen[node.index]) continue;
             seen[node.index] = true;
-            await(part, machine, node, awaited);
+            add_awaited(part, machine, node, awaited);
             const ir::NodeKind kind = machine.nodes[node.index].kind;
             if (kind == ir::NodeKind::state || kind == ir::NodeKind::final) continue;
             for (const ir::TransitionId id : machine.nodes[node.index].outgoing)
@@ -124,7 +124,7 @@ private:
 }  // namespace
 
 std::vector<EventPlace> event_places(const Generation& generation, const Core& core) {
-    return PlaceFinder(generation, core).find();
+    return PlaceFinder(generation, core).find_places();
 }
 
 std::vector<bool> lost_in_actions(const Generation& generation, const Core& core) {

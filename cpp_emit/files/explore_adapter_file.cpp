@@ -22,26 +22,26 @@ public:
     ShimWriter(const Generation& generation, const Core& core)
         : generation_(generation),
           core_(core),
-          registers_(registers(generation.component)),
-          outputs_(outputs(generation.component)),
+          registers_(exploration_registers(generation.component)),
+          outputs_(exploration_outputs(generation.component)),
           printers_(generation, core) {}
 
     std::string write() {
-        head();
-        carriers();
+        write_head();
+        write_carrier_types();
         input_tables();
         output_table();
         value_tables();
         log_class();
         printers_.write(out_);
-        functions();
+        write_functions();
         event_functions();
         interface_table();
         return out_.text();
     }
 
 private:
-    void head() {
+    void write_head() {
         file_comment(generation_, out_, "Exploration interface");
         for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
@@ -77,12 +77,12 @@ private:
         out_.close("};");
     }
 
-    void carriers() {
+    void write_carrier_types() {
         const ir::Instantiation& inst = generation_.inst;
         carrier_struct("Nat", inst.nat, 1);
         carrier_struct("Int", inst.integer, 1);
         carrier_struct("Real", inst.real, inst.scale);
-        out_.declaration("The model's basic types over the carriers of its instantiation.", "struct Checking {");
+        out_.open_declaration("The model's basic types over the carriers of its instantiation.", "struct Checking {");
         for (const char* name : {"Real", "Nat", "Int"})
             out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
         out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
@@ -103,8 +103,8 @@ private:
             if (!input.type) continue;
             std::vector<std::int64_t> numbers;
             std::vector<std::string> texts;
-            const bool whole = composed(generation_.system.type(*input.type));
-            for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, *input.type)) {
+            const bool whole = is_composed(generation_.system.type(*input.type));
+            for (const ir::Value& value : ir::carrier_values(generation_.system, generation_.inst, *input.type)) {
                 numbers.push_back(whole ? static_cast<std::int64_t>(numbers.size()) : value.number);
                 texts.push_back(diagnostics::cpp_string(cspm_value(generation_.system, *input.type, value)));
             }
@@ -115,10 +115,11 @@ private:
         if (registers_.empty()) return out_.line("constexpr const rc_input* inputs = nullptr;");
         out_.open("constexpr rc_input inputs[] = {");
         for (const Register& input : registers_) {
-            out_.line(input.type ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
-                                               ir::carrier(generation_.system, generation_.inst, *input.type).size(),
-                                               input.member)
-                                 : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
+            out_.line(input.type
+                          ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
+                                        ir::carrier_values(generation_.system, generation_.inst, *input.type).size(),
+                                        input.member)
+                          : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
         }
         out_.close("};");
     }
@@ -134,11 +135,11 @@ private:
 
     static Spelling spelling() { return {"Checking", "core::", "Real", "Nat", "Int"}; }
 
-    std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
+    std::string type_text(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
     /// The table of all values of a composed type at the boundary. The numbers of the type are indices into it. A table
     /// is used because compilers limit the work for a constant expression.
-    std::string table(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
+    std::string table_name(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
 
     void value_tables() {
         std::vector<ir::TypeId> types;
@@ -147,19 +148,20 @@ private:
         for (const Output& output : outputs_) types.insert(types.end(), output.types.begin(), output.types.end());
         std::vector<ir::TypeId> done;
         for (const ir::TypeId id : types) {
-            if (!composed(generation_.system.type(id)) || std::ranges::find(done, id) != done.end()) continue;
+            if (!is_composed(generation_.system.type(id)) || std::ranges::find(done, id) != done.end()) continue;
             done.push_back(id);
             out_.gap();
-            out_.open(fmt::format("const {} {}[] = {{", type(id), table(id)));
-            for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, id))
+            out_.open(fmt::format("const {} {}[] = {{", type_text(id), table_name(id)));
+            for (const ir::Value& value : ir::carrier_values(generation_.system, generation_.inst, id))
                 out_.line(cpp_value(generation_.system, generation_.inst, id, value, spelling()) + ",");
             out_.close("};");
         }
     }
 
     std::string as_number(ir::TypeId id, const std::string& value) const {
-        return composed(generation_.system.type(id)) ? fmt::format("robochart::place_in({}, {})", table(id), value)
-                                                     : fmt::format("robochart::to_raw({})", value);
+        return is_composed(generation_.system.type(id))
+                   ? fmt::format("robochart::place_in({}, {})", table_name(id), value)
+                   : fmt::format("robochart::to_raw({})", value);
     }
 
     /// Functions may have any value that the semantics allows; the default value is one of these (semantics 3.13).
@@ -169,11 +171,11 @@ private:
             std::string parameters;
             for (std::size_t i = 0; i < function.parameters.size(); ++i)
                 parameters +=
-                    fmt::format("{}[[maybe_unused]] {} a{}", i == 0 ? "" : ", ", type(function.parameters[i]), i);
+                    fmt::format("{}[[maybe_unused]] {} a{}", i == 0 ? "" : ", ", type_text(function.parameters[i]), i);
             const auto text = [&](ir::TypeId id, const ir::Value& value) {
                 return cpp_value(generation_.system, generation_.inst, id, value, spelling());
             };
-            out_.open(fmt::format("{} {}({}) const noexcept {{", type(function.result), hook.method, parameters));
+            out_.open(fmt::format("{} {}({}) const noexcept {{", type_text(function.result), hook.method, parameters));
             ir::Value otherwise = ir::default_value(generation_.system, generation_.inst, function.result);
             for (const FunctionValue& row : values_of(generation_.system, generation_.inst, hook.id)) {
                 if (row.arguments.empty()) {  // there is only one value
@@ -192,14 +194,14 @@ private:
     }
 
     void log_class() {
-        out_.declaration("The platform of the exploration: writes down what the controller does.", "class Log {");
-        out_.label("public:");
+        out_.open_declaration("The platform of the exploration: writes down what the controller does.", "class Log {");
+        out_.write_label("public:");
         out_.line("explicit Log(::rc_log& log) noexcept : log_(log) {}");
         out_.gap();
         for (std::size_t index = 0; index < outputs_.size(); ++index) {
             std::string parameters, arguments;
             for (std::size_t i = 0; i < outputs_[index].types.size(); ++i) {
-                parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(outputs_[index].types[i]), i);
+                parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type_text(outputs_[index].types[i]), i);
                 arguments += ", " + as_number(outputs_[index].types[i], fmt::format("a{}", i));
             }
             out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}",
@@ -215,16 +217,16 @@ private:
         for (const ModelledCall& call : generation_.component.modelled) {
             std::string parameters;
             for (const ir::TypeId parameter : call.signature->parameters)
-                parameters += (parameters.empty() ? "" : ", ") + type(parameter);
+                parameters += (parameters.empty() ? "" : ", ") + type_text(parameter);
             out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
         }
         out_.gap();
-        out_.label("private:");
+        out_.write_label("private:");
         out_.line("[[maybe_unused]] ::rc_log& log_;");
         out_.close("};");
     }
 
-    void functions() {
+    void write_functions() {
         out_.gap();
         out_.open("void write_initial(void* state) noexcept {");
         out_.line("const State initial{};");
@@ -236,12 +238,12 @@ private:
         for (std::size_t index = 0; index < registers_.size(); ++index) {
             const Register& input = registers_[index];
             out_.line(fmt::format("read.{}.present = registers[{}].present != 0;", input.member, index));
-            if (input.type && composed(generation_.system.type(*input.type)))
-                out_.line(
-                    fmt::format("read.{}.value = {}[registers[{}].value];", input.member, table(*input.type), index));
+            if (input.type && is_composed(generation_.system.type(*input.type)))
+                out_.line(fmt::format("read.{}.value = {}[registers[{}].value];", input.member, table_name(*input.type),
+                                      index));
             else if (input.type)
                 out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);",
-                                      input.member, type(*input.type), index));
+                                      input.member, type_text(*input.type), index));
         }
         out_.line("return read;");
         out_.close();

@@ -17,17 +17,17 @@ namespace {
 constexpr std::string_view buffer = "robochart::Buffer<";
 
 /// The type inside the brackets of a buffer. If the field is no buffer, its type.
-std::string held(const std::string& type) {
+std::string held_type(const std::string& type) {
     return type.starts_with(buffer) ? type.substr(buffer.size(), type.size() - buffer.size() - 1) : type;
 }
 
 /// Whether the field has parts. Sequences, sets, vectors, matrices and strings are types of the runtime; records and
 /// similar types have the carriers as template argument.
-bool of_parts(const std::string& type) {
+bool is_compound(const std::string& type) {
     return type != "robochart::Flag" && (type.starts_with("robochart::") || type.ends_with(">"));
 }
 
-bool filler(const Field& field) {
+bool is_filler(const Field& field) {
     return field.name.starts_with("filler[");
 }
 
@@ -50,22 +50,23 @@ void name_function(CodeWriter& out, const std::string& type,
 
 }  // namespace
 
-bool StatePrinters::frame(const std::string& type) const {
+bool StatePrinters::is_frame_type(const std::string& type) const {
     const auto& units = generation_.component.units;
     return std::ranges::any_of(units, [&](const Unit& unit) { return unit.frame + "<Types>" == type; });
 }
 
 bool StatePrinters::words_of_logs() const {
     const auto any = [&](const FrameLayout& layout) {
-        return std::ranges::any_of(
-            layout.fields, [&](const Field& field) { return !frame(field.type) && of_parts(held(field.type)); });
+        return std::ranges::any_of(layout.fields, [&](const Field& field) {
+            return !is_frame_type(field.type) && is_compound(held_type(field.type));
+        });
     };
     return any(core_.layout) ||
            std::ranges::any_of(core_.machines, [&](const MachineCode& machine) { return any(machine.layout); });
 }
 
 /// Whether the type is an enumeration of the machines' code, or one of the model.
-bool StatePrinters::named(const std::string& type) const {
+bool StatePrinters::is_named_type(const std::string& type) const {
     const auto of_code = [&](const MachineCode& machine) {
         return std::ranges::any_of(machine.enumerations,
                                    [&](const Enumeration& enumeration) { return enumeration.name == type; });
@@ -81,8 +82,8 @@ std::string StatePrinters::value_printer(const std::string& type, const std::str
     if (type == "bool") return fmt::format("text.add({} ? \"true\" : \"false\");", value);
     if (type == "Real" || type == "Nat" || type == "Int")
         return fmt::format("text.add({}.raw(), {}Carrier::scale);", value, type);
-    if (of_parts(type)) return fmt::format("robochart::add_value(text, {});", value);
-    if (named(type)) return fmt::format("text.add(name({}));", value);
+    if (is_compound(type)) return fmt::format("robochart::add_value(text, {});", value);
+    if (is_named_type(type)) return fmt::format("text.add(name({}));", value);
     return fmt::format("text.add(static_cast<std::int64_t>({}), 1);", value);
 }
 
@@ -95,15 +96,15 @@ void StatePrinters::print_frame(CodeWriter& out, const Field& field) const {
 }
 
 void StatePrinters::print_field(CodeWriter& out, const Field& field) const {
-    if (filler(field)) return;
-    if (frame(field.type)) return print_frame(out, field);
+    if (is_filler(field)) return;
+    if (is_frame_type(field.type)) return print_frame(out, field);
     out.line(fmt::format("text.item(prefix, \"{}\");", field.name == "at" ? "state" : field.name));
     if (field.type == "robochart::Flag")
         return out.line(fmt::format("text.add(f.{}.full() ? \"full\" : \"-\");", field.name));
     if (!field.type.starts_with(buffer)) return out.line(value_printer(field.type, "f." + field.name));
     out.open(fmt::format("if (f.{}.full()) {{", field.name));
-    out.line(value_printer(held(field.type), fmt::format("f.{}.value", field.name)));
-    out.reopen("} else {");
+    out.line(value_printer(held_type(field.type), fmt::format("f.{}.value", field.name)));
+    out.reopen_block("} else {");
     out.line("text.add(\"-\");");
     out.close();
 }
@@ -147,14 +148,14 @@ void StatePrinters::print_composed(CodeWriter& out) const {
     for (const Part& part : generation_.component.parts)
         out.line(fmt::format("print(text, \"{0}.\", f.{0});", part.tag));
     for (const Field& field : core_.layout.fields)
-        if (!frame(field.type)) print_field(out, field);
+        if (!is_frame_type(field.type)) print_field(out, field);
     out.close();
 }
 
 void StatePrinters::write(CodeWriter& out) const {
     name_functions(out);
     for (std::size_t unit = 0; unit < core_.machines.size(); ++unit) print_unit(out, unit);
-    if (generation_.component.composed()) print_composed(out);
+    if (generation_.component.is_composed()) print_composed(out);
 }
 
 }  // namespace robochart::cpp_emit

@@ -25,8 +25,8 @@ private:
     void print_field(CodeWriter&, const Field&) const;
     void print_frame(CodeWriter&, const Field&) const;
     [[nodiscard]] std::string value_printer(const std::string& type, const std::string& value) const;
-    [[nodiscard]] bool frame(const std::string& type) const;
-    [[nodiscard]] bool named(const std::string& type) const;
+    [[nodiscard]] bool is_frame_type(const std::string& type) const;
+    [[nodiscard]] bool is_named_type(const std::string& type) const;
 
     const Generation& generation_;
     const Core& core_;

@@ -30,20 +30,20 @@ public:
         out_.gap();
         out_.line(fmt::format("namespace {} {{", core_.name_space));
         out_.gap();
-        table();
+        write_table();
         for (const MachineCode& machine : core_.machines)
-            for (const Enumeration& enumeration : machine.enumerations) names(enumeration);
+            for (const Enumeration& enumeration : machine.enumerations) write_names(enumeration);
         out_.gap();
         out_.line(fmt::format("}}  // namespace {}", core_.name_space));
         return out_.text();
     }
 
 private:
-    void table() {
+    void write_table() {
         out_.doc("Every member of State, with those of the frames in it.");
         out_.line("template <class Types>");
         out_.open("inline constexpr robochart::Field layout[] = {");
-        rows("", "", "State<Types>", core_.layout);
+        write_rows("", "", "State<Types>", core_.layout);
         out_.close("};");
         out_.gap();
         out_.line("static_assert(std::is_trivially_copyable<State<robochart::Deployment>>::value &&");
@@ -55,14 +55,15 @@ private:
     }
 
     /// The layout of the frame with this type; null if the type is no frame.
-    [[nodiscard]] const FrameLayout* frame(const std::string& type) const {
+    [[nodiscard]] const FrameLayout* find_layout(const std::string& type) const {
         const auto& units = generation_.component.units;
         for (std::size_t i = 0; i < units.size(); ++i)
             if (units[i].frame + "<Types>" == type) return &core_.machines[i].layout;
         return nullptr;
     }
 
-    void rows(const std::string& path, const std::string& offset, const std::string& owner, const FrameLayout& layout) {
+    void write_rows(const std::string& path, const std::string& offset, const std::string& owner,
+                    const FrameLayout& layout) {
         for (const Field& field : layout.fields) {
             const std::string name = field.name.substr(0, field.name.find('['));
             const std::string place = fmt::format("{}offsetof({}, {})", offset, owner, name);
@@ -70,8 +71,8 @@ private:
                 out_.line(fmt::format("robochart::filler({}, sizeof({}::filler)),", place, owner));
                 continue;
             }
-            if (const FrameLayout* const inner = frame(field.type)) {
-                rows(path + name + ".", place + " + ", field.type, *inner);
+            if (const FrameLayout* const inner = find_layout(field.type)) {
+                write_rows(path + name + ".", place + " + ", field.type, *inner);
                 continue;
             }
             const std::size_t values = values_of(field.type);
@@ -93,7 +94,7 @@ private:
         return 0;
     }
 
-    void names(const Enumeration& enumeration) {
+    void write_names(const Enumeration& enumeration) {
         out_.gap();
         out_.doc("The place as it is called in the code, and what it is in the model.");
         two_names("name", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.name); });

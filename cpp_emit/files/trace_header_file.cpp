@@ -20,7 +20,7 @@ using diagnostics::cpp_string;
 namespace {
 
 template <class Port>
-std::vector<std::string> words(const std::vector<Port>& ports) {
+std::vector<std::string> port_words(const std::vector<Port>& ports) {
     std::vector<std::string> names;
     for (const Port& port : ports) names.push_back(port.name);
     return trace_names(names);
@@ -31,10 +31,10 @@ public:
     TraceHeaderWriter(const Generation& generation, const Core& core)
         : generation_(generation),
           core_(core),
-          registers_(registers(generation.component)),
-          outputs_(outputs(generation.component)),
-          inputs_(words(registers_)),
-          outputs_named_(words(outputs_)) {}
+          registers_(exploration_registers(generation.component)),
+          outputs_(exploration_outputs(generation.component)),
+          inputs_(port_words(registers_)),
+          outputs_named_(port_words(outputs_)) {}
 
     std::string write() {
         file_comment(generation_, out_, "Trace hook");
@@ -73,10 +73,10 @@ private:
         const std::string& package = component.package;
         out_.gap();
         out_.doc("What its logs begin with.");
-        out_.line(
-            fmt::format("inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, transitions, {}}};",
-                        cpp_string(package.empty() ? component.ref.path : package + "::" + component.ref.path),
-                        cpp_string(diagnostics::shown(generation_.file(component.origin.span))), transitions_));
+        out_.line(fmt::format(
+            "inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, transitions, {}}};",
+            cpp_string(package.empty() ? component.ref.path : package + "::" + component.ref.path),
+            cpp_string(diagnostics::escape_for_display(generation_.file_text(component.origin.span))), transitions_));
     }
 
     /// Writes functions that print values of the declared types with the names of the model.
@@ -90,9 +90,9 @@ private:
             if (type.kind == ir::TypeKind::given) {
                 out_.line("robochart::log_value(tracer, static_cast<std::int64_t>(value));");
             } else if (type.kind == ir::TypeKind::enumeration) {
-                literals(id);
+                write_literals(id);
             } else {
-                member_values(members(type));
+                member_values(type_members(type));
             }
             out_.close();
         }
@@ -103,11 +103,11 @@ private:
         return is_struct(generation_.system.type(id)) ? fmt::format("const {}&", name) : name;
     }
 
-    void literals(ir::TypeId id) {
+    void write_literals(ir::TypeId id) {
         const ir::Type& type = generation_.system.type(id);
         const bool parts = is_struct(type);
         const std::string scope = cpp_type(generation_.system, id) + (parts ? "::Kind" : "");
-        const std::vector<TypeMember> all = members(type);
+        const std::vector<TypeMember> all = type_members(type);
         out_.open(parts ? "switch (value.kind) {" : "switch (value) {");
         for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
             std::vector<TypeMember> given;
@@ -140,7 +140,7 @@ private:
     }
 
     void say_value(const std::string& tracer, ir::TypeId id, const std::string& value) {
-        const bool own = declared(generation_.system.type(id));
+        const bool own = is_declared(generation_.system.type(id));
         out_.line(fmt::format("{}log_value({}, {});", own ? "" : "robochart::", tracer, value));
     }
 
@@ -153,26 +153,26 @@ private:
         out_.line("tracer_.text(\" \");");
     }
 
-    static std::string listed(const std::vector<std::string>& parts) {
+    static std::string join_parts(const std::vector<std::string>& parts) {
         return fmt::format("{}", fmt::join(parts, ", "));
     }
 
-    [[nodiscard]] std::string parameters(const std::vector<ir::TypeId>& types) const {
+    [[nodiscard]] std::string typed_parameters(const std::vector<ir::TypeId>& types) const {
         std::vector<std::string> parts;
         for (std::size_t i = 0; i < types.size(); ++i)
             parts.push_back(fmt::format("{} a{}", cpp_type(generation_.system, types[i]), i));
-        return listed(parts);
+        return join_parts(parts);
     }
-    static std::string arguments(std::size_t count) {
+    static std::string argument_list(std::size_t count) {
         std::vector<std::string> parts;
         for (std::size_t i = 0; i < count; ++i) parts.push_back(fmt::format("a{}", i));
-        return listed(parts);
+        return join_parts(parts);
     }
 
     /// Writes a method that forwards its call to the platform.
-    void forward(const std::string& result, const std::string& method, const std::vector<ir::TypeId>& types) {
-        out_.line(fmt::format("{} {}({}) noexcept {{ return platform_.{}({}); }}", result, method, parameters(types),
-                              method, arguments(types.size())));
+    void write_forwarder(const std::string& result, const std::string& method, const std::vector<ir::TypeId>& types) {
+        out_.line(fmt::format("{} {}({}) noexcept {{ return platform_.{}({}); }}", result, method,
+                              typed_parameters(types), method, argument_list(types.size())));
     }
 
     void platform_class() {
@@ -180,7 +180,7 @@ private:
         out_.doc("A platform that tells a tracer what the controller does, and has another do it.");
         out_.line("template <class Types, class Platform>");
         out_.open("class Traced {");
-        out_.label("public:");
+        out_.write_label("public:");
         for (const char* name : {"Real", "Nat", "Int"})
             out_.line(fmt::format("using {0} = typename Types::{0};", name));
         out_.gap();
@@ -190,16 +190,17 @@ private:
         out_.gap();
         for (std::size_t o = 0; o < outputs_.size(); ++o) {
             const Output& output = outputs_[o];
-            out_.open(fmt::format("void {}({}) noexcept {{", output.method, parameters(output.types)));
+            out_.open(fmt::format("void {}({}) noexcept {{", output.method, typed_parameters(output.types)));
             say_output(output, outputs_named_[o]);
-            out_.line(fmt::format("platform_.{}({});", output.method, arguments(output.types.size())));
+            out_.line(fmt::format("platform_.{}({});", output.method, argument_list(output.types.size())));
             out_.close();
         }
         const Component& component = generation_.component;
-        for (const ModelledCall& call : component.modelled) forward("bool", call.method, call.signature->parameters);
+        for (const ModelledCall& call : component.modelled)
+            write_forwarder("bool", call.method, call.signature->parameters);
         for (const FunctionHook& hook : component.functions) {
             const ir::Function& function = generation_.system.functions[hook.id.index];
-            forward(cpp_type(generation_.system, function.result), hook.method, function.parameters);
+            write_forwarder(cpp_type(generation_.system, function.result), hook.method, function.parameters);
         }
         if (component.probabilistic) {
             out_.open("std::size_t choose(const double* chances, std::size_t count) noexcept {");
@@ -214,7 +215,7 @@ private:
         out_.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
         out_.close();
         out_.gap();
-        out_.label("private:");
+        out_.write_label("private:");
         out_.line("[[maybe_unused]] Platform& platform_;");
         out_.line("robochart::Tracer& tracer_;");
         out_.close("};");
@@ -269,7 +270,7 @@ private:
     void outside_write(const StoredVariable& variable) {
         std::vector<std::string> known;
         for (const StoredVariable& each : generation_.component.variables)
-            if (each.input == variable.input && each.stored()) known.push_back("state." + each.path + " == value");
+            if (each.input == variable.input && each.has_member()) known.push_back("state." + each.path + " == value");
         if (!known.empty()) out_.line(fmt::format("if ({}) return;", fmt::join(known, " && ")));
         for (std::size_t i = 0; i < registers_.size(); ++i)
             if (registers_[i].member == variable.input)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiling and loading; see shared_library.hpp. The flags separate two loaded controllers: each symbol is local to its
-// object (hidden visibility, RTLD_LOCAL), and inline variables are not merged across objects (-fno-gnu-unique).
+// Compiles and loads code; see shared_library.hpp. The flags separate two loaded controllers: each symbol is local to
+// its object (hidden visibility, RTLD_LOCAL), and inline variables are not merged across objects (-fno-gnu-unique).
 // Otherwise one controller would use the other's tables, and every comparison would succeed.
 #include "cpp_emit/load/shared_library.hpp"
 
@@ -48,7 +48,7 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
 
 /// Starts the program with default signal handling, independently of this program's. It leads a process group, so that
 /// it can be killed with all its child processes. Returns 0 and sets `error` if it cannot be started.
-pid_t start(const std::vector<std::string>& command, const std::string& log, std::string& error) {
+pid_t start_program(const std::vector<std::string>& command, const std::string& log, std::string& error) {
     const std::vector<char*> arguments = as_argv(command);
     const std::vector<std::string> variables = environment_within(fs::path(log).parent_path());
     const std::vector<char*> environment = as_argv(variables);
@@ -93,7 +93,7 @@ void wait_within(pid_t child, diagnostics::Budget& budget) {
 }
 
 /// Reaps an ended program and returns its exit status; -1 if the status is lost.
-int collect(pid_t child) {
+int collect_status(pid_t child) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) return -1;
@@ -104,17 +104,17 @@ int collect(pid_t child) {
 
 int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
                 diagnostics::Budget* budget) {
-    const pid_t child = start(command, log, error);
+    const pid_t child = start_program(command, log, error);
     if (child == 0) return -1;
     const diagnostics::Budget::Held held(budget, child);
     try {
         if (budget != nullptr) wait_within(child, *budget);
     } catch (const diagnostics::LimitReached&) {
         kill(-child, SIGKILL);
-        (void)collect(child);
+        (void)collect_status(child);
         throw;
     }
-    const int status = collect(child);
+    const int status = collect_status(child);
     if (status < 0) error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
     return status;
 }
@@ -128,7 +128,7 @@ std::string read_file(const fs::path& path) {
     return text.str();
 }
 
-std::vector<std::string> words(const std::string& text) {
+std::vector<std::string> split_words(const std::string& text) {
     std::istringstream in(text);
     std::vector<std::string> found;
     for (std::string word; in >> word;) found.push_back(word);
@@ -138,7 +138,7 @@ std::vector<std::string> words(const std::string& text) {
 std::vector<std::string> command_line(const BuildOptions& options, const fs::path& folder,
                                       const std::vector<std::string>& sources, const std::string& target) {
     std::vector<std::string> command{options.compiler};
-    for (std::string& flag : words(options.flags)) command.push_back(std::move(flag));
+    for (std::string& flag : split_words(options.flags)) command.push_back(std::move(flag));
     command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
     // absolute paths, because a compiler does not accept "-x" and "@x" as file names
     for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
@@ -152,8 +152,8 @@ bool lacked_memory(const std::string& said) {
            says("Killed signal") || says("std::bad_alloc");
 }
 
-bool compile(const BuildOptions& options, const fs::path& folder, const std::vector<std::string>& sources,
-             const std::string& target, std::string& error) {
+bool compile_sources(const BuildOptions& options, const fs::path& folder, const std::vector<std::string>& sources,
+                     const std::string& target, std::string& error) {
     std::vector<std::string> command = command_line(options, folder, sources, target);
     command.insert(command.begin() + 1, "-fno-gnu-unique");
     const std::string log = target + ".log";
@@ -208,7 +208,8 @@ std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, 
 }
 
 /// Copies an object that an earlier run has compiled to `path`. Returns false if the cache has no such object.
-bool restored(const std::optional<diagnostics::Digest>& key, const BuildOptions& options, const std::string& path) {
+bool restore_object(const std::optional<diagnostics::Digest>& key, const BuildOptions& options,
+                    const std::string& path) {
     if (!key) return false;
     const auto object = options.cache->find(*key);
     if (!object) return false;
@@ -250,21 +251,21 @@ std::unique_ptr<SharedLibrary> SharedLibrary::build(const std::vector<OutputFile
     object->path_ = object_name(object->folder_, error);
     if (object->path_.empty()) return nullptr;
     const auto key = key_of(files, sources, options, object->folder_);
-    if (!restored(key, options, object->path_)) {
-        if (!compile(options, object->folder_, sources, object->path_, error)) return nullptr;
-        if (key) options.cache->keep(*key, read_file(object->path_));
+    if (!restore_object(key, options, object->path_)) {
+        if (!compile_sources(options, object->folder_, sources, object->path_, error)) return nullptr;
+        if (key) options.cache->store_entry(*key, read_file(object->path_));
     }
-    if (!object->load(error)) return nullptr;
+    if (!object->load_library(error)) return nullptr;
     return object;
 }
 
-bool SharedLibrary::load(std::string& error) {
+bool SharedLibrary::load_library(std::string& error) {
     handle_ = dlopen(fs::absolute(path_).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ == nullptr) error = fmt::format("cannot load the generated code: {}", dlerror());
     return handle_ != nullptr;
 }
 
-void* SharedLibrary::symbol(const char* name) const {
+void* SharedLibrary::find_symbol(const char* name) const {
     return dlsym(handle_, name);
 }
 

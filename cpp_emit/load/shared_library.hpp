@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/plan/options.hpp"
 #include "base/cache/cache.hpp"
 #include "base/diagnostics/files.hpp"
+#include "cpp_emit/plan/options.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -47,11 +47,11 @@ public:
     SharedLibrary& operator=(const SharedLibrary&) = delete;
 
     /// The address of an exported function; null if there is none with this name.
-    [[nodiscard]] void* symbol(const char* name) const;
+    [[nodiscard]] void* find_symbol(const char* name) const;
 
 private:
     SharedLibrary() = default;
-    [[nodiscard]] bool load(std::string& error);
+    [[nodiscard]] bool load_library(std::string& error);
 
     std::unique_ptr<diagnostics::TemporaryFolder> temporary_;
     std::string folder_;

@@ -24,12 +24,12 @@ public:
     void during_places();
 
 private:
-    void choice(ir::NodeId);
+    void write_choice(ir::NodeId);
     void draw_place(ir::NodeId);
     void enter_place(ir::NodeId);
-    void exits(ir::NodeId);
+    void write_exits(ir::NodeId);
     void exit_place(ir::NodeId);
-    void take(ir::TransitionId);
+    void write_taking(ir::TransitionId);
     void take_place(ir::TransitionId);
     [[nodiscard]] ir::NodeId shown_while_taking(ir::TransitionId) const;
 

@@ -15,59 +15,60 @@ namespace robochart::cpp_emit {
 using ir::NodeId;
 using ir::NodeKind;
 
-bool ControlSteps::straight(NodeId id) {
-    return plan_.straight(id) && !faults_.enters_child_first(id);
+bool ControlSteps::enters_without_waiting(NodeId id) {
+    return plan_.is_straight(id) && !faults_.enters_child_first(id);
 }
 
 bool ControlSteps::has_place(const ir::Transition& transition) {
-    return plan_.acts(transition) || faults_.acts_late(transition);
+    return plan_.acts_after_trigger(transition) || faults_.acts_late(transition);
 }
 
 /// The lines of a program that never waits.
 std::string ControlSteps::straight_program(const ir::StmtPtr& program, std::size_t depth) {
     Thread lines;
     ProgramWriter writer(generation_, unit_, lines, {});
-    writer.begin("", "");
-    writer.code() = CodeWriter(depth);
-    writer.statement(program, "");
-    return writer.code().text();
+    writer.begin_place("", "");
+    writer.current_code() = CodeWriter(depth);
+    writer.write_statement(program, "");
+    return writer.current_code().text();
 }
 
 /// The statement that runs the exits of a state and of its active inner states; "" if there are none.
-std::string ControlSteps::leave(NodeId id) const {
-    if (plan_.exits_below(id)) return call("leave_" + plan_.label(id)) + ";";
-    return plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
+std::string ControlSteps::leave_statement(NodeId id) const {
+    if (plan_.exits_below(id)) return function_call("leave_" + plan_.label_of(id)) + ";";
+    return plan_.node(id).exit ? function_call(plan_.exit_label(id)) + ";" : "";
 }
 
 /// The statement that moves control into a node.
-std::string ControlSteps::arrive(NodeId id) {
+std::string ControlSteps::arrive_statement(NodeId id) {
     if (plan_.needs_entry(id))
-        return straight(id) ? call(plan_.enter_label(id)) + ";" : control_.go(plan_.enter_label(id));
-    const bool rests = plan_.settles(id) || !plan_.straight(id);
-    return rests ? control_.go(plan_.label(id)) : call("pass_" + plan_.label(id)) + ";";
+        return enters_without_waiting(id) ? function_call(plan_.enter_label(id)) + ";"
+                                          : control_.go_statement(plan_.enter_label(id));
+    const bool rests = plan_.is_resting_place(id) || !plan_.is_straight(id);
+    return rests ? control_.go_statement(plan_.label_of(id)) : function_call("pass_" + plan_.label_of(id)) + ";";
 }
 
 /// The statement that continues a transition after the exits.
-const std::string& ControlSteps::proceed(const ir::Transition& transition) {
+const std::string& ControlSteps::proceed_statement(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     std::string& text = proceeds_[id.index];
     if (!text.empty()) return text;
     const std::string& label = plan_.take_label(id);
-    if (has_place(transition)) return text = control_.go(label);
-    return text = transition.action ? call(label) + ";" : arrive(transition.target);
+    if (has_place(transition)) return text = control_.go_statement(label);
+    return text = transition.action ? function_call(label) + ";" : arrive_statement(transition.target);
 }
 
 /// Writes the code after a node's entry action.
-void ControlSteps::settle(NodeId id, CodeWriter& out, const char* end) {
-    if (!plan_.node(id).composite()) {
+void ControlSteps::write_settling(NodeId id, CodeWriter& out, const char* end) {
+    if (!plan_.node(id).is_composite()) {
         note_entry(id, out);
-        out.line(control_.go(plan_.label(id)));
-        if (context_.runs_on_entry(id)) out.raw(straight_program(plan_.node(id).during, *end == 'b' ? 5 : 2));
+        out.line(control_.go_statement(plan_.label_of(id)));
+        if (context_.runs_on_entry(id)) out.write_raw(straight_program(plan_.node(id).during, *end == 'b' ? 5 : 2));
         return;
     }
-    if (plan_.notes_entry(id)) out.line(fmt::format("f.entering_{} = true;", plan_.label(id)));
-    if (faults_.resumes(id)) {
-        const std::string history = fmt::format("f.history_{}", plan_.label(id));
+    if (plan_.notes_entry(id)) out.line(fmt::format("f.entering_{} = true;", plan_.label_of(id)));
+    if (faults_.resumes_composite(id)) {
+        const std::string history = fmt::format("f.history_{}", plan_.label_of(id));
         out.open(fmt::format("if ({} != {}{{}}) {{", history, unit_.points));
         out.line(fmt::format("f.at = {};", history));
         out.line(end);
@@ -78,11 +79,11 @@ void ControlSteps::settle(NodeId id, CodeWriter& out, const char* end) {
 
 /// Control enters an initial node and, if its transition has no condition, moves on to the target.
 void ControlSteps::begin(NodeId initial, CodeWriter& out) {
-    if (!plan_.passes(initial)) return out.line(arrive(initial));
+    if (!plan_.is_passed_through(initial)) return out.line(arrive_statement(initial));
     const ir::TransitionId only = plan_.node(initial).outgoing.front();
-    out.comment(generation_.place(plan_.machine().transitions[only.index].origin));
+    out.comment(generation_.place_text(plan_.machine().transitions[only.index].origin));
     out.line(tell_taken(only));
-    out.line(proceed(plan_.machine().transitions[only.index]));
+    out.line(proceed_statement(plan_.machine().transitions[only.index]));
 }
 
 /// Marks the state as entered, and each composite state whose first child it is (semantics 3.3 a).
@@ -90,8 +91,8 @@ void ControlSteps::note_entry(NodeId id, CodeWriter& out) {
     if (plan_.notes_entry(id)) mark_entered(id, out);
     for (const NodeId outer : plan_.ancestors(id)) {
         if (!plan_.notes_entry(outer)) continue;
-        out.open(fmt::format("if (f.entering_{}) {{", plan_.label(outer)));
-        out.line(fmt::format("f.entering_{} = false;", plan_.label(outer)));
+        out.open(fmt::format("if (f.entering_{}) {{", plan_.label_of(outer)));
+        out.line(fmt::format("f.entering_{} = false;", plan_.label_of(outer)));
         mark_entered(outer, out);
         out.close();
     }
@@ -99,12 +100,12 @@ void ControlSteps::note_entry(NodeId id, CodeWriter& out) {
 
 void ControlSteps::mark_entered(NodeId id, CodeWriter& out) {
     const ir::ClockId clock = entry_clock(plan_.machine(), id);
-    if (clock.valid()) {
+    if (clock.is_valid()) {
         const std::string line = clock_reset(generation_, unit_, clock);
         if (!line.empty() && !generation_.mutation.hits(Fault::clock_not_reset)) out.line(line);
     }
     for (const DuringThread& during : during_)
-        if (during.state == id) out.line(during.thread.go("start"));
+        if (during.state == id) out.line(during.thread.go_statement("start"));
     for (const Watch& watch : watches_) {
         if (watch.state != id) continue;
         const std::string line = start_of(watch);
@@ -114,17 +115,17 @@ void ControlSteps::mark_entered(NodeId id, CodeWriter& out) {
 
 /// Takes the first transition whose guard holds. Returns true if there may be none, in which case control stays
 /// (semantics 3.3, 3.4).
-bool ControlSteps::ways(NodeId id, CodeWriter& out, const char* end) {
+bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
     if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
     for (const ir::TransitionId way : outgoing) {
         const ir::Transition& transition = plan_.machine().transitions[way.index];
-        out.comment(generation_.place(transition.origin));
-        const CppExpr condition = guard(transition, "");
-        out.when(condition, [&] {
+        out.comment(generation_.place_text(transition.origin));
+        const CppExpr condition = guard_condition(transition, "");
+        out.write_if(condition, [&] {
             reset_clocks(generation_, unit_, transition.resets, out);
             out.line(tell_taken(way));
-            out.line(proceed(transition));
+            out.line(proceed_statement(transition));
             if (!condition.empty() || *end == 'b') out.line(end);
         });
         if (condition.empty()) return false;
@@ -138,19 +139,19 @@ bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
     std::string open;
     for (const ir::TransitionId transition : outgoing) {
-        const CppExpr condition = guard(plan_.machine().transitions[transition.index], "");
-        open += (open.empty() ? "" : ", ") + (condition.empty() ? "true" : condition.whole());
+        const CppExpr condition = guard_condition(plan_.machine().transitions[transition.index], "");
+        open += (open.empty() ? "" : ", ") + (condition.empty() ? "true" : condition.whole_text());
     }
     out.open("{");
     out.line(fmt::format("const bool open[] = {{{}}};", open));
     out.open("switch (robochart::pick_open(platform_, open)) {");
     for (std::size_t way = 0; way < outgoing.size(); ++way) {
         const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
-        out.comment(generation_.place(transition.origin));
+        out.comment(generation_.place_text(transition.origin));
         out.line(fmt::format("case {}:", way));
         reset_clocks(generation_, unit_, transition.resets, out);
         out.line(tell_taken(outgoing[way]));
-        out.line(proceed(transition));
+        out.line(proceed_statement(transition));
         out.line(end);
     }
     out.line(function ? "default: break;" : "default: return moved;");
@@ -160,7 +161,7 @@ bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
     return function;
 }
 
-CppExpr ControlSteps::guard(const ir::Transition& transition, const std::string& incoming) const {
+CppExpr ControlSteps::guard_condition(const ir::Transition& transition, const std::string& incoming) const {
     if (!transition.guard) return {};
     ExpressionWriter expressions(generation_, unit_);
     if (transition.trigger) expressions.set_incoming(as_variable(generation_, unit_, *transition.trigger, incoming));
@@ -172,7 +173,7 @@ std::string ControlSteps::tell_taken(ir::TransitionId id) const {
 }
 
 /// With choices: the guard, and the condition that the platform has picked the transition.
-CppExpr ControlSteps::in_turn(const CppExpr& guard) const {
+CppExpr ControlSteps::picked_guard(const CppExpr& guard) const {
     return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
 }
 

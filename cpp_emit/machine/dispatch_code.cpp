@@ -22,43 +22,43 @@ constexpr std::size_t leaves_for_table = 5;
 
 }  // namespace
 
-/// If every transition is one straight effect, control rests only in states (or in a junction without an enabled
+/// Every transition is one straight effect, so control rests only in states (or in a junction without an enabled
 /// transition).
-bool DispatchCode::direct() const {
+bool DispatchCode::is_direct() const {
     const auto& nodes = plan_.machine().nodes;
     for (std::uint32_t index = 0; index < nodes.size(); ++index)
-        if (!plan_.straight(NodeId{index})) return false;
+        if (!plan_.is_straight(NodeId{index})) return false;
     const auto waits = [&](const ir::Transition& transition) {
-        if (plan_.acts(transition) || !plan_.straight_exits(transition.source)) return true;
+        if (plan_.acts_after_trigger(transition) || !plan_.straight_exits(transition.source)) return true;
         if (!transition.trigger) return false;
-        const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
-        return !from_register(use) && !use.spontaneous();
+        const EventUse& use = generation_.component.find_event(unit_, transition.trigger->event);
+        return !from_register(use) && !use.is_spontaneous();
     };
     const auto& transitions = plan_.machine().transitions;
-    return unit_.root && !generation_.component.composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
-           faultless_cycle(generation_.options) && !generation_.options.choices && plan_.machine().initial.valid() &&
+    return unit_.root && !generation_.component.is_composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
+           faultless_cycle(generation_.options) && !generation_.options.choices && plan_.machine().initial.is_valid() &&
            std::ranges::none_of(transitions, waits);
 }
 
-/// Whether the transition can be taken without an event of the platform.
-bool DispatchCode::urgent(const ir::Transition& transition) const {
-    return !transition.trigger || generation_.component.event(unit_, transition.trigger->event).spontaneous();
+/// Whether the transition waits for no event of the platform.
+bool DispatchCode::is_urgent(const ir::Transition& transition) const {
+    return !transition.trigger || generation_.component.find_event(unit_, transition.trigger->event).is_spontaneous();
 }
 
 bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& port) const {
-    if (urgent(transition)) return false;
-    const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+    if (is_urgent(transition)) return false;
+    const EventUse& use = generation_.component.find_event(unit_, transition.trigger->event);
     return &generation_.component.events[use.ports.front()] == &port;
 }
 
-/// Whether control may continue without an event: by a transition of the node or its parents, or from a junction.
+/// Whether a transition of the node or its parents needs no event, or control may continue from a junction.
 bool DispatchCode::goes_on(NodeId rest) const {
-    if (!plan_.settles(rest)) return true;
-    const std::vector<NodeId> chain = plan_.chain(rest);
+    if (!plan_.is_resting_place(rest)) return true;
+    const std::vector<NodeId> chain = plan_.state_chain(rest);
     return std::ranges::any_of(chain, [&](NodeId state) {
         const auto& ways = plan_.node(state).outgoing;
         return std::ranges::any_of(
-            ways, [&](ir::TransitionId way) { return urgent(plan_.machine().transitions[way.index]); });
+            ways, [&](ir::TransitionId way) { return is_urgent(plan_.machine().transitions[way.index]); });
     });
 }
 
@@ -72,14 +72,14 @@ bool DispatchCode::look_after(NodeId target) const {
         if (seen[at.index]) continue;
         seen[at.index] = true;
         const ir::Node& node = plan_.node(at);
-        const bool chooses = !plan_.settles(at) && node.kind != NodeKind::state;
+        const bool chooses = !plan_.is_resting_place(at) && node.kind != NodeKind::state;
         if (chooses) {
-            const bool rests = std::ranges::any_of(control_.places,
-                                                   [&](const Place& place) { return place.label == plan_.label(at); });
+            const bool rests = std::ranges::any_of(
+                control_.places, [&](const Place& place) { return place.label == plan_.label_of(at); });
             if (rests) return true;
             for (const ir::TransitionId way : node.outgoing)
                 open.push_back(plan_.machine().transitions[way.index].target);
-        } else if (node.composite()) {
+        } else if (node.is_composite()) {
             open.push_back(node.initial);
         } else if (goes_on(at)) {
             return true;
@@ -89,18 +89,18 @@ bool DispatchCode::look_after(NodeId target) const {
 }
 
 std::string DispatchCode::rest_result() const {
-    return plan_.finals().empty() ? "return robochart::StepResult::quiescent;"
-                                  : "return finished(f) ? robochart::StepResult::terminated : "
-                                    "robochart::StepResult::quiescent;";
+    return plan_.final_nodes().empty() ? "return robochart::StepResult::quiescent;"
+                                       : "return finished(f) ? robochart::StepResult::terminated : "
+                                         "robochart::StepResult::quiescent;";
 }
 
-/// Writes the effect of a transition from a leaf, taken on the event of `port`, or without an event if `port` is null.
+/// A transition from a leaf, taken on `port`'s event, or without an event if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
-    const bool consumes = !urgent(transition);
+    const bool consumes = !is_urgent(transition);
     const auto hits = [&](Fault fault) { return generation_.mutation.hits(fault, port, &transition); };
     if (transition.trigger) {
-        const std::string line = received(generation_, unit_, *transition.trigger, incoming(transition));
+        const std::string line = store_received(generation_, unit_, *transition.trigger, incoming_value(transition));
         if (!line.empty() && !hits(Fault::dispatch_value_lost)) out.line(line);
     }
     for (const ir::ClockId clock : transition.resets) {
@@ -109,35 +109,35 @@ void DispatchCode::case_effect(const ir::Transition& transition, const EventPort
     }
     out.line(steps_.tell_taken(id));
     for (const Watch& watch : watches_) {
-        const std::vector<NodeId> around = plan_.chain(watch.state);
+        const std::vector<NodeId> around = plan_.state_chain(watch.state);
         const bool left = std::ranges::find(around, transition.source) != around.end();
         if (left) out.line(fmt::format("f.{} = 0;", watch.field));
     }
-    const std::string exits = steps_.leave(transition.source);
+    const std::string exits = steps_.leave_statement(transition.source);
     if (!exits.empty()) out.line(exits);
-    out.line(steps_.proceed(transition));
+    out.line(steps_.proceed_statement(transition));
     const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
     if (!again || hits(Fault::dispatch_look_dropped)) return out.line(rest_result());
     if (consumes) out.line("event = nothing;");
     out.line("break;");
 }
 
-std::string DispatchCode::incoming(const ir::Transition& transition) const {
-    const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
-    if (use.spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
+std::string DispatchCode::incoming_value(const ir::Transition& transition) const {
+    const EventUse& use = generation_.component.find_event(unit_, transition.trigger->event);
+    if (use.is_spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
 }
 
-/// The transitions of a leaf and its parents that may be taken on an event (or, for null, without an event), in the
-/// order in which they are tried.
-std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const EventPort* port) const {
-    std::vector<NodeId> chain = plan_.chain(leaf);
+/// The transitions of a leaf and its parents that an event (or, for null, no event) may trigger, in the order in which
+/// they are tried.
+std::vector<const ir::Transition*> DispatchCode::candidate_transitions(NodeId leaf, const EventPort* port) const {
+    std::vector<NodeId> chain = plan_.state_chain(leaf);
     std::vector<std::vector<const ir::Transition*>> by_state;
     for (const NodeId state : chain) {
         std::vector<const ir::Transition*> own;
         for (const ir::TransitionId way : plan_.node(state).outgoing) {
             const ir::Transition& transition = plan_.machine().transitions[way.index];
-            if (urgent(transition) || (port != nullptr && asks_for(transition, *port))) own.push_back(&transition);
+            if (is_urgent(transition) || (port != nullptr && asks_for(transition, *port))) own.push_back(&transition);
         }
         if (!own.empty()) by_state.push_back(std::move(own));
     }
@@ -150,15 +150,16 @@ std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const E
 
 /// The condition for a transition in a case; empty if there is none.
 CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
-    const std::string value = transition.trigger ? incoming(transition) : "";
-    const CppExpr wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
-    return conjunction(wanted, steps_.guard(transition, value));
+    const std::string value = transition.trigger ? incoming_value(transition) : "";
+    const CppExpr wanted =
+        transition.trigger ? value_predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
+    return conjunction(wanted, steps_.guard_condition(transition, value));
 }
 
-/// Writes the code for control that does not rest in a state: at the beginning, or in a junction without an enabled
+/// The code for control that does not rest in a state: at the beginning, or in a junction without an enabled
 /// transition.
 void DispatchCode::place_body(NodeId place, CodeWriter& out) {
-    out.comment("from " + generation_.place(plan_.node(place).origin));
+    out.comment("from " + generation_.place_text(plan_.node(place).origin));
     if (place == plan_.machine().initial) {
         if (generation_.mutation.hits(Fault::dispatch_not_begun, nullptr, &plan_.node(place)))
             return out.line(rest_result());
@@ -166,28 +167,28 @@ void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     } else {
         steps_.begin(place, out);
     }
-    if (!plan_.passes(place))
-        out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(place)), rest_result()));
+    if (!plan_.is_passed_through(place))
+        out.line(fmt::format("if (f.at == {}) {}", control_.qualified_label(plan_.label_of(place)), rest_result()));
     out.line("break;");
 }
 
 /// The effect of an event in a leaf; "" if it has none.
 std::string DispatchCode::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
     CodeWriter out(depth);
-    if (!plan_.settles(leaf)) {
+    if (!plan_.is_resting_place(leaf)) {
         place_body(leaf, out);
         return out.text();
     }
-    const std::vector<const ir::Transition*> tried = candidates(leaf, port);
+    const std::vector<const ir::Transition*> tried = candidate_transitions(leaf, port);
     for (const ir::Transition* transition : tried) {
-        out.comment(generation_.place(transition->origin));
+        out.comment(generation_.place_text(transition->origin));
         const CppExpr condition = case_condition(*transition);
-        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole()));
+        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole_text()));
         case_effect(*transition, port, out);
         if (condition.empty()) return out.text();
         if (transition != tried.back() &&
             generation_.mutation.hits(Fault::dispatch_guard_ends, &plan_.node(leaf), transition)) {
-            out.reopen("} else {");
+            out.reopen_block("} else {");
             out.line(rest_result());
         }
         out.close();
@@ -198,19 +199,19 @@ std::string DispatchCode::case_body(NodeId leaf, const EventPort* port, std::siz
 
 void DispatchCode::dispatch_function() {
     std::vector<NodeId> rows;
-    for (const Enumerator& value : frame_.points().values)
+    for (const Enumerator& value : frame_.control_points().values)
         for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index)
-            if (plan_.label(NodeId{index}) == value.name) rows.push_back(NodeId{index});
+            if (plan_.label_of(NodeId{index}) == value.name) rows.push_back(NodeId{index});
     std::vector<const EventPort*> columns = input_events(generation_.component);
     std::size_t leaves = 0;
     bool quiet = false;
     for (const NodeId row : rows) {
-        leaves += plan_.settles(row) ? 1U : 0U;
-        quiet = quiet || (plan_.settles(row) && goes_on(row));
+        leaves += plan_.is_resting_place(row) ? 1U : 0U;
+        quiet = quiet || (plan_.is_resting_place(row) && goes_on(row));
     }
-    // the row for the machine's beginning stores its event
-    const bool places = std::any_of(rows.begin(), rows.end(),
-                                    [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
+    // The row for the machine's beginning keeps its event.
+    const bool places = std::ranges::any_of(
+        rows, [&](NodeId row) { return !plan_.is_resting_place(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
     const Strategy wanted = generation_.options.strategy;
     const bool table = wanted == Strategy::table || (wanted == Strategy::automatic && leaves >= leaves_for_table);
@@ -225,7 +226,7 @@ void DispatchCode::dispatch_function() {
     } else {
         dispatch_switch(rows, columns);
     }
-    // without such places, only the beginning, which occurs once, is followed by another attempt
+    // Without such places, only the beginning, which occurs once, is followed by another look.
     if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
     out_.close();
     out_.close();
@@ -233,7 +234,7 @@ void DispatchCode::dispatch_function() {
     pass_function_of_time(columns);
 }
 
-/// Begins the machine. Clocks start with the machine, so a cycle before the start does not count.
+/// Clocks start with the machine, so a cycle before the start does not count.
 void DispatchCode::begin_machine(CodeWriter& out) {
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index] &&
@@ -243,13 +244,13 @@ void DispatchCode::begin_machine(CodeWriter& out) {
 }
 
 void DispatchCode::begin_function(const std::vector<const EventPort*>& columns) {
-    out_.declaration("What the machine does before the first event. It does nothing later.",
-                     "robochart::StepResult begin() noexcept {");
+    out_.open_declaration("What the machine does before the first event. It does nothing later.",
+                          "robochart::StepResult begin() noexcept {");
     if (columns.back() == nullptr) {
         out_.line(fmt::format("return dispatch(static_cast<{}>({}));", event_type(generation_), columns.size() - 1));
     } else {
         out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
-        out_.open(fmt::format("if (f.at == {}) {{", control_.at(plan_.label(plan_.machine().initial))));
+        out_.open(fmt::format("if (f.at == {}) {{", control_.qualified_label(plan_.label_of(plan_.machine().initial))));
         begin_machine(out_);
         out_.close();
         out_.line(rest_result());
@@ -257,18 +258,19 @@ void DispatchCode::begin_function(const std::vector<const EventPort*>& columns) 
     out_.close();
 }
 
-/// Writes a cycle without inputs: transitions that need no event are taken, then time passes.
+/// A cycle without inputs: transitions that need no event, then time passes.
 void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& columns) {
-    out_.declaration("A cycle without inputs, once the machine has begun.", "robochart::StepResult pass() noexcept {");
+    out_.open_declaration("A cycle without inputs, once the machine has begun.",
+                          "robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
     if (columns.back() == nullptr) {
         out_.line("const robochart::StepResult result = begin();");
     } else {
-        out_.line(fmt::format("const robochart::StepResult result = {};", plan_.finals().empty()
+        out_.line(fmt::format("const robochart::StepResult result = {};", plan_.final_nodes().empty()
                                                                               ? "robochart::StepResult::quiescent"
                                                                               : "this->result(finished(f))"));
     }
-    if (time_.timed()) {
+    if (time_.is_timed()) {
         out_.line("if (result == robochart::StepResult::quiescent) advance(f);");
         if (!watches_.empty()) out_.line("if (late()) return robochart::StepResult::deadline;");
     }
@@ -276,13 +278,13 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
     out_.close();
 }
 
-/// The port whose event selects the case; with Fault::dispatch_shifted the next port, if it selects another case.
+/// The event itself; with Fault::dispatch_shifted the next one, if it is another case.
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::ranges::find(columns, &port) - columns.begin());
     const EventPort* const beside = columns[(place + 1) % columns.size()];
-    const bool other =
-        generation_.mutation.seeded(Fault::dispatch_shifted) && case_body(row, &port, 7) != case_body(row, beside, 7);
+    const bool other = generation_.mutation.is_seeded(Fault::dispatch_shifted) &&
+                       case_body(row, &port, 7) != case_body(row, beside, 7);
     return other && generation_.mutation.hits(Fault::dispatch_shifted) ? beside : &port;
 }
 
@@ -293,9 +295,9 @@ void DispatchCode::dispatch_switch(const std::vector<NodeId>& rows, const std::v
     const NodeId initial = plan_.machine().initial;
     for (const NodeId row : rows) {
         if (row == initial) continue;
-        out_.line(fmt::format("case {}:", control_.at(plan_.label(row))));
-        if (!plan_.settles(row)) {
-            out_.raw(case_body(row, nullptr, 5));
+        out_.line(fmt::format("case {}:", control_.qualified_label(plan_.label_of(row))));
+        if (!plan_.is_resting_place(row)) {
+            out_.write_raw(case_body(row, nullptr, 5));
             continue;
         }
         const bool alone = goes_on(row);
@@ -307,19 +309,19 @@ void DispatchCode::dispatch_switch(const std::vector<NodeId>& rows, const std::v
             const bool asked = body != case_body(row, nullptr, 7);
             if (!asked) continue;
             out_.line(fmt::format("        case {}::{}:", type, port->input));
-            out_.raw(body);
+            out_.write_raw(body);
         }
         out_.line("        default:");
         if (alone) {
-            out_.raw(case_body(row, nullptr, 7));
+            out_.write_raw(case_body(row, nullptr, 7));
         } else {
             out_.line("            " + rest_result());
         }
         out_.line("    }");
         out_.line("    break;");
     }
-    out_.line(fmt::format("ROBOCHART_UNLIKELY default:  // {}", control_.at(plan_.label(initial))));
-    out_.raw(case_body(initial, nullptr, 5));
+    out_.line(fmt::format("ROBOCHART_UNLIKELY default:  // {}", control_.qualified_label(plan_.label_of(initial))));
+    out_.write_raw(case_body(initial, nullptr, 5));
     out_.close();
 }
 
@@ -336,7 +338,7 @@ void DispatchCode::dispatch_table(const std::vector<NodeId>& rows, const std::ve
             if (!body.empty() && known == bodies.end()) bodies.push_back(body);
             numbers.push_back(body.empty() ? "0" : fmt::format("{}", number));
         }
-        lines.push_back(fmt::format("{{{}}},  // {}", fmt::join(numbers, ", "), plan_.label(row)));
+        lines.push_back(fmt::format("{{{}}},  // {}", fmt::join(numbers, ", "), plan_.label_of(row)));
     }
     std::vector<std::string> names;
     for (const EventPort* port : columns) names.push_back(port == nullptr ? "nothing" : port->input);
@@ -352,7 +354,7 @@ void DispatchCode::dispatch_table(const std::vector<NodeId>& rows, const std::ve
     out_.open("switch (chosen) {");
     for (std::size_t number = 0; number < bodies.size(); ++number) {
         out_.line(fmt::format("case {}:", number + 1));
-        out_.raw(bodies[number]);
+        out_.write_raw(bodies[number]);
     }
     out_.line("default: " + rest_result());
     out_.close();

@@ -17,19 +17,20 @@ public:
 
     /// Whether every transition is one straight effect, so that control rests only in states (or in a junction without
     /// an enabled transition), and dispatch can be written as a switch.
-    [[nodiscard]] bool direct() const;
+    [[nodiscard]] bool is_direct() const;
     /// Writes dispatch, begin and pass.
     void dispatch_function();
 
 private:
-    [[nodiscard]] bool urgent(const ir::Transition&) const;
+    [[nodiscard]] bool is_urgent(const ir::Transition&) const;
     [[nodiscard]] bool asks_for(const ir::Transition&, const EventPort& port) const;
     [[nodiscard]] bool goes_on(ir::NodeId rest) const;
     [[nodiscard]] bool look_after(ir::NodeId target) const;
     [[nodiscard]] std::string rest_result() const;
     void case_effect(const ir::Transition&, const EventPort* port, CodeWriter&);
-    [[nodiscard]] std::string incoming(const ir::Transition&) const;
-    [[nodiscard]] std::vector<const ir::Transition*> candidates(ir::NodeId leaf, const EventPort* port) const;
+    [[nodiscard]] std::string incoming_value(const ir::Transition&) const;
+    [[nodiscard]] std::vector<const ir::Transition*> candidate_transitions(ir::NodeId leaf,
+                                                                           const EventPort* port) const;
     [[nodiscard]] CppExpr case_condition(const ir::Transition&) const;
     void place_body(ir::NodeId place, CodeWriter&);
     [[nodiscard]] std::string case_body(ir::NodeId leaf, const EventPort* port, std::size_t depth);

@@ -28,11 +28,12 @@ std::vector<Field> FrameCode::variable_fields() const {
         const Extent extent = cpp_extent(generation_.system, generation_.inst, variable.type);
         fields.push_back({cpp_type(generation_.system, variable.type), name,
                           cpp_value(generation_.system, generation_.inst, variable.type, initial),
-                          generation_.place(variable.origin), extent.size, extent.alignment, extent.varies});
+                          generation_.place_text(variable.origin), extent.size, extent.alignment, extent.varies});
     };
-    const std::size_t home = generation_.component.composed() ? unit_.part : no_part;
+    const std::size_t home = generation_.component.is_composed() ? unit_.part : no_part;
     for (const auto& stored : generation_.component.variables)
-        if (unit_.root && stored.stored() && stored.home == home) add(stored.field, *stored.variable, stored.initial);
+        if (unit_.root && stored.has_member() && stored.home == home)
+            add(stored.field, *stored.variable, stored.initial);
     for (std::size_t index = 0; index < unit_.variable_fields.size(); ++index) {
         if (unit_.variable_fields[index].empty()) continue;
         add(unit_.variable_fields[index], unit_.machine->variables[index], unit_.initials[index]);
@@ -46,16 +47,16 @@ void FrameCode::thread_field(std::vector<Field>& fields, const Thread& thread, c
         fields.push_back({"std::uint32_t", deadline, "0", "time left plus one, 0: none", 4, 4});
     for (const CallFrame& call : thread.calls) {
         const FrameLayout& inner = context_.done.at(call.operation);
-        fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "", inner.size,
-                          inner.alignment, inner.varies});
+        fields.push_back({generation_.component.unit_at(call.operation).frame + "<Types>", call.field, "", "",
+                          inner.size, inner.alignment, inner.varies});
     }
 }
 
 std::vector<Field> FrameCode::thread_fields() const {
     std::vector<Field> fields;
-    const std::size_t size = enumeration_size(points().values.size());
+    const std::size_t size = enumeration_size(control_points().values.size());
     const ir::NodeId initial = plan_.machine().initial;
-    const std::string first = control_.at(initial.valid() ? plan_.label(initial) : "idle");
+    const std::string first = control_.qualified_label(initial.is_valid() ? plan_.label_of(initial) : "idle");
     fields.push_back({unit_.points, "at", first, "", size, size});
     thread_field(fields, control_, "wait");
     for (const Watch& watch : watches_)
@@ -63,30 +64,31 @@ std::vector<Field> FrameCode::thread_fields() const {
     if (!context_.leaving.empty())
         fields.push_back({context_.leaving, "leaving", context_.leaving + "::nothing", "transition being taken", 1, 1});
     for (const DuringThread& during : during_) {
-        fields.push_back({during.thread.enumeration, "during_" + during.suffix, during.thread.at("idle"), "", 1, 1});
+        fields.push_back(
+            {during.thread.enumeration, "during_" + during.suffix, during.thread.qualified_label("idle"), "", 1, 1});
         thread_field(fields, during.thread, "wait_" + during.suffix);
     }
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
         const NodeId id{index};
-        if (plan_.node(id).composite() && plan_.notes_entry(id))
+        if (plan_.node(id).is_composite() && plan_.notes_entry(id))
             fields.push_back(
-                {"bool", "entering_" + plan_.label(id), "false", "its first child is still to be entered", 1, 1});
+                {"bool", "entering_" + plan_.label_of(id), "false", "its first child is still to be entered", 1, 1});
     }
     for (const NodeId id : context_.histories)
-        fields.push_back({unit_.points, "history_" + plan_.label(id), first, "", size, size});
+        fields.push_back({unit_.points, "history_" + plan_.label_of(id), first, "", size, size});
     return fields;
 }
 
-FrameLayout FrameCode::layout(const std::vector<Field>& more) {
+FrameLayout FrameCode::make_layout(const std::vector<Field>& more) {
     std::vector<Field> fields = variable_fields();
     fields.insert(fields.end(), more.begin(), more.end());
     for (std::size_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index])
             fields.push_back({"std::uint32_t", unit_.clock_fields[index], "0",
-                              "clock " + generation_.place(unit_.machine->clocks[index].origin), 4, 4});
+                              "clock " + generation_.place_text(unit_.machine->clocks[index].origin), 4, 4});
     const std::vector<Field> threads = thread_fields();
     fields.insert(fields.end(), threads.begin(), threads.end());
-    return arrange(std::move(fields), time_.timed());
+    return arrange_fields(std::move(fields), time_.is_timed());
 }
 
 /// The target of the transition that begins at the place; invalid if none begins there.
@@ -97,11 +99,11 @@ NodeId FrameCode::target_of(const std::string& label) const {
 }
 
 /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
-Enumeration FrameCode::points() const {
+Enumeration FrameCode::control_points() const {
     Enumeration at{
         unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};
     const NodeId initial = plan_.machine().initial;
-    if (!initial.valid()) {
+    if (!initial.is_valid()) {
         at.values.push_back({"idle", "no body", {}});
         return at;
     }
@@ -110,13 +112,13 @@ Enumeration FrameCode::points() const {
     };
     const auto node_value = [&](NodeId id) {
         const bool state = plan_.node(id).kind == ir::NodeKind::state;
-        at.values.push_back({plan_.label(id), generation_.place(plan_.node(id).origin),
-                             state ? id : plan_.node(id).parent, plan_.settles(id)});
+        at.values.push_back({plan_.label_of(id), generation_.place_text(plan_.node(id).origin),
+                             state ? id : plan_.node(id).parent, plan_.is_resting_place(id)});
     };
     node_value(initial);  // zero: the place of a new state struct
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
         const NodeId id{index};
-        if (id != initial && (plan_.settles(id) || is_place(plan_.label(id)))) node_value(id);
+        if (id != initial && (plan_.is_resting_place(id) || is_place(plan_.label_of(id)))) node_value(id);
     }
     const std::size_t nodes = at.values.size();
     const auto is_node = [&](const std::string& label) {
@@ -132,9 +134,9 @@ Enumeration FrameCode::points() const {
     return at;
 }
 
-std::vector<Enumeration> FrameCode::enumerations() const {
-    const Enumeration at = points();
-    if (!plan_.machine().initial.valid()) return {at};
+std::vector<Enumeration> FrameCode::all_enumerations() const {
+    const Enumeration at = control_points();
+    if (!plan_.machine().initial.is_valid()) return {at};
     std::vector<Enumeration> result = {at};
     for (const DuringThread& during : during_) {
         Enumeration each{
@@ -149,7 +151,7 @@ std::vector<Enumeration> FrameCode::enumerations() const {
         const ir::Transition& transition = plan_.machine().transitions[index];
         if (plan_.notes_leaving(transition.source))
             leaving.values.push_back(
-                {plan_.take_label(ir::TransitionId{index}), generation_.place(transition.origin), {}});
+                {plan_.take_label(ir::TransitionId{index}), generation_.place_text(transition.origin), {}});
     }
     result.push_back(std::move(leaving));
     return result;

@@ -12,11 +12,11 @@ public:
     FrameCode(MachineContext& context, const TimeCode& time) : MachineCodePart(context), time_(time) {}
 
     /// The struct of the machine's state, including the members `more`.
-    [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
+    [[nodiscard]] FrameLayout make_layout(const std::vector<Field>& more);
     /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
-    [[nodiscard]] Enumeration points() const;
+    [[nodiscard]] Enumeration control_points() const;
     /// All enumerations of the frame; the first is that of the places.
-    [[nodiscard]] std::vector<Enumeration> enumerations() const;
+    [[nodiscard]] std::vector<Enumeration> all_enumerations() const;
 
 private:
     [[nodiscard]] ir::NodeId target_of(const std::string& label) const;

@@ -19,7 +19,7 @@ std::string filler_text(const FrameLayout& layout) {
 
 }  // namespace
 
-FrameLayout arrange(std::vector<Field> fields, bool timed) {
+FrameLayout arrange_fields(std::vector<Field> fields, bool timed) {
     std::ranges::stable_sort(fields, [](const Field& a, const Field& b) { return a.alignment > b.alignment; });
     FrameLayout layout;
     layout.timed = timed;

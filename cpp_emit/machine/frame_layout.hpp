@@ -50,6 +50,6 @@ struct FrameLayout {
 using Layouts = std::map<std::size_t, FrameLayout>;
 
 /// Sorts fields by alignment and fills the struct up to a multiple of its alignment.
-[[nodiscard]] FrameLayout arrange(std::vector<Field> fields, bool timed);
+[[nodiscard]] FrameLayout arrange_fields(std::vector<Field> fields, bool timed);
 
 }  // namespace robochart::cpp_emit

@@ -34,7 +34,7 @@ public:
           frame_(context, time_),
           dispatch_code_(context, steps_, time_, frame_) {}
 
-    [[nodiscard]] MachineCode write(const std::vector<Field>& more);
+    [[nodiscard]] MachineCode write_machine(const std::vector<Field>& more);
 
 private:
     void thread_function(const Thread&, const std::string& name, const diagnostics::ForeignText& comment, bool control);
@@ -42,7 +42,7 @@ private:
     void begin_exits_function();
     void run_function();
     void run_alone(const std::string& parts, bool watches);
-    [[nodiscard]] std::string finished(const std::string& frame) const;
+    [[nodiscard]] std::string finished_condition(const std::string& frame) const;
 
     OrderFaults faults_;
     ControlSteps steps_;
@@ -54,8 +54,9 @@ private:
     DispatchCode dispatch_code_;
 };
 
-MachineCode MachineWriter::write(const std::vector<Field>& more) {
-    if (!plan_.machine().initial.valid()) return {frame_.enumerations(), frame_.layout(more), {}, {}, {}, {}};
+MachineCode MachineWriter::write_machine(const std::vector<Field>& more) {
+    if (!plan_.machine().initial.is_valid())
+        return {frame_.all_enumerations(), frame_.make_layout(more), {}, {}, {}, {}};
     control_code_.during_places();
     control_code_.control_places();
     thread_function(control_, "control",
@@ -70,15 +71,15 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     run_function();
     MachineCode code;
     code.methods = out_.text();
-    if (dispatch_code_.direct() && !input_events(generation_.component).empty()) {
+    if (dispatch_code_.is_direct() && !input_events(generation_.component).empty()) {
         out_ = CodeWriter(1);
         dispatch_code_.dispatch_function();
         code.dispatch = out_.text();
     }
-    code.enumerations = frame_.enumerations();
-    code.layout = frame_.layout(more);
-    code.layout.prompt = propagation_.prompt();
-    code.layout.holds = propagation_.holds();
+    code.enumerations = frame_.all_enumerations();
+    code.layout = frame_.make_layout(more);
+    code.layout.prompt = propagation_.has_prompt_steps();
+    code.layout.holds = propagation_.holds_writes();
     const auto collect = [&](const Thread& thread) {
         code.sites.insert(code.sites.end(), thread.sites.begin(), thread.sites.end());
         code.calls.insert(code.calls.end(), thread.calls.begin(), thread.calls.end());
@@ -90,18 +91,18 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
 
 void MachineWriter::thread_function(const Thread& thread, const std::string& name,
                                     const diagnostics::ForeignText& comment, bool control) {
-    out_.declaration(comment, signature("bool " + name));
+    out_.open_declaration(comment, function_head("bool " + name));
     out_.line("bool moved = false;");
     out_.open("for (;;) {");
     out_.open(fmt::format("switch ({}) {{", thread.variable));
-    if (!control) out_.line(fmt::format("case {}: return moved;", thread.at("idle")));
+    if (!control) out_.line(fmt::format("case {}: return moved;", thread.qualified_label("idle")));
     for (std::uint32_t index = 0; control && index < plan_.machine().nodes.size(); ++index)
-        if (plan_.settles(NodeId{index}))
-            out_.line(fmt::format("case {}: return moved;", thread.at(plan_.label(NodeId{index}))));
+        if (plan_.is_resting_place(NodeId{index}))
+            out_.line(fmt::format("case {}: return moved;", thread.qualified_label(plan_.label_of(NodeId{index}))));
     for (const Place& place : thread.places) {
         out_.comment(place.comment);
-        out_.line(fmt::format("case {}:", thread.at(place.label)));
-        out_.raw(place.code.text());
+        out_.line(fmt::format("case {}:", thread.qualified_label(place.label)));
+        out_.write_raw(place.code.text());
     }
     out_.close();
     out_.line("moved = true;");
@@ -110,74 +111,74 @@ void MachineWriter::thread_function(const Thread& thread, const std::string& nam
     out_.close();
     if (!thread.helpers.empty()) {
         out_.gap();
-        out_.raw(thread.helpers.text());
+        out_.write_raw(thread.helpers.text());
     }
 }
 
 void MachineWriter::during_functions() {
     if (during_.empty()) return;
     for (const DuringThread& during : during_) {
-        const diagnostics::ForeignText place = generation_.place(plan_.node(during.state).origin);
+        const diagnostics::ForeignText place = generation_.place_text(plan_.node(during.state).origin);
         thread_function(during.thread, "during_" + during.suffix,
                         "During action of " + place + ": once an entry, as far as it gets.", false);
-        out_.declaration("The state is left: what remains of its during action is cut.",
-                         fmt::format("static void cut_{}({}& f) noexcept {{", during.suffix, frame_type()));
-        out_.line(during.thread.go("idle"));
+        out_.open_declaration("The state is left: what remains of its during action is cut.",
+                              fmt::format("static void cut_{}({}& f) noexcept {{", during.suffix, frame_type()));
+        out_.line(during.thread.go_statement("idle"));
         if (during.thread.waits) out_.line(during.thread.wait + " = 0;");
         for (const std::string& deadline : during.thread.deadlines) out_.line(fmt::format("f.{} = 0;", deadline));
         for (const CallFrame& call : during.thread.calls) out_.line(fmt::format("f.{} = {{}};", call.field));
         out_.close();
     }
-    out_.declaration("During actions of the active states, outer states first.", signature("bool during"));
-    if (propagation_.prompt()) out_.line(call("prompt") + ";");
+    out_.open_declaration("During actions of the active states, outer states first.", function_head("bool during"));
+    if (propagation_.has_prompt_steps()) out_.line(function_call("prompt") + ";");
     out_.line("bool moved = false;");
     for (const DuringThread& during : during_)
-        out_.line(fmt::format("moved = {} || moved;", call("during_" + during.suffix)));
+        out_.line(fmt::format("moved = {} || moved;", function_call("during_" + during.suffix)));
     out_.line("return moved;");
     out_.close();
 }
 
 /// Writes the function that begins the exits with that of the innermost active state.
 void MachineWriter::begin_exits_function() {
-    const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).composite(); };
+    const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).is_composite(); };
     std::vector<NodeId> leaves;
     for (const NodeId top : plan_.machine().top) {
-        for (const NodeId leaf : plan_.leaves(top)) {
+        for (const NodeId leaf : plan_.resting_leaves(top)) {
             const std::vector<NodeId> around = plan_.ancestors(leaf);
             if (std::ranges::any_of(around, composite_exit)) leaves.push_back(leaf);
         }
     }
     if (leaves.empty()) return;
-    out_.declaration("Begins the exits of a composite state at the innermost active state.",
-                     fmt::format("static void leave({}& f) noexcept {{", frame_type()));
+    out_.open_declaration("Begins the exits of a composite state at the innermost active state.",
+                          fmt::format("static void leave({}& f) noexcept {{", frame_type()));
     out_.open("switch (f.at) {");
     for (const NodeId leaf : leaves) {
         const NodeId first = plan_.node(leaf).kind == ir::NodeKind::final ? plan_.node(leaf).parent : leaf;
-        out_.line(
-            fmt::format("case {}: {} return;", control_.at(plan_.label(leaf)), control_.go(plan_.exit_label(first))));
+        out_.line(fmt::format("case {}: {} return;", control_.qualified_label(plan_.label_of(leaf)),
+                              control_.go_statement(plan_.exit_label(first))));
     }
     out_.line("default: return;");
     out_.close();
     out_.close();
 }
 
-std::string MachineWriter::finished(const std::string& frame) const {
+std::string MachineWriter::finished_condition(const std::string& frame) const {
     std::vector<std::string> places;
-    for (const NodeId id : plan_.finals())
-        places.push_back(fmt::format("{}.at == {}", frame, control_.at(plan_.label(id))));
+    for (const NodeId id : plan_.final_nodes())
+        places.push_back(fmt::format("{}.at == {}", frame, control_.qualified_label(plan_.label_of(id))));
     return places.empty() ? "false" : fmt::format("{}", fmt::join(places, " || "));
 }
 
 void MachineWriter::run_function() {
     out_.gap();
-    const std::string during = during_.empty() ? "" : " || " + call("during");
-    const std::string parts = fmt::format("{}{} || {}", call("control"), during, call("transition"));
+    const std::string during = during_.empty() ? "" : " || " + function_call("during");
+    const std::string parts = fmt::format("{}{} || {}", function_call("control"), during, function_call("transition"));
     const bool watches = guards_deadlines(*unit_.machine);
     if (unit_.root) {
-        if (generation_.component.composed()) {
+        if (generation_.component.is_composed()) {
             out_.doc(fmt::format("One round of {}: as far as it gets without the others.", unit_.machine->name));
-            out_.open(signature("bool round"));
-            if (watches) out_.line(call("watch") + ";");
+            out_.open(function_head("bool round"));
+            if (watches) out_.line(function_call("watch") + ";");
             out_.line(fmt::format("return {};", parts));
         } else {
             run_alone(parts, watches);
@@ -186,36 +187,36 @@ void MachineWriter::run_function() {
         out_.gap();
         out_.open(
             fmt::format("[[nodiscard]] static bool finished([[maybe_unused]] const {}& f) noexcept {{", frame_type()));
-        out_.line(fmt::format("return {};", finished("f")));
+        out_.line(fmt::format("return {};", finished_condition("f")));
         return out_.close();
     }
     out_.doc(fmt::format("Runs operation {}; true when it has finished.", unit_.machine->name));
     out_.open(fmt::format("bool run({}, bool& moved) noexcept {{", frame_parameters(generation_.component, unit_)));
-    if (watches) out_.line(call("watch") + ";");
+    if (watches) out_.line(function_call("watch") + ";");
     out_.open(fmt::format("while ({}({})) {{", generation_.bound_test(), parts));
-    if (watches) out_.line(call("watch") + ";");
+    if (watches) out_.line(function_call("watch") + ";");
     out_.line("moved = true;");
     out_.close();
-    out_.line(fmt::format("return {};", finished("f")));
+    out_.line(fmt::format("return {};", finished_condition("f")));
     out_.close();
 }
 
 void MachineWriter::run_alone(const std::string& parts, bool watches) {
     out_.doc("Everything that can happen in this cycle.");
-    out_.open(signature("void run"));
-    if (propagation_.prompt()) out_.line(call("prompt") + ";");
-    if (watches) out_.line(call("watch") + ";");
+    out_.open(function_head("void run"));
+    if (propagation_.has_prompt_steps()) out_.line(function_call("prompt") + ";");
+    if (watches) out_.line(function_call("watch") + ";");
     out_.open(fmt::format("while ({}({})) {{", generation_.bound_test(), parts));
-    if (watches) out_.line(call("watch") + ";");
+    if (watches) out_.line(function_call("watch") + ";");
     out_.close();
 }
 
 }  // namespace
 
-MachineCode generate(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names,
-                     const std::vector<Field>& more) {
+MachineCode generate_machine(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names,
+                             const std::vector<Field>& more) {
     MachineContext context(generation, unit, done, type_names);
-    return MachineWriter(context).write(more);
+    return MachineWriter(context).write_machine(more);
 }
 
 }  // namespace robochart::cpp_emit

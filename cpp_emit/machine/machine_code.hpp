@@ -22,7 +22,7 @@ struct MachineCode {
 
 /// `done` contains the layouts of the operations that the unit calls, `type_names` is the scope of the core's
 /// namespace, `more` are further members of the state.
-[[nodiscard]] MachineCode generate(const Generation&, const Unit&, const Layouts& done, NameScope& type_names,
-                                   const std::vector<Field>& more);
+[[nodiscard]] MachineCode generate_machine(const Generation&, const Unit&, const Layouts& done, NameScope& type_names,
+                                           const std::vector<Field>& more);
 
 }  // namespace robochart::cpp_emit

@@ -41,13 +41,13 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
     control.wait = "f.wait";
     control.labels = &plan.place_labels();
     control.fields = &fields;
-    leaving = plan.has_noted_leaving() ? type_names.unique(prefix + "Leaving") : "";
+    leaving = plan.has_noted_leaving() ? type_names.unique_name(prefix + "Leaving") : "";
     for (std::uint32_t index = 0; index < unit.machine->transitions.size(); ++index) {
         const ir::Transition& transition = unit.machine->transitions[index];
         const bool state = plan.node(transition.source).kind == ir::NodeKind::state;
         if (transition.deadline && state)
             watches.push_back(
-                {ir::TransitionId{index}, transition.source, fields.unique("deadline_of_" + transition.name)});
+                {ir::TransitionId{index}, transition.source, fields.unique_name("deadline_of_" + transition.name)});
     }
     std::size_t durings = 0;
     for (const auto& node : unit.machine->nodes) durings += node.during ? 1U : 0U;
@@ -57,10 +57,10 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
         if (!plan.node(id).during || runs_on_entry(id)) continue;
         DuringThread& added = during.emplace_back();
         added.state = id;
-        added.suffix = plan.label(id);
+        added.suffix = plan.label_of(id);
         added.labels = NameScope(std::set<std::string>{"idle", "start"});
         added.thread.variable = "f.during_" + added.suffix;
-        added.thread.enumeration = type_names.unique(prefix + "During_" + added.suffix);
+        added.thread.enumeration = type_names.unique_name(prefix + "During_" + added.suffix);
         added.thread.wait = "f.wait_" + added.suffix;
         added.thread.prefix = added.suffix + "_";
         added.thread.labels = &added.labels;
@@ -73,27 +73,28 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
 bool MachineContext::runs_on_entry(NodeId id) const {
     const ir::Node& node = plan.node(id);
     const std::vector<NodeId> around = plan.ancestors(id);
-    return node.during && !node.composite() && faultless_cycle(generation.options) &&
-           !suspends(generation, unit, node.during) &&
+    return node.during && !node.is_composite() && faultless_cycle(generation.options) &&
+           !may_suspend(generation, unit, node.during) &&
            std::ranges::none_of(around, [&](NodeId outer) { return plan.node(outer).during != nullptr; });
 }
 
-std::string MachineContext::signature(const std::string& name) const {
+std::string MachineContext::function_head(const std::string& name) const {
     return fmt::format("{}({}) noexcept {{", name, frame_parameters(generation.component, unit));
 }
 
-std::string MachineContext::call(const std::string& name) const {
+std::string MachineContext::function_call(const std::string& name) const {
     return fmt::format("{}({})", name, frame_arguments(generation.component, unit));
 }
 
 std::string MachineContext::in_call(const Thread& thread, const CallFrame& call) {
     std::vector<std::string> places;
-    for (const auto& label : call.live) places.push_back(fmt::format("{} == {}", thread.variable, thread.at(label)));
+    for (const auto& label : call.live)
+        places.push_back(fmt::format("{} == {}", thread.variable, thread.qualified_label(label)));
     return fmt::format("{}", fmt::join(places, " || "));
 }
 
 std::string MachineContext::call_inside(const CallFrame& call, const std::string& name) const {
-    const Unit& operation = generation.component.unit(call.operation);
+    const Unit& operation = generation.component.unit_at(call.operation);
     return fmt::format("{}({})", name, frame_arguments(generation.component, operation, unit, "f." + call.field));
 }
 

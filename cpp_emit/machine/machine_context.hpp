@@ -38,9 +38,9 @@ struct MachineContext {
     /// waits and runs alone, so this has the same effect as a separate thread.
     [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
     /// The head of a function of the unit: `name(frames) noexcept {`.
-    [[nodiscard]] std::string signature(const std::string& name) const;
+    [[nodiscard]] std::string function_head(const std::string& name) const;
     /// `name(f)`, with the states that the unit's functions take as arguments.
-    [[nodiscard]] std::string call(const std::string& name) const;
+    [[nodiscard]] std::string function_call(const std::string& name) const;
     /// The condition that the thread calls the operation: "f.at == At::S1_1 || f.at == At::S1_2".
     [[nodiscard]] static std::string in_call(const Thread&, const CallFrame&);
     /// The call of the called operation's function: `name(f.turn, ...)`.
@@ -72,8 +72,8 @@ protected:
           watches_(context.watches),
           out_(context.out) {}
 
-    [[nodiscard]] std::string signature(const std::string& name) const { return context_.signature(name); }
-    [[nodiscard]] std::string call(const std::string& name) const { return context_.call(name); }
+    [[nodiscard]] std::string function_head(const std::string& name) const { return context_.function_head(name); }
+    [[nodiscard]] std::string function_call(const std::string& name) const { return context_.function_call(name); }
     [[nodiscard]] std::string frame_type() const { return unit_.frame + "<Types>"; }
 
     MachineContext& context_;

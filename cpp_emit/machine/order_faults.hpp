@@ -23,7 +23,7 @@ public:
     /// Fault::action_after_entry.
     [[nodiscard]] bool acts_late(const ir::Transition&);
     /// Fault::composite_resumed: the composite continues in its last inner state.
-    [[nodiscard]] bool resumes(ir::NodeId composite);
+    [[nodiscard]] bool resumes_composite(ir::NodeId composite);
     /// Fault::children_not_exited.
     [[nodiscard]] bool skips_children(ir::NodeId left);
 };

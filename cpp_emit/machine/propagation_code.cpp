@@ -14,7 +14,7 @@ bool PropagationCode::any_thread(const Test& test) const {
            std::ranges::any_of(during_, [&](const DuringThread& during) { return test(during.thread); });
 }
 
-bool PropagationCode::prompt() const {
+bool PropagationCode::has_prompt_steps() const {
     return any_thread([&](const Thread& thread) {
         return !thread.prompt_steps.empty() || std::ranges::any_of(thread.calls, [&](const CallFrame& call) {
             return context_.done.at(call.operation).prompt;
@@ -23,9 +23,9 @@ bool PropagationCode::prompt() const {
 }
 
 void PropagationCode::prompt_function() {
-    if (!prompt()) return;
-    out_.declaration("Threads that go on with what writes of others may have to wait for do it.",
-                     signature("void prompt"));
+    if (!has_prompt_steps()) return;
+    out_.open_declaration("Threads that go on with what writes of others may have to wait for do it.",
+                          function_head("void prompt"));
     for (const DuringThread& during : during_) prompt_steps(during.thread);
     prompt_steps(control_);
     out_.close();
@@ -43,7 +43,7 @@ void PropagationCode::prompt_steps(const Thread& thread) {
                                   context_.call_inside(call, "prompt")));
 }
 
-bool PropagationCode::holds() const {
+bool PropagationCode::holds_writes() const {
     return any_thread([&](const Thread& thread) {
         return !thread.holding.empty() || std::ranges::any_of(thread.calls, [&](const CallFrame& call) {
             return context_.done.at(call.operation).holds;
@@ -51,22 +51,22 @@ bool PropagationCode::holds() const {
     });
 }
 
-/// Written for a machine in the variable's list of holders (Component::variables), and for the operations that it
-/// calls.
+/// Writes holds_up for a machine in the variable's list of holders (Component::variables), and for the operations that
+/// it calls.
 void PropagationCode::holds_up_function() {
-    if (!holds()) return;
-    out_.declaration(
+    if (!holds_writes()) return;
+    out_.open_declaration(
         "A thread waits for a communication with a deadline: meanwhile nothing is propagated to the machine.",
         fmt::format("[[nodiscard]] static bool holds_up(const {}& f) noexcept {{", frame_type()));
-    for (const DuringThread& during : during_) holding(during.thread);
-    holding(control_);
+    for (const DuringThread& during : during_) write_holding(during.thread);
+    write_holding(control_);
     out_.line("return false;");
     out_.close();
 }
 
-void PropagationCode::holding(const Thread& thread) {
+void PropagationCode::write_holding(const Thread& thread) {
     for (const std::string& label : thread.holding)
-        out_.line(fmt::format("if ({} == {}) return true;", thread.variable, thread.at(label)));
+        out_.line(fmt::format("if ({} == {}) return true;", thread.variable, thread.qualified_label(label)));
     for (const CallFrame& call : thread.calls)
         if (context_.done.at(call.operation).holds)
             out_.line(fmt::format("if (({}) && holds_up(f.{})) return true;", MachineContext::in_call(thread, call),

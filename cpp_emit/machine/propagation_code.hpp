@@ -13,17 +13,17 @@ public:
     explicit PropagationCode(MachineContext& context) : MachineCodePart(context) {}
 
     /// Whether threads may continue with a step that holds up writes of others, here or in called operations.
-    [[nodiscard]] bool prompt() const;
+    [[nodiscard]] bool has_prompt_steps() const;
     /// Writes `void prompt(f)`: the threads make their calls, and begin to wait.
     void prompt_function();
     /// Whether threads may wait for communications with deadlines, here or in called operations.
-    [[nodiscard]] bool holds() const;
+    [[nodiscard]] bool holds_writes() const;
     /// Writes `bool holds_up(f)`: whether some thread waits in this way.
     void holds_up_function();
 
 private:
     void prompt_steps(const Thread&);
-    void holding(const Thread&);
+    void write_holding(const Thread&);
     template <class Test>
     [[nodiscard]] bool any_thread(const Test&) const;
 };

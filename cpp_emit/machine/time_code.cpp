@@ -15,7 +15,7 @@ namespace robochart::cpp_emit {
 using ir::NodeId;
 using ir::NodeKind;
 
-bool TimeCode::timed() const {
+bool TimeCode::is_timed() const {
     const auto& read = unit_.clock_read;
     const auto timed_calls = [&](const Thread& thread) {
         return thread.waits || !thread.deadlines.empty() || !thread.held_up.empty() ||
@@ -27,8 +27,8 @@ bool TimeCode::timed() const {
 }
 
 void TimeCode::advance_function() {
-    if (!timed()) return;
-    out_.declaration("Time passes: clocks, waits and deadlines.", signature("void advance"));
+    if (!is_timed()) return;
+    out_.open_declaration("Time passes: clocks, waits and deadlines.", function_head("void advance"));
     for (const Watch& watch : watches_) advance_watch(watch);
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index) {
         if (!unit_.clock_read[index]) continue;
@@ -39,7 +39,7 @@ void TimeCode::advance_function() {
     }
     advance_thread(control_);
     for (const DuringThread& during : during_) advance_thread(during.thread);
-    if (guards_deadlines(*unit_.machine)) out_.line(call("watch") + ";");
+    if (guards_deadlines(*unit_.machine)) out_.line(function_call("watch") + ";");
     out_.close();
 }
 
@@ -52,30 +52,30 @@ void TimeCode::advance_thread(const Thread& thread) {
     for (const std::string& deadline : thread.deadlines)
         out_.line(fmt::format("advance_deadline(f.{}, cycle_length);", deadline));
     for (const std::string& label : thread.held_up)
-        out_.line(fmt::format("if ({} == {}) stop_time();", thread.variable, thread.at(label)));
+        out_.line(fmt::format("if ({} == {}) stop_time();", thread.variable, thread.qualified_label(label)));
     for (const CallFrame& call : thread.calls)
         if (context_.done.at(call.operation).timed)
             out_.line(fmt::format("if ({}) {};", MachineContext::in_call(thread, call),
                                   context_.call_inside(call, "advance")));
 }
 
-std::string TimeCode::holds(const ir::Transition& transition) const {
+std::string TimeCode::guard_text(const ir::Transition& transition) const {
     ExpressionWriter expressions(generation_, unit_);
-    const bool stores = transition.trigger && transition.trigger->variable.valid();
-    if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
-    return expressions.expression_asked(*transition.guard).whole();
+    const bool stores = transition.trigger && transition.trigger->variable.is_valid();
+    if (stores) expressions.set_incoming(expressions.variable_member(transition.trigger->variable));
+    return expressions.expression_asked(*transition.guard).whole_text();
 }
 
 /// The guard is evaluated wherever an observer could see the model wait: after each step, before effects that others
 /// can observe, and after clocks have advanced.
 void TimeCode::watch_function() {
     if (!guards_deadlines(*unit_.machine)) return;
-    out_.declaration("A deadline begins anew while its guard does not hold.", signature("void watch"));
+    out_.open_declaration("A deadline begins anew while its guard does not hold.", function_head("void watch"));
     for (const Watch& watch : watches_) {
         const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
         if (!transition.guard) continue;
         const std::string anew = steps_.start_of(watch);
-        out_.line(fmt::format("if (f.{} > 0 && !({})) {}", watch.field, holds(transition), anew));
+        out_.line(fmt::format("if (f.{} > 0 && !({})) {}", watch.field, guard_text(transition), anew));
     }
     out_.close();
 }
@@ -83,7 +83,7 @@ void TimeCode::watch_function() {
 void TimeCode::advance_watch(const Watch& watch) {
     const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
     const std::string advance = fmt::format("advance_deadline(f.{}, cycle_length);", watch.field);
-    out_.line(transition.guard ? fmt::format("if ({}) {}", holds(transition), advance) : advance);
+    out_.line(transition.guard ? fmt::format("if ({}) {}", guard_text(transition), advance) : advance);
 }
 
 }  // namespace robochart::cpp_emit

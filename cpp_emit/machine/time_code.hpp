@@ -12,7 +12,7 @@ public:
     TimeCode(MachineContext& context, ControlSteps& steps) : MachineCodePart(context), steps_(steps) {}
 
     /// Whether something in the frame changes with time.
-    [[nodiscard]] bool timed() const;
+    [[nodiscard]] bool is_timed() const;
     /// Writes the function that advances clocks, waits and deadlines.
     void advance_function();
     /// Writes the function that restarts a deadline while its guard does not hold.
@@ -21,7 +21,7 @@ public:
 private:
     void advance_clock(const std::string& clock, std::int64_t saturation);
     void advance_thread(const Thread&);
-    [[nodiscard]] std::string holds(const ir::Transition&) const;
+    [[nodiscard]] std::string guard_text(const ir::Transition&) const;
     void advance_watch(const Watch&);
 
     ControlSteps& steps_;

@@ -24,13 +24,15 @@ void TransitionCode::transition_functions() {
     if (choices) pick_function();
     out_.doc(choices ? "Starts the transition whose turn it is: inner states first, then textual order."
                      : "Starts the first enabled transition: inner states first, then textual order.");
-    out_.open(signature(choices ? "bool attempt" : "bool transition"));
+    out_.open(function_head(choices ? "bool attempt" : "bool transition"));
     out_.open("switch (f.at) {");
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
         const NodeId id{index};
-        const std::vector<std::string> calls = plan_.settles(id) ? attempts(id) : std::vector<std::string>{};
+        const std::vector<std::string> calls =
+            plan_.is_resting_place(id) ? attempt_calls(id) : std::vector<std::string>{};
         if (calls.empty()) continue;
-        out_.line(fmt::format("case {}: return {};", control_.at(plan_.label(id)), fmt::join(calls, " || ")));
+        out_.line(
+            fmt::format("case {}: return {};", control_.qualified_label(plan_.label_of(id)), fmt::join(calls, " || ")));
     }
     out_.line("default: return false;");
     out_.close();
@@ -40,29 +42,29 @@ void TransitionCode::transition_functions() {
 /// Reference API A6: a first pass counts the choices and takes none of them.
 void TransitionCode::pick_function() {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
-    out_.open(signature("bool transition"));
+    out_.open(function_head("bool transition"));
     out_.open("if constexpr (robochart::Picks<Platform>::value) {");
     out_.line("turn_.count();");
-    out_.line(call("attempt") + ";");
+    out_.line(function_call("attempt") + ";");
     out_.line("if (turn_.counted() == 0) return false;");
     out_.line("turn_.take(robochart::pick(platform_, turn_.counted()));");
     out_.close();
-    out_.line(fmt::format("return {};", call("attempt")));
+    out_.line(fmt::format("return {};", function_call("attempt")));
     out_.close();
     out_.gap();
 }
 
-std::vector<std::string> TransitionCode::attempts(NodeId leaf) const {
+std::vector<std::string> TransitionCode::attempt_calls(NodeId leaf) const {
     std::vector<std::string> calls;
-    const std::vector<NodeId> chain = plan_.chain(leaf);
+    const std::vector<NodeId> chain = plan_.state_chain(leaf);
     for (const NodeId state : chain)
-        if (!plan_.node(state).outgoing.empty()) calls.push_back(call("from_" + plan_.label(state)));
+        if (!plan_.node(state).outgoing.empty()) calls.push_back(function_call("from_" + plan_.label_of(state)));
     return calls;
 }
 
 void TransitionCode::from_function(NodeId id) {
-    out_.declaration("Transitions of " + generation_.place(plan_.node(id).origin),
-                     signature("bool from_" + plan_.label(id)));
+    out_.open_declaration("Transitions of " + generation_.place_text(plan_.node(id).origin),
+                          function_head("bool from_" + plan_.label_of(id)));
     bool certain = false;
     for (const ir::TransitionId way : plan_.node(id).outgoing) {
         if (certain) break;
@@ -74,11 +76,11 @@ void TransitionCode::from_function(NodeId id) {
 
 bool TransitionCode::try_transition(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
-    out_.comment(generation_.place(transition.origin));
+    out_.comment(generation_.place_text(transition.origin));
     reset_too_soon(transition);
     if (transition.trigger) return try_trigger(transition, id);
-    const CppExpr condition = steps_.in_turn(steps_.guard(transition, ""));
-    out_.when(condition, [&] { begin_transition(transition, id); });
+    const CppExpr condition = steps_.picked_guard(steps_.guard_condition(transition, ""));
+    out_.write_if(condition, [&] { begin_transition(transition, id); });
     return condition.empty();
 }
 
@@ -92,13 +94,13 @@ bool TransitionCode::try_trigger(const ir::Transition& transition, ir::Transitio
     CppExpr late_guard;
     const Condition condition = [&](const std::string& incoming) {
         late_guard = {};
-        CppExpr holds = steps_.guard(transition, incoming);
-        if (holds.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return steps_.in_turn(holds);
+        CppExpr holds = steps_.guard_condition(transition, incoming);
+        if (holds.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return steps_.picked_guard(holds);
         late_guard = std::move(holds);
-        return steps_.in_turn({});
+        return steps_.picked_guard({});
     };
-    return receive(generation_, unit_, *transition.trigger, out_, condition, [&] {
-        if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard.whole()));
+    return write_reception(generation_, unit_, *transition.trigger, out_, condition, [&] {
+        if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard.whole_text()));
         begin_transition(transition, id);
     });
 }
@@ -106,39 +108,39 @@ bool TransitionCode::try_trigger(const ir::Transition& transition, ir::Transitio
 void TransitionCode::begin_transition(const ir::Transition& transition, ir::TransitionId id) {
     reset_clocks(generation_, unit_, transition.resets, out_);
     out_.line(steps_.tell_taken(id));
-    depart(transition.source, id);
+    write_departure(transition.source, id);
     out_.line(generation_.bound_test().empty() ? "return true;" : "return spend();");
 }
 
 /// Interrupts the during actions of the state and of all inner states, and starts the exits.
-void TransitionCode::depart(NodeId source, ir::TransitionId id) {
+void TransitionCode::write_departure(NodeId source, ir::TransitionId id) {
     for (const DuringThread& during : during_) {
-        const std::vector<NodeId> around = plan_.chain(during.state);
+        const std::vector<NodeId> around = plan_.state_chain(during.state);
         const bool left = std::ranges::find(around, source) != around.end();
         if (left) out_.line(fmt::format("cut_{}(f);", during.suffix));
     }
     for (const Watch& watch : watches_) {
-        const std::vector<NodeId> around = plan_.chain(watch.state);
+        const std::vector<NodeId> around = plan_.state_chain(watch.state);
         const bool left = std::ranges::find(around, source) != around.end();
         if (left) out_.line(fmt::format("f.{} = 0;", watch.field));
     }
     const ir::Transition& transition = plan_.machine().transitions[id.index];
-    const bool composite = plan_.node(source).composite();
+    const bool composite = plan_.node(source).is_composite();
     const bool skips = faults_.skips_children(source);
     for (const NodeId history : context_.histories)
-        if (history == source) out_.line(fmt::format("f.history_{} = f.at;", plan_.label(source)));
+        if (history == source) out_.line(fmt::format("f.history_{} = f.at;", plan_.label_of(source)));
     if (!plan_.notes_leaving(source)) {
-        const std::string own = plan_.node(source).exit ? call(plan_.exit_label(source)) + ";" : "";
-        const std::string exits = plan_.acts(transition) && !plan_.straight_exits(source) ? ""
-                                  : skips                                                 ? own
-                                                                                          : steps_.leave(source);
-        if (faults_.acts_first(transition) && !plan_.acts(transition))
-            out_.raw(steps_.straight_program(transition.action, 3));
+        const std::string own = plan_.node(source).exit ? function_call(plan_.exit_label(source)) + ";" : "";
+        const std::string exits = plan_.acts_after_trigger(transition) && !plan_.straight_exits(source) ? ""
+                                  : skips                                                               ? own
+                                          : steps_.leave_statement(source);
+        if (faults_.acts_first(transition) && !plan_.acts_after_trigger(transition))
+            out_.write_raw(steps_.straight_program(transition.action, 3));
         if (!exits.empty()) out_.line(exits);
-        return out_.line(steps_.proceed(transition));
+        return out_.line(steps_.proceed_statement(transition));
     }
     out_.line(fmt::format("f.leaving = {}::{};", context_.leaving, plan_.take_label(id)));
-    out_.line(skips || !composite ? control_.go(plan_.exit_label(source)) : "leave(f);");
+    out_.line(skips || !composite ? control_.go_statement(plan_.exit_label(source)) : "leave(f);");
 }
 
 }  // namespace robochart::cpp_emit

@@ -18,13 +18,13 @@ public:
 
 private:
     void pick_function();
-    [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
+    [[nodiscard]] std::vector<std::string> attempt_calls(ir::NodeId leaf) const;
     void from_function(ir::NodeId);
     bool try_transition(const ir::Transition&);
     void reset_too_soon(const ir::Transition&);
     bool try_trigger(const ir::Transition&, ir::TransitionId);
     void begin_transition(const ir::Transition&, ir::TransitionId);
-    void depart(ir::NodeId source, ir::TransitionId);
+    void write_departure(ir::NodeId source, ir::TransitionId);
 
     OrderFaults& faults_;
     ControlSteps& steps_;

@@ -13,12 +13,12 @@ using ir::TypeKind;
 
 namespace {
 
-std::size_t bounded(std::size_t count) {
+std::size_t bound_count(std::size_t count) {
     return std::min(count, largest_set + 1);
 }
 
 std::size_t times(std::size_t a, std::size_t b) {
-    return bounded(bounded(a) * bounded(b));
+    return bound_count(bound_count(a) * bound_count(b));
 }
 
 std::size_t power(std::size_t base, std::size_t exponent) {
@@ -77,11 +77,11 @@ struct Numbers {
     std::size_t most;
     [[nodiscard]] static std::size_t number(std::size_t n) { return n; }
     [[nodiscard]] static std::size_t times(std::size_t a, std::size_t b) { return cpp_emit::times(a, b); }
-    [[nodiscard]] static std::size_t plus(std::size_t a, std::size_t b) { return bounded(a + b); }
-    [[nodiscard]] static std::size_t power(std::size_t a, std::size_t b) { return cpp_emit::power(a, bounded(b)); }
+    [[nodiscard]] static std::size_t plus(std::size_t a, std::size_t b) { return bound_count(a + b); }
+    [[nodiscard]] static std::size_t power(std::size_t a, std::size_t b) { return cpp_emit::power(a, bound_count(b)); }
     [[nodiscard]] std::size_t sequences(std::size_t items) const {
         std::size_t result = 1;
-        for (std::size_t i = 0; i < most; ++i) result = bounded(1 + times(items, result));
+        for (std::size_t i = 0; i < most; ++i) result = bound_count(1 + times(items, result));
         return result;
     }
     [[nodiscard]] std::size_t longest() const { return most; }
@@ -117,13 +117,13 @@ Count members_of(const ir::System& system, const ir::Type& type, const Rules& ru
 
 }  // namespace
 
-std::string capacity(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
+std::string set_capacity(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
     const auto text = members_of<std::string>(system, type, Texts{spelling.types});
     const bool simple = text.find_first_of("*(+") == std::string::npos;
     return simple ? text : fmt::format("robochart::places({})", text);
 }
 
-std::size_t capacity(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
+std::size_t set_capacity(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
     return members_of<std::size_t>(system, type, Numbers{longest(inst)});
 }
 

@@ -18,30 +18,30 @@ std::set<std::string> never_members(const ir::System& system, const Component& c
 NameScope core_type_scope(const Component& component) {
     NameScope scope(own_type_names());
     for (const Unit& unit : component.units) {
-        for (const ir::Variable& variable : unit.machine->variables) scope.take(identifier(variable.name));
-        for (const ir::Clock& clock : unit.machine->clocks) scope.take(identifier(clock.name));
-        for (const ir::Event& event : unit.machine->events) scope.take(identifier(event.name));
+        for (const ir::Variable& variable : unit.machine->variables) scope.reserve_name(to_identifier(variable.name));
+        for (const ir::Clock& clock : unit.machine->clocks) scope.reserve_name(to_identifier(clock.name));
+        for (const ir::Event& event : unit.machine->events) scope.reserve_name(to_identifier(event.name));
     }
-    for (const Part& part : component.parts) scope.take(identifier(part.name));
+    for (const Part& part : component.parts) scope.reserve_name(to_identifier(part.name));
     return scope;
 }
 
-const EventUse& Component::event(const Unit& of, ir::EventId id) const {
-    return *event(Peer{of.part, of.machine->events[id.index].name});
+const EventUse& Component::find_event(const Unit& of, ir::EventId id) const {
+    return *find_event(Peer{of.part, of.machine->events[id.index].name});
 }
 
-const EventUse* Component::event(const Peer& end) const {
+const EventUse* Component::find_event(const Peer& end) const {
     const std::vector<EventUse>& uses = parts[end.part].events;
     const auto found = std::ranges::find_if(uses, [&](const EventUse& use) { return use.name == end.event; });
     return found == uses.end() ? nullptr : &*found;
 }
 
-const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const {
-    if (!unit(of.variable_owners[id.index].unit).root) return nullptr;
-    return &variables[part(of).variables.at(of.machine->variables[id.index].name)];
+const StoredVariable* Component::stored_variable(const Unit& of, ir::VariableId id) const {
+    if (!unit_at(of.variable_owners[id.index].unit).root) return nullptr;
+    return &variables[part_of(of).variables.at(of.machine->variables[id.index].name)];
 }
 
-const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
+const PlatformCall& Component::find_platform_call(const Unit& of, ir::OperationId id) const {
     const std::string& wanted = of.machine->operations[id.index].name;
     return *std::ranges::find_if(calls,
                                  [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
@@ -52,13 +52,13 @@ const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
                                  [&](const ModelledCall& candidate) { return candidate.definition == definition; });
 }
 
-const CarrierUse& Component::carrier(ir::TypeId type) const {
+const CarrierUse& Component::find_carrier(ir::TypeId type) const {
     return *std::ranges::find_if(carriers, [&](const CarrierUse& use) { return use.type == type; });
 }
 
-std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
+std::pair<const Unit*, ir::ClockId> Component::clock_owner(const Unit& of, ir::ClockId id) const {
     const Owner& owner = of.clock_owners[id.index];
-    return {&unit(owner.unit), ir::ClockId{owner.place}};
+    return {&unit_at(owner.unit), ir::ClockId{owner.place}};
 }
 
 }  // namespace robochart::cpp_emit

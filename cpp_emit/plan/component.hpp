@@ -59,7 +59,7 @@ struct EventUse {
 
     /// Whether the event is an input that is not connected: in the semantics it can happen spontaneously (semantics
     /// 3.9).
-    [[nodiscard]] bool spontaneous() const { return ports.empty() && peers.empty() && emptied.empty(); }
+    [[nodiscard]] bool is_spontaneous() const { return ports.empty() && peers.empty() && emptied.empty(); }
     /// Whether the event is sent to another machine, so that the sender may have to wait. The platform always accepts.
     [[nodiscard]] bool waits_to_send() const { return filled.empty() && ports.empty() && !peers.empty(); }
 };
@@ -101,7 +101,7 @@ struct StoredVariable {
     std::string propagate;  ///< method of Step, if there are holders: the steps after a write
 
     /// Whether the variable is a member of the state. A shared variable that is never read is none.
-    [[nodiscard]] bool stored() const { return read || !shared; }
+    [[nodiscard]] bool has_member() const { return read || !shared; }
 };
 
 /// An operation that the platform implements.
@@ -143,7 +143,7 @@ struct Owner {
 /// operation denote different elements for different callers, there is a unit for each case.
 struct Unit {
     ir::MachineId id;
-    std::size_t number = 0;  ///< number in the order in which calls are followed; see Component::unit
+    std::size_t number = 0;  ///< number in the order in which calls are followed; index into Component::unit_places
     std::size_t part = 0;
     const ir::Machine* machine = nullptr;
     bool root = false;
@@ -176,7 +176,7 @@ struct Part {
     std::map<std::string, std::size_t> variables;  ///< by name in the machine: index into Component::variables
 
     /// The expression for the frame of its machine: "state_", "state_.stm0".
-    [[nodiscard]] std::string place() const { return tag.empty() ? "state_" : "state_." + tag; }
+    [[nodiscard]] std::string frame_expression() const { return tag.empty() ? "state_" : "state_." + tag; }
 };
 
 struct Component {
@@ -206,25 +206,27 @@ struct Component {
     bool ordered = false;  ///< whether composed values are elements of sets
 
     /// Whether several machines run in parallel.
-    [[nodiscard]] bool composed() const { return parts.size() > 1; }
+    [[nodiscard]] bool is_composed() const { return parts.size() > 1; }
     /// The machine of a component with only one machine.
-    [[nodiscard]] const Unit& root() const { return units.back(); }
-    [[nodiscard]] const Part& part(const Unit& unit) const { return parts[unit.part]; }
-    [[nodiscard]] const Unit& root(std::size_t part) const { return units[parts[part].root]; }
-    [[nodiscard]] const Unit& unit(std::size_t number) const { return units[unit_places[number]]; }
+    [[nodiscard]] const Unit& root_unit() const { return units.back(); }
+    [[nodiscard]] const Part& part_of(const Unit& unit) const { return parts[unit.part]; }
+    [[nodiscard]] const Unit& root_unit(std::size_t part) const { return units[parts[part].root]; }
+    [[nodiscard]] const Unit& unit_at(std::size_t number) const { return units[unit_places[number]]; }
     /// The unit that a call of a defined operation runs.
-    [[nodiscard]] const Unit& callee(const Unit& of, ir::OperationId id) const { return unit(of.callees[id.index]); }
-    [[nodiscard]] const EventUse& event(const Unit&, ir::EventId) const;
+    [[nodiscard]] const Unit& called_unit(const Unit& of, ir::OperationId id) const {
+        return unit_at(of.callees[id.index]);
+    }
+    [[nodiscard]] const EventUse& find_event(const Unit&, ir::EventId) const;
     /// The part's event at one end of a connection; null if its machine does not use the event.
-    [[nodiscard]] const EventUse* event(const Peer&) const;
+    [[nodiscard]] const EventUse* find_event(const Peer&) const;
     /// The variable of the machine, or the shared variable, that a unit's variable denotes. Null for variables of
     /// operations, whose owner is in Unit::variable_owners.
-    [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
-    [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;
+    [[nodiscard]] const StoredVariable* stored_variable(const Unit&, ir::VariableId) const;
+    [[nodiscard]] const PlatformCall& find_platform_call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
-    [[nodiscard]] const CarrierUse& carrier(ir::TypeId) const;
+    [[nodiscard]] const CarrierUse& find_carrier(ir::TypeId) const;
     /// The unit whose frame contains a clock, and the clock's number there.
-    [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
+    [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock_owner(const Unit&, ir::ClockId) const;
 };
 
 /// Names that members of a state must not have: those of other members and of types, including the names that units

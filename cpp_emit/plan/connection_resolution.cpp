@@ -33,17 +33,17 @@ public:
            const std::vector<const ir::Controller*>& contexts, Diagnostics& diagnostics)
         : component_(component), system_(system), module_(module), contexts_(contexts), diagnostics_(diagnostics) {}
 
-    void wire() {
-        for (std::size_t part = 0; part < component_.parts.size(); ++part) collect(part);
+    void wire_parts() {
+        for (std::size_t part = 0; part < component_.parts.size(); ++part) collect_events(part);
         for (std::size_t part = 0; part < component_.parts.size(); ++part)
-            for (EventUse& use : component_.parts[part].events) follow(part, use);
+            for (EventUse& use : component_.parts[part].events) follow_connections(part, use);
         for (std::size_t part = 0; part < component_.parts.size(); ++part)
-            for (const EventUse& use : component_.parts[part].events) check(part, use);
+            for (const EventUse& use : component_.parts[part].events) check_connections(part, use);
     }
 
 private:
     /// The part's events, in the order in which its machine declares them.
-    void collect(std::size_t part) {
+    void collect_events(std::size_t part) {
         std::vector<EventUse>& uses = component_.parts[part].events;
         const auto use_of = [&](const ir::Event& event) -> EventUse& {
             for (EventUse& use : uses)
@@ -62,14 +62,14 @@ private:
                 (receives ? use.received : use.sent) = true;
             });
         }
-        const auto& declared = component_.root(part).machine->events;
+        const auto& declared = component_.root_unit(part).machine->events;
         const auto place = [&](const EventUse& use) {
             return std::ranges::find_if(declared, [&](const ir::Event& event) { return event.name == use.name; });
         };
         std::ranges::stable_sort(uses, [&](const EventUse& a, const EventUse& b) { return place(a) < place(b); });
     }
 
-    void follow(std::size_t part, EventUse& use) {
+    void follow_connections(std::size_t part, EventUse& use) {
         const ir::Controller* const controller = contexts_[part];
         if (controller == nullptr) return add_port(use, use.name);
         each_end(controller->connections, [&](const ConnectionEnd& here, const ConnectionEnd& there, std::size_t) {
@@ -118,7 +118,7 @@ private:
         if (found == ports.end()) {
             EventPort port;
             port.outside = outside;
-            port.model_name = component_.composed() ? outside : use.name;
+            port.model_name = component_.is_composed() ? outside : use.name;
             port.interface = use.interface;
             port.type = use.type;
             found = ports.insert(ports.end(), std::move(port));
@@ -141,19 +141,21 @@ private:
         (&here == &module_->connections[connection].from ? use.filled : use.emptied).push_back(index);
     }
 
-    void refuse(const Part& part, const EventUse& use, const char* why) {
+    void report_unconnected(const Part& part, const EventUse& use, const char* why) {
         const std::string& where = part.name.empty() ? component_.name : part.name;
         diagnostics_.report(rules::unconnected, component_.origin.span, {where, use.name, why});
     }
 
-    void check(std::size_t index, const EventUse& use) {
+    void check_connections(std::size_t index, const EventUse& use) {
         const Part& part = component_.parts[index];
         for (const Peer& peer : use.peers) {
-            if (peer.part == index) refuse(part, use, "connected to its own machine");
-            const EventUse* const other = component_.event(peer);
-            if (other != nullptr && other->type != use.type) refuse(part, use, "connected to one of another type");
+            if (peer.part == index) report_unconnected(part, use, "connected to its own machine");
+            const EventUse* const other = component_.find_event(peer);
+            if (other != nullptr && other->type != use.type)
+                report_unconnected(part, use, "connected to one of another type");
         }
-        if (use.received && use.spontaneous() && reads_value(index, use)) refuse(part, use, "not connected");
+        if (use.received && use.is_spontaneous() && reads_value(index, use))
+            report_unconnected(part, use, "not connected");
     }
 
     /// Whether some condition depends on the value of the event.
@@ -185,9 +187,9 @@ private:
 
 }  // namespace
 
-void wire(Component& component, const ir::System& system, const ir::Module* module,
-          const std::vector<const ir::Controller*>& contexts, Diagnostics& diagnostics) {
-    Wiring(component, system, module, contexts, diagnostics).wire();
+void wire_component(Component& component, const ir::System& system, const ir::Module* module,
+                    const std::vector<const ir::Controller*>& contexts, Diagnostics& diagnostics) {
+    Wiring(component, system, module, contexts, diagnostics).wire_parts();
 }
 
 }  // namespace robochart::cpp_emit

@@ -4,7 +4,7 @@
 
 namespace robochart::cpp_emit {
 
-std::vector<Register> registers(const Component& component) {
+std::vector<Register> exploration_registers(const Component& component) {
     std::vector<Register> result;
     for (const EventPort& event : component.events)
         if (event.received) result.push_back({event.outside + ".in", event.input, event.type});
@@ -14,7 +14,7 @@ std::vector<Register> registers(const Component& component) {
     return result;
 }
 
-std::vector<Output> outputs(const Component& component) {
+std::vector<Output> exploration_outputs(const Component& component) {
     std::vector<Output> result;
     for (const PlatformCall& call : component.calls)
         result.push_back({call.signature->name + "Call", call.method, call.signature->parameters});

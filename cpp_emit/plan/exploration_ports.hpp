@@ -25,8 +25,8 @@ struct Output {
 };
 
 /// Lists received events, then externally written variables.
-[[nodiscard]] std::vector<Register> registers(const Component&);
+[[nodiscard]] std::vector<Register> exploration_registers(const Component&);
 /// Lists called operations, then sent events, then written variables.
-[[nodiscard]] std::vector<Output> outputs(const Component&);
+[[nodiscard]] std::vector<Output> exploration_outputs(const Component&);
 
 }  // namespace robochart::cpp_emit

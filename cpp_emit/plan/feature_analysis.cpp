@@ -16,8 +16,8 @@ using ir::TypeKind;
 namespace {
 
 /// The types whose values an expression enumerates.
-std::vector<ir::TypeId> visited(const ir::System& system, const ir::Expr& expr) {
-    if (ir::binds(expr.kind)) return expr.bound_types;
+std::vector<ir::TypeId> visited_types(const ir::System& system, const ir::Expr& expr) {
+    if (ir::binds_names(expr.kind)) return expr.bound_types;
     std::vector<ir::TypeId> result;
     if (expr.kind == ExprKind::function_value) result.push_back(system.type(expr.type).args.at(0));
     if (expr.kind == ExprKind::range) {
@@ -33,76 +33,76 @@ class Uses {
 public:
     Uses(Component& component, const ir::System& system) : component_(component), system_(system) {}
 
-    void collect() {
+    void collect_all() {
         for (const Part& part : component_.parts)
             for (const EventUse& event : part.events)
-                if (event.type) type(*event.type);
-        for (const FunctionHook& hook : component_.functions) signature(system_.functions[hook.id.index]);
+                if (event.type) use_type(*event.type);
+        for (const FunctionHook& hook : component_.functions) use_signature(system_.functions[hook.id.index]);
         for (const PlatformCall& call : component_.calls)
-            for (const ir::TypeId parameter : call.signature->parameters) type(parameter);
+            for (const ir::TypeId parameter : call.signature->parameters) use_type(parameter);
         for (const Unit& unit : component_.units) {
             for (const ir::Node& node : unit.machine->nodes)
                 component_.probabilistic = component_.probabilistic || node.kind == ir::NodeKind::probabilistic;
-            for (const ir::Variable& variable : unit.machine->variables) type(variable.type);
-            visit_expressions(*unit.machine, [&](const ir::Expr& expr) { expression(expr); });
+            for (const ir::Variable& variable : unit.machine->variables) use_type(variable.type);
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) { use_expression(expr); });
             visit_communications(*unit.machine, [&](const ir::Communication& communication, bool) {
-                reception(*unit.machine, communication);
+                use_reception(*unit.machine, communication);
             });
         }
-        visit_asked(component_, system_, [&](const ir::Expr& expr) { expression(expr); });
+        visit_tested_preconditions(component_, system_, [&](const ir::Expr& expr) { use_expression(expr); });
         component_.matrices = component_.matrices || component_.toolkit;
     }
 
 private:
-    void signature(const ir::Function& function) {
-        for (const ir::TypeId parameter : function.parameters) type(parameter);
-        type(function.result);
+    void use_signature(const ir::Function& function) {
+        for (const ir::TypeId parameter : function.parameters) use_type(parameter);
+        use_type(function.result);
     }
 
-    void expression(const ir::Expr& expr) {
-        if (expr.type.valid()) type(expr.type);
+    void use_expression(const ir::Expr& expr) {
+        if (expr.type.is_valid()) use_type(expr.type);
         const bool converts = expr.kind == ExprKind::toolkit || expr.kind == ExprKind::cast ||
                               expr.kind == ExprKind::apply || expr.kind == ExprKind::function_value ||
                               expr.kind == ExprKind::set_range || expr.kind == ExprKind::range ||
                               expr.kind == ExprKind::is_type;
-        const bool with_parts = expr.type.valid() && composed(system_.type(expr.type));
+        const bool with_parts = expr.type.is_valid() && is_composed(system_.type(expr.type));
         component_.toolkit = component_.toolkit || (converts && (with_parts || expr.kind != ExprKind::cast));
         for (const ir::ExprPtr& part : expr.args)
-            if (part && part->type.valid() && with_parts && mixed(part->type)) component_.toolkit = true;
-        for (const ir::TypeId each : visited(system_, expr)) carrier(each);
+            if (part && part->type.is_valid() && with_parts && has_parts(part->type)) component_.toolkit = true;
+        for (const ir::TypeId each : visited_types(system_, expr)) use_carrier(each);
     }
 
     /// A value with parts may have to be converted to the type of the variable that receives it.
-    void reception(const ir::Machine& machine, const ir::Communication& communication) {
-        if (!communication.event.valid() || !communication.variable.valid()) return;
+    void use_reception(const ir::Machine& machine, const ir::Communication& communication) {
+        if (!communication.event.is_valid() || !communication.variable.is_valid()) return;
         const ir::TypeId variable = machine.variables[communication.variable.index].type;
         const std::optional<ir::TypeId> event = machine.events[communication.event.index].type;
-        const bool converts = event && composed(system_.type(variable)) && *event != variable;
+        const bool converts = event && is_composed(system_.type(variable)) && *event != variable;
         component_.toolkit = component_.toolkit || converts;
     }
 
     /// Values with parts may have to be converted if they are used as another type.
-    [[nodiscard]] bool mixed(ir::TypeId id) const { return composed(system_.type(id)); }
+    [[nodiscard]] bool has_parts(ir::TypeId id) const { return is_composed(system_.type(id)); }
 
-    void carrier(ir::TypeId id) {
+    void use_carrier(ir::TypeId id) {
         const auto same = [&](const CarrierUse& use) { return use.type == id; };
         if (std::ranges::any_of(component_.carriers, same)) return;
-        component_.carriers.push_back({id, scope_.unique("any_" + system_.type(id).name)});
+        component_.carriers.push_back({id, scope_.unique_name("any_" + system_.type(id).name)});
     }
 
     // Types may be recursive.
-    void type(ir::TypeId id) {
+    void use_type(ir::TypeId id) {
         if (std::ranges::find(seen_, id) != seen_.end()) return;
         seen_.push_back(id);
         const ir::Type& found = system_.type(id);
-        component_.matrices = component_.matrices || block(found);
+        component_.matrices = component_.matrices || is_block_type(found);
         component_.strings = component_.strings || found.kind == TypeKind::string;
-        const bool of_parts = found.kind == TypeKind::set && composed(system_.type(found.args.at(0)));
-        component_.toolkit = component_.toolkit || of_pairs(found) || of_parts;
-        component_.ordered = component_.ordered || of_pairs(found) || of_parts;
-        for (const ir::TypeId part : found.args) type(part);
+        const bool of_parts = found.kind == TypeKind::set && is_composed(system_.type(found.args.at(0)));
+        component_.toolkit = component_.toolkit || has_pairs(found) || of_parts;
+        component_.ordered = component_.ordered || has_pairs(found) || of_parts;
+        for (const ir::TypeId part : found.args) use_type(part);
         for (const auto& arguments : found.literal_args)
-            for (const ir::TypeId part : arguments) type(part);
+            for (const ir::TypeId part : arguments) use_type(part);
     }
 
     Component& component_;
@@ -114,7 +114,7 @@ private:
 }  // namespace
 
 void collect_uses(Component& component, const ir::System& system) {
-    Uses(component, system).collect();
+    Uses(component, system).collect_all();
 }
 
 }  // namespace robochart::cpp_emit

@@ -39,7 +39,7 @@ std::vector<FunctionValue> values_of(const ir::System& system, const ir::Instant
     std::vector<std::vector<ir::Value>> carriers;
     std::size_t combinations = 1;
     for (const ir::TypeId type : function.parameters) {
-        carriers.push_back(ir::carrier(system, inst, type, most_arguments));
+        carriers.push_back(ir::carrier_values(system, inst, type, most_arguments));
         combinations *= carriers.back().size();
         if (combinations > most_arguments) throw std::length_error("a function of too many arguments to make a table");
     }
@@ -52,7 +52,7 @@ std::vector<FunctionValue> values_of(const ir::System& system, const ir::Instant
             rest /= carrier.size();
         }
         try {
-            ir::Value result = ir::evaluate(system, inst, nullptr, environment, call);
+            ir::Value result = ir::evaluate_expression(system, inst, nullptr, environment, call);
             if (result != otherwise) rows.push_back({environment.constants, std::move(result)});
         } catch (const ir::EvaluationFault&) {
             continue;  // outside its precondition the function has no value, and the model stops

@@ -30,19 +30,19 @@ constexpr std::array keywords = {
     "std",         "final",    "override",
 };
 
-bool listed(std::span<const std::string_view> names, std::string_view name) {
+bool is_listed(std::span<const std::string_view> names, std::string_view name) {
     return std::ranges::binary_search(names, name);
 }
 
 /// Whether the name is a macro of the headers that are delivered with generated code.
-bool of_runtime(std::string_view name) {
+bool is_runtime_macro(std::string_view name) {
     return name.starts_with("ROBOCHART_") || name.starts_with("RC_");
 }
 
 /// An identifier that becomes unique if a suffix is appended.
 std::string stem_of(std::string_view text) {
-    const std::string name = identifier(text);
-    return of_runtime(name) ? "model_" + name : name;
+    const std::string name = to_identifier(text);
+    return is_runtime_macro(name) ? "model_" + name : name;
 }
 
 bool identifier_character(char c) {
@@ -52,7 +52,8 @@ bool identifier_character(char c) {
 }  // namespace
 
 bool reserved_in_cpp(std::string_view name) {
-    return std::ranges::find(keywords, name) != keywords.end() || listed(reserved_macros(), name) || of_runtime(name);
+    return std::ranges::find(keywords, name) != keywords.end() || is_listed(reserved_macros(), name) ||
+           is_runtime_macro(name);
 }
 
 bool reserved_below_global_scope(std::string_view name) {
@@ -63,8 +64,8 @@ bool reserved_below_global_scope(std::string_view name) {
 }
 
 bool reserved_at_global_scope(std::string_view name) {
-    return reserved_below_global_scope(name) || listed(reserved_globals(), name) ||
-           listed(reserved_own_types(), name) || listed(reserved_own_members(), name);
+    return reserved_below_global_scope(name) || is_listed(reserved_globals(), name) ||
+           is_listed(reserved_own_types(), name) || is_listed(reserved_own_members(), name);
 }
 
 std::set<std::string> own_type_names() {
@@ -75,7 +76,7 @@ std::set<std::string> own_member_names() {
     return {reserved_own_members().begin(), reserved_own_members().end()};
 }
 
-std::string identifier(std::string_view text) {
+std::string to_identifier(std::string_view text) {
     std::string result;
     for (const char c : text) {
         if (identifier_character(c)) {
@@ -92,19 +93,19 @@ std::string identifier(std::string_view text) {
 std::vector<std::string> parameter_identifiers(const std::vector<std::string>& names) {
     NameScope scope(own_member_names());
     std::vector<std::string> result;
-    for (const std::string& name : names) result.push_back(scope.unique(name));
+    for (const std::string& name : names) result.push_back(scope.unique_name(name));
     return result;
 }
 
 /// After a digit, encodes underscores that an identifier must not contain; no name begins with a digit.
 std::string bound_identifier(std::string_view name) {
-    if (identifier(name) == name) return "bound_" + std::string(name);
+    if (to_identifier(name) == name) return "bound_" + std::string(name);
     std::string result = "bound_0";
     for (const char c : name) result += c == '_' ? "_u" : std::string(1, c);
     return result;
 }
 
-std::string NameScope::unique(std::string_view wanted) {
+std::string NameScope::unique_name(std::string_view wanted) {
     const std::string base = stem_of(wanted);
     std::string name = reserved_(base) ? base + "_" : base;
     for (unsigned number = 2; reserved_(name) || !taken_.insert(name).second; ++number)
@@ -112,7 +113,7 @@ std::string NameScope::unique(std::string_view wanted) {
     return name;
 }
 
-std::string NameScope::numbered(std::string_view stem) {
+std::string NameScope::numbered_name(std::string_view stem) {
     const std::string base = stem_of(stem) + "_";
     for (unsigned number = 1;; ++number) {
         std::string name = base + std::to_string(number);

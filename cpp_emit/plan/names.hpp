@@ -19,7 +19,7 @@ namespace robochart::cpp_emit {
 [[nodiscard]] bool reserved_at_global_scope(std::string_view name);
 
 /// Converts any text to an identifier: other characters become '_', doubled and leading underscores are removed.
-[[nodiscard]] std::string identifier(std::string_view text);
+[[nodiscard]] std::string to_identifier(std::string_view text);
 
 /// Names for the parameters of one function.
 [[nodiscard]] std::vector<std::string> parameter_identifiers(const std::vector<std::string>& names);
@@ -41,12 +41,12 @@ public:
     explicit NameScope(std::set<std::string> taken) : taken_(std::move(taken)) {}
 
     /// Converts `wanted` to an identifier, and appends a number if it is in use.
-    [[nodiscard]] std::string unique(std::string_view wanted);
+    [[nodiscard]] std::string unique_name(std::string_view wanted);
     /// The first of `stem`_1, `stem`_2, ... that is not in use.
-    [[nodiscard]] std::string numbered(std::string_view stem);
+    [[nodiscard]] std::string numbered_name(std::string_view stem);
     /// Reserves the name.
-    void take(std::string name) { taken_.insert(std::move(name)); }
-    [[nodiscard]] bool has(const std::string& name) const { return taken_.count(name) != 0; }
+    void reserve_name(std::string name) { taken_.insert(std::move(name)); }
+    [[nodiscard]] bool is_taken(const std::string& name) const { return taken_.count(name) != 0; }
 
 private:
     std::set<std::string> taken_;

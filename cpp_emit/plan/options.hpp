@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/plan/fault.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "cpp_emit/plan/fault.hpp"
 
 namespace robochart::cpp_emit {
 

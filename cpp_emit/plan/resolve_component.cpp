@@ -36,9 +36,9 @@ struct Context {
 class Resolver {
 public:
     Resolver(const ir::System& system, const ir::Instantiation& inst, Diagnostics& diagnostics)
-        : system_(system), inst_(inst), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
+        : system_(system), inst_(inst), diagnostics_(diagnostics), errors_before_(diagnostics.error_count()) {}
 
-    std::optional<Component> resolve(const ir::ComponentRef& ref) {
+    std::optional<Component> resolve_reference(const ir::ComponentRef& ref) {
         component_.ref = ref;
         if (!find_parts(ref)) return std::nullopt;
         for (std::size_t part = 0; part < component_.parts.size(); ++part) {
@@ -46,24 +46,24 @@ public:
             (void)add_unit(roots_[part], true);
             component_.parts[part].root = component_.units.size() - 1;
         }
-        if (diagnostics_.errors() != errors_before_) return std::nullopt;
+        if (diagnostics_.error_count() != errors_before_) return std::nullopt;
         number_transitions();
-        wire(component_, system_, module_, contexts(), diagnostics_);
+        wire_component(component_, system_, module_, contexts(), diagnostics_);
         collect_variables();
         collect_calls();
         collect_functions();
         collect_types();
         collect_uses(component_, system_);
         name_everything();
-        if (diagnostics_.errors() != errors_before_) return std::nullopt;
+        if (diagnostics_.error_count() != errors_before_) return std::nullopt;
         return std::move(component_);
     }
 
 private:
     template <class Element>
-    void describe(const Element& element, std::string kind) {
+    void describe_component(const Element& element, std::string kind) {
         component_.name = element.name;
-        component_.cpp_name = identifier(element.name);
+        component_.cpp_name = to_identifier(element.name);
         component_.package = element.package;
         component_.origin = element.origin;
         component_.kind = std::move(kind);
@@ -85,20 +85,20 @@ private:
         return false;
     }
 
-    bool within(std::size_t size, const ir::ComponentRef& ref) {
+    bool is_defined(std::size_t size, const ir::ComponentRef& ref) {
         if (ref.definition < size) return true;
         diagnostics_.report(rules::no_component, {}, {ref.path, "the model has no such component"});
         return false;
     }
 
     bool machine_alone(const ir::ComponentRef& ref) {
-        if (!within(system_.machines.size(), ref)) return false;
+        if (!is_defined(system_.machines.size(), ref)) return false;
         const ir::Machine& machine = system_.machines[ref.definition];
         if (machine.kind == ir::MachineKind::operation) {
             diagnostics_.report(rules::no_component, machine.origin.span, {machine.name, "it is an operation"});
             return false;
         }
-        describe(machine, "state machine");
+        describe_component(machine, "state machine");
         component_.parts.emplace_back();
         roots_.push_back({ref.definition});
         contexts_.push_back(nullptr);
@@ -106,16 +106,16 @@ private:
     }
 
     bool in_controller(const ir::ComponentRef& ref) {
-        if (!within(system_.controllers.size(), ref)) return false;
-        describe(system_.controllers[ref.definition], "controller");
+        if (!is_defined(system_.controllers.size(), ref)) return false;
+        describe_component(system_.controllers[ref.definition], "controller");
         add_parts(system_.controllers[ref.definition], 0, "");
         return has_parts();
     }
 
     bool in_module(const ir::ComponentRef& ref) {
-        if (!within(system_.modules.size(), ref)) return false;
+        if (!is_defined(system_.modules.size(), ref)) return false;
         module_ = &system_.modules[ref.definition];
-        describe(*module_, "module");
+        describe_component(*module_, "module");
         for (std::size_t i = 0; i < module_->controllers.size(); ++i)
             add_parts(system_.controller(module_->controllers[i].controller), i, module_->controllers[i].name + "::");
         return has_parts();
@@ -143,7 +143,7 @@ private:
     const std::vector<const ir::Controller*>& contexts() const { return contexts_; }
 
     /// The operation's definition in this context (semantics 3.8); invalid for a single machine.
-    ir::MachineId definition(const ir::OperationSignature& signature) const {
+    ir::MachineId find_definition(const ir::OperationSignature& signature) const {
         const ir::Controller* const controller = context().controller;
         return controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *controller, signature);
     }
@@ -165,7 +165,7 @@ private:
         ir::Environment environment;
         environment.constants = constants;
         try {
-            return ir::evaluate(system_, inst_, &machine, environment, *initial);
+            return ir::evaluate_expression(system_, inst_, &machine, environment, *initial);
         } catch (const ir::EvaluationFault& fault) {
             diagnostics_.report(rules::unsupported_expr, fault.span,
                                 {"an initial value (" + std::string(fault.what()) + ")", machine.name});
@@ -184,7 +184,7 @@ private:
             diagnostics_.report(rules::recursion, machine.origin.span, {machine.name});
             return 0;
         }
-        if (root && !machine.initial.valid()) {
+        if (root && !machine.initial.is_valid()) {
             diagnostics_.report(rules::no_body, machine.origin.span, {machine.name});
             return 0;
         }
@@ -196,7 +196,7 @@ private:
         unit.root = root;
         find_owners(unit);
         const auto& units = component_.units;
-        const auto known = std::ranges::find_if(units, [&](const Unit& each) { return alike(each, unit); });
+        const auto known = std::ranges::find_if(units, [&](const Unit& each) { return are_alike(each, unit); });
         if (known != units.end()) return known->number;
         component_.unit_places.push_back(units.size());  // set below
         unit.definitions.resize(machine.operations.size());
@@ -212,9 +212,9 @@ private:
         std::set<ir::OperationId> followed;
         visit_statements(machine, [&](const ir::Stmt& stmt) {
             if (stmt.kind != ir::StmtKind::call || !followed.insert(stmt.operation).second) return;
-            const ir::MachineId target = definition(machine.operations[stmt.operation.index]);
+            const ir::MachineId target = find_definition(machine.operations[stmt.operation.index]);
             open_.back().definitions[stmt.operation.index] = target;
-            if (!target.valid()) return;
+            if (!target.is_valid()) return;
             const std::size_t callee = add_unit(target, false);
             open_.back().callees[stmt.operation.index] = callee;
         });
@@ -227,7 +227,7 @@ private:
     }
 
     /// Whether both units are the same operation, and their required names denote the same elements.
-    static bool alike(const Unit& known, const Unit& unit) {
+    static bool are_alike(const Unit& known, const Unit& unit) {
         const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
             const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
             return std::equal(left.begin(), left.end(), right.begin(), right.end(),
@@ -250,7 +250,7 @@ private:
                 caller == nullptr || !required ? nullptr
                                                : find_named(caller->machine->variables, machine.variables[place].name);
             if (caller != nullptr && required && found == nullptr)
-                missing(machine, "variable", machine.variables[place].name, machine.variables[place].origin);
+                report_missing(machine, "variable", machine.variables[place].name, machine.variables[place].origin);
             unit.variable_owners.push_back(
                 found == nullptr
                     ? Owner{unit.number, place}
@@ -261,7 +261,7 @@ private:
             const ir::Clock* const found =
                 caller == nullptr || !clock.required ? nullptr : find_clock(*caller->machine, clock.name);
             if (caller != nullptr && clock.required && found == nullptr)
-                missing(machine, "clock", clock.name, clock.origin);
+                report_missing(machine, "clock", clock.name, clock.origin);
             unit.clock_owners.push_back(
                 found == nullptr
                     ? Owner{unit.number, place}
@@ -289,13 +289,14 @@ private:
     static const ir::Clock* find_clock(const ir::Machine& machine, const std::string& name) {
         const auto& clocks = machine.clocks;
         const auto found = std::ranges::find_if(
-            clocks, [&](const ir::Clock& clock) { return clock.name == name && !clock.entry_of.valid(); });
+            clocks, [&](const ir::Clock& clock) { return clock.name == name && !clock.entry_of.is_valid(); });
         return found == clocks.end() ? nullptr : &*found;
     }
 
     /// Reports an element that the operation's caller does not have. The rules STM8 and STM10 of the language report
     /// this first.
-    void missing(const ir::Machine& operation, const char* what, const std::string& name, const ir::Origin& origin) {
+    void report_missing(const ir::Machine& operation, const char* what, const std::string& name,
+                        const ir::Origin& origin) {
         diagnostics_.report(
             rules::unsupported_expr, origin.span,
             {std::string("the ") + what + " '" + name + "', which its caller does not have,", operation.name});
@@ -309,7 +310,7 @@ private:
             each_unit([&](const Unit& unit) {
                 for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
                     const ir::Variable& variable = unit.machine->variables[place];
-                    const bool of_operation = !component_.unit(unit.variable_owners[place].unit).root;
+                    const bool of_operation = !component_.unit_at(unit.variable_owners[place].unit).root;
                     if (!of_operation && component_.parts[part].variables.count(variable.name) == 0)
                         add_variable(unit, variable);
                 }
@@ -319,14 +320,14 @@ private:
     }
 
     /// Whether some machine assigns a required variable of this name.
-    [[nodiscard]] bool written(const std::string& name) const {
+    [[nodiscard]] bool is_written(const std::string& name) const {
         bool result = false;
         for (const Unit& unit : component_.units) {
             const auto is = [&](ir::VariableId id) {
-                if (!id.valid()) return false;
+                if (!id.is_valid()) return false;
                 const ir::Variable& variable = unit.machine->variables[id.index];
                 return variable.scope == ir::VariableScope::required && variable.name == name &&
-                       component_.unit(unit.variable_owners[id.index].unit).root;
+                       component_.unit_at(unit.variable_owners[id.index].unit).root;
             };
             visit_statements(*unit.machine, [&](const ir::Stmt& stmt) {
                 result = result || (stmt.kind == ir::StmtKind::assign && is(stmt.variable));
@@ -357,13 +358,13 @@ private:
             return other.shared && other.level == entry.level && other.variable->name == variable.name;
         };
         auto known = entry.shared ? std::ranges::find_if(variables, same) : variables.end();
-        if (known != variables.end() && entry.external && written(variable.name)) {
+        if (known != variables.end() && entry.external && is_written(variable.name)) {
             entry.copy = true;
             known = variables.end();
         }
         component_.parts[part_].variables[variable.name] = static_cast<std::size_t>(known - variables.begin());
         if (known != variables.end()) return;
-        if (!entry.shared && component_.composed()) entry.home = part_;
+        if (!entry.shared && component_.is_composed()) entry.home = part_;
         variables.push_back(std::move(entry));
     }
 
@@ -399,14 +400,14 @@ private:
         ir::visit_reads(*unit.machine, [&](ir::VariableId variable) { mark_read(unit, variable); });
         // the guard of a watched deadline reads the variable's value, not the incoming value (semantics 3.10)
         for (const ir::Transition& transition : unit.machine->transitions)
-            if (transition.deadline && transition.trigger && transition.trigger->variable.valid())
+            if (transition.deadline && transition.trigger && transition.trigger->variable.is_valid())
                 visit(transition.guard, [&](const ir::Expr& expr) {
                     if (expr.kind == ir::ExprKind::trigger_value) mark_read(unit, transition.trigger->variable);
                 });
     }
 
     void mark_read(const Unit& unit, ir::VariableId id) {
-        if (!component_.unit(unit.variable_owners[id.index].unit).root) return;
+        if (!component_.unit_at(unit.variable_owners[id.index].unit).root) return;
         const std::string& name = unit.machine->variables[id.index].name;
         component_.variables[component_.parts[part_].variables.at(name)].read = true;
     }
@@ -451,7 +452,7 @@ private:
         const auto add = [&](auto& calls, auto call, const auto& same) {
             if (std::ranges::none_of(calls, same)) calls.push_back(std::move(call));
         };
-        if (definition.valid()) {
+        if (definition.is_valid()) {
             add(component_.modelled, ModelledCall{&signature, definition, {}},
                 [&](const ModelledCall& call) { return call.definition == definition; });
         } else {
@@ -468,7 +469,7 @@ private:
         const auto add_types = [&](const ir::Expr& expr) {
             add_type(expr.type);
             for (const ir::TypeId bound : expr.bound_types)
-                if (bound.valid()) add_type(bound);
+                if (bound.is_valid()) add_type(bound);
         };
         for (const auto& call : component_.calls)
             for (const ir::TypeId type : call.signature->parameters) add_type(type);
@@ -476,7 +477,7 @@ private:
             for (const auto& variable : unit.machine->variables) add_type(variable.type);
             visit_expressions(*unit.machine, add_types);
         }
-        visit_asked(component_, system_, add_types);
+        visit_tested_preconditions(component_, system_, add_types);
     }
 
     /// Adds a type after the types of its parts. Recursive types are rejected later (unsupported.cpp).
@@ -489,39 +490,40 @@ private:
         for (const auto& arguments : type.literal_args)
             for (const ir::TypeId part : arguments) add_type(part);
         const auto same = [&](ir::TypeId other) { return declared_name(system_.type(other)) == declared_name(type); };
-        if (declared(type) && supported(system_, id) && std::ranges::none_of(types, same)) types.push_back(id);
+        if (is_declared(type) && is_supported(system_, id) && std::ranges::none_of(types, same)) types.push_back(id);
     }
 
     void name_everything() {
         NameScope platform(std::set<std::string>{"Log", "log_", "Platform", "machine", "choose", "taken", "pick", "std",
                                                  "Traced", "tracer_", "robochart", "core", "Real", "Nat", "Int",
                                                  "platform_", "Types", "Inputs", "State"});
-        for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
-        for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
+        for (auto& call : component_.calls) call.method = platform.unique_name(call.signature->name);
+        for (auto& call : component_.modelled) call.method = platform.unique_name("replaces_" + call.signature->name);
         NameScope preconditions;
         for (auto& function : component_.functions) {
-            function.method = platform.unique(system_.functions[function.id.index].name);
-            if (function.guarded) function.precondition = preconditions.unique("pre_" + function.method);
+            function.method = platform.unique_name(system_.functions[function.id.index].name);
+            if (function.guarded) function.precondition = preconditions.unique_name("pre_" + function.method);
         }
         std::set<std::string> taken = never_members(system_, component_);
         for (const Unit& unit : component_.units) take_thread_members(unit, taken);
         NameScope inputs(taken);
         NameScope state(taken);
-        if (component_.composed())
-            for (Part& part : component_.parts) part.tag = state.unique(part.name);
+        if (component_.is_composed())
+            for (Part& part : component_.parts) part.tag = state.unique_name(part.name);
         for (auto& event : component_.events) {
-            if (event.received) event.input = inputs.unique(event.model_name);
-            if (event.sent) event.output = platform.unique("send_" + event.model_name);
+            if (event.received) event.input = inputs.unique_name(event.model_name);
+            if (event.sent) event.output = platform.unique_name("send_" + event.model_name);
         }
-        for (auto& buffer : component_.buffers) buffer.field = state.unique("buffer_" + buffer.name);
+        for (auto& buffer : component_.buffers) buffer.field = state.unique_name("buffer_" + buffer.name);
         std::vector<NameScope> frames(component_.parts.size(), NameScope(taken));
         NameScope writers;
         taken_ = taken;
         for (auto& entry : component_.variables) name_variable(entry, state, frames, inputs, platform, writers);
         for (std::size_t index = 0; index < component_.variables.size(); ++index) find_holders(index, state, writers);
         NameScope types = core_type_scope(component_);
-        for (const ir::TypeId type : component_.enumerations) types.take(declared_name(system_.type(type)));
-        for (auto& unit : component_.units) name_unit(unit, component_.composed() ? frames[unit.part] : state, types);
+        for (const ir::TypeId type : component_.enumerations) types.reserve_name(declared_name(system_.type(type)));
+        for (auto& unit : component_.units)
+            name_unit(unit, component_.is_composed() ? frames[unit.part] : state, types);
         name_channels();
         mark_clocks_read();
     }
@@ -530,7 +532,7 @@ private:
     static void take_thread_members(const Unit& unit, std::set<std::string>& taken) {
         for (const ir::Node& node : unit.machine->nodes)
             for (const char* prefix : {"during_", "entering_", "history_", "wait_"})
-                taken.insert(prefix + identifier(node.path));
+                taken.insert(prefix + to_identifier(node.path));
     }
 
     void name_variable(StoredVariable& entry, NameScope& state, std::vector<NameScope>& frames, NameScope& inputs,
@@ -538,14 +540,14 @@ private:
         const std::string& name = entry.variable->name;
         const bool in_part = entry.home != no_part;
         if (entry.copy) return name_copy(entry, state, writers);
-        if (entry.stored()) {
-            entry.field = in_part ? frames[entry.home].unique(name) : state.unique(name);
+        if (entry.has_member()) {
+            entry.field = in_part ? frames[entry.home].unique_name(name) : state.unique_name(name);
             entry.path = in_part ? component_.parts[entry.home].tag + "." + entry.field : entry.field;
         }
-        if (entry.external && some_copy_read(name)) entry.input = inputs.unique("external_" + name);
+        if (entry.external && some_copy_read(name)) entry.input = inputs.unique_name("external_" + name);
         if (entry.visible) {
-            entry.output = platform.unique("set_" + name);
-            entry.writer = writers.unique("write_" + name);
+            entry.output = platform.unique_name("set_" + name);
+            entry.writer = writers.unique_name("write_" + name);
         }
     }
 
@@ -558,12 +560,12 @@ private:
             const Part& part = component_.parts[place];
             const auto required = part.variables.find(entry.variable->name);
             if (required == part.variables.end() || required->second != index || !waits_with_deadline(place)) continue;
-            if (!component_.composed() && !has_during(component_.root(place))) continue;
-            entry.holders.push_back({place, state.unique("held_" + part.tag + "_" + entry.variable->name)});
+            if (!component_.is_composed() && !has_during(component_.root_unit(place))) continue;
+            entry.holders.push_back({place, state.unique_name("held_" + part.tag + "_" + entry.variable->name)});
         }
         if (entry.holders.empty()) return;
-        entry.held_up = writers.unique("held_up_" + entry.variable->name);
-        entry.propagate = writers.unique("propagate_" + entry.variable->name);
+        entry.held_up = writers.unique_name("held_up_" + entry.variable->name);
+        entry.propagate = writers.unique_name("propagate_" + entry.variable->name);
     }
 
     static bool has_during(const Unit& unit) {
@@ -579,9 +581,9 @@ private:
                     if (stmt.kind != ir::StmtKind::deadline) return;
                     const ir::Stmt& inside = *stmt.body.at(0);
                     if (inside.kind != ir::StmtKind::communicate) return;
-                    const EventUse& use = component_.event(unit, inside.communication.event);
+                    const EventUse& use = component_.find_event(unit, inside.communication.event);
                     const bool received = inside.communication.kind == ir::CommKind::input;
-                    found = found || (received ? !use.spontaneous() : use.waits_to_send());
+                    found = found || (received ? !use.is_spontaneous() : use.waits_to_send());
                 });
         return found;
     }
@@ -589,45 +591,48 @@ private:
     /// Names another machine's copy of a variable whose writes the environment propagates.
     void name_copy(StoredVariable& entry, NameScope& state, NameScope& writers) {
         const std::string& name = entry.variable->name;
-        const auto first = std::ranges::find_if(component_.variables,
-                                                [&](const StoredVariable& other) { return propagated(other, name); });
-        if (entry.stored()) entry.field = entry.path = state.unique(name);
+        const auto first = std::ranges::find_if(
+            component_.variables, [&](const StoredVariable& other) { return is_propagated(other, name); });
+        if (entry.has_member()) entry.field = entry.path = state.unique_name(name);
         entry.input = first->input;
         entry.output = first->output;
-        entry.writer = writers.unique("write_" + name);
+        entry.writer = writers.unique_name("write_" + name);
     }
 
-    static bool propagated(const StoredVariable& entry, const std::string& name) {
+    static bool is_propagated(const StoredVariable& entry, const std::string& name) {
         return entry.external && entry.variable->name == name;
     }
     [[nodiscard]] bool some_copy_read(const std::string& name) const {
-        return std::ranges::any_of(component_.variables,
-                                   [&](const StoredVariable& entry) { return propagated(entry, name) && entry.read; });
+        return std::ranges::any_of(component_.variables, [&](const StoredVariable& entry) {
+            return is_propagated(entry, name) && entry.read;
+        });
     }
 
     void name_channels() {
         NameScope scope;
         for (Part& part : component_.parts)
             for (EventUse& use : part.events)
-                if (use.sent && !use.peers.empty()) use.channel = scope.unique(part.name + "_" + use.name);
+                if (use.sent && !use.peers.empty()) use.channel = scope.unique_name(part.name + "_" + use.name);
     }
 
     void name_unit(Unit& unit, NameScope& fields, NameScope& types) {
         NameScope own(taken_);
         NameScope& scope = unit.root ? fields : own;
-        const std::string& tag = component_.part(unit).tag;
+        const std::string& tag = component_.part_of(unit).tag;
         const bool alone = tag.empty();
-        unit.prefix = unit.root ? (alone ? "" : tag + "_") : identifier((alone ? "" : tag + "_") + unit.machine->name);
-        unit.frame = unit.root && alone ? "State" : types.unique(unit.root ? tag + "State" : unit.prefix + "Frame");
-        unit.points = unit.root && alone ? "At" : types.unique(unit.root ? tag + "At" : unit.prefix + "At");
+        unit.prefix =
+            unit.root ? (alone ? "" : tag + "_") : to_identifier((alone ? "" : tag + "_") + unit.machine->name);
+        unit.frame =
+            unit.root && alone ? "State" : types.unique_name(unit.root ? tag + "State" : unit.prefix + "Frame");
+        unit.points = unit.root && alone ? "At" : types.unique_name(unit.root ? tag + "At" : unit.prefix + "At");
         for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
             const bool kept = !unit.root && unit.variable_owners[place].unit == unit.number;
-            unit.variable_fields.push_back(kept ? scope.unique(unit.machine->variables[place].name) : "");
+            unit.variable_fields.push_back(kept ? scope.unique_name(unit.machine->variables[place].name) : "");
         }
         for (std::size_t place = 0; place < unit.machine->clocks.size(); ++place) {
             const ir::Clock& clock = unit.machine->clocks[place];
-            const std::string name = (clock.entry_of.valid() ? "since_entry_" : "") + clock.name;
-            unit.clock_fields.push_back(unit.clock_owners[place].unit == unit.number ? scope.unique(name) : "");
+            const std::string name = (clock.entry_of.is_valid() ? "since_entry_" : "") + clock.name;
+            unit.clock_fields.push_back(unit.clock_owners[place].unit == unit.number ? scope.unique_name(name) : "");
         }
         unit.clock_read.assign(unit.machine->clocks.size(), false);
     }
@@ -636,8 +641,8 @@ private:
         for (const Unit& unit : component_.units) {
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
                 const ir::ClockId clock = clock_of(*unit.machine, expr);
-                if (!clock.valid()) return;
-                const auto [owner, id] = component_.clock(unit, clock);
+                if (!clock.is_valid()) return;
+                const auto [owner, id] = component_.clock_owner(unit, clock);
                 component_.units[component_.unit_places[owner->number]].clock_read[id.index] = true;
             });
         }
@@ -659,9 +664,9 @@ private:
 
 }  // namespace
 
-std::optional<Component> resolve(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
-                                 Diagnostics& diagnostics) {
-    return Resolver(system, inst, diagnostics).resolve(ref);
+std::optional<Component> resolve_component(const ir::System& system, const ir::Instantiation& inst,
+                                           const ir::ComponentRef& ref, Diagnostics& diagnostics) {
+    return Resolver(system, inst, diagnostics).resolve_reference(ref);
 }
 
 }  // namespace robochart::cpp_emit

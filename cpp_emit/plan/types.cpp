@@ -12,7 +12,7 @@ namespace robochart::cpp_emit {
 
 using ir::TypeKind;
 
-bool numeric(TypeKind kind) {
+bool is_numeric(TypeKind kind) {
     return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
 }
 
@@ -22,11 +22,11 @@ bool is_struct(const ir::Type& type) {
            std::ranges::any_of(type.literal_args, [](const auto& args) { return !args.empty(); });
 }
 
-bool declared(const ir::Type& type) {
+bool is_declared(const ir::Type& type) {
     return is_struct(type) || type.kind == TypeKind::enumeration || type.kind == TypeKind::given;
 }
 
-bool composed(const ir::Type& type) {
+bool is_composed(const ir::Type& type) {
     switch (type.kind) {
         case TypeKind::sequence:
         case TypeKind::set:
@@ -50,11 +50,11 @@ bool composed(const ir::Type& type) {
     return is_struct(type);
 }
 
-bool block(const ir::Type& type) {
+bool is_block_type(const ir::Type& type) {
     return type.kind == TypeKind::vector || type.kind == TypeKind::matrix;
 }
 
-bool of_pairs(const ir::Type& type) {
+bool has_pairs(const ir::Type& type) {
     return type.kind == TypeKind::relation || type.kind == TypeKind::function;
 }
 
@@ -67,7 +67,7 @@ bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth)
     const ir::Type& type = system.type(id);
     if (depth > deepest_type) return false;
     const auto parts = [&] {
-        const std::vector<TypeMember> all = members(type);
+        const std::vector<TypeMember> all = type_members(type);
         return std::ranges::all_of(
             all, [&](const TypeMember& member) { return supported_below(system, member.type, depth + 1); });
     };
@@ -95,28 +95,29 @@ bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth)
         case TypeKind::unit:
             break;
     }
-    return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given ||
+    return is_numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given ||
            type.kind == TypeKind::string;
 }
 
 }  // namespace
 
-bool supported(const ir::System& system, ir::TypeId id) {
+bool is_supported(const ir::System& system, ir::TypeId id) {
     return supported_below(system, id, 0);
 }
 
-std::vector<TypeMember> members(const ir::Type& type) {
+std::vector<TypeMember> type_members(const ir::Type& type) {
     std::vector<TypeMember> result;
     NameScope names({"filler", "kind", "Kind", "make", "of", "Real", "Nat", "Int", "Types", "robochart", "std",
                      "result", declared_name(type)});
     for (const std::string& label : type.labels)
-        if (type.kind == TypeKind::enumeration) (void)names.unique(label);
+        if (type.kind == TypeKind::enumeration) (void)names.unique_name(label);
     for (std::size_t i = 0; i < type.args.size() && type.kind != TypeKind::enumeration; ++i)
-        result.push_back({names.unique(type.kind == TypeKind::record ? type.labels[i] : fmt::format("item_{}", i + 1)),
-                          type.args[i], 0});
+        result.push_back(
+            {names.unique_name(type.kind == TypeKind::record ? type.labels[i] : fmt::format("item_{}", i + 1)),
+             type.args[i], 0});
     for (std::size_t literal = 0; type.kind == TypeKind::enumeration && literal < type.literal_args.size(); ++literal)
         for (const ir::TypeId argument : type.literal_args[literal])
-            result.push_back({names.numbered(type.labels[literal]), argument, literal});
+            result.push_back({names.numbered_name(type.labels[literal]), argument, literal});
     return result;
 }
 
@@ -138,7 +139,7 @@ bool method_like(const std::string& name) {
 std::string declared_name(const ir::Type& type) {
     static const std::set<std::string> taken = own_type_names();
     NameScope scope(taken);
-    const std::string name = scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
+    const std::string name = scope.unique_name(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
     return method_like(name) ? name + "_type" : name;
 }
 
@@ -159,11 +160,11 @@ std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& sp
         case TypeKind::sequence:
             return fmt::format("robochart::Sequence<{}, {}::longest>", part(0), spelling.types);
         case TypeKind::set:
-            return fmt::format("robochart::Set<{}, {}>", part(0), capacity(system, type, spelling));
+            return fmt::format("robochart::Set<{}, {}>", part(0), set_capacity(system, type, spelling));
         case TypeKind::relation:
         case TypeKind::function:
             return fmt::format("robochart::Set<{}, {}>", cpp_pair(system, type, spelling),
-                               capacity(system, type, spelling));
+                               set_capacity(system, type, spelling));
         case TypeKind::vector:
             return fmt::format("robochart::Vector<{}, {}>", part(0), type.sizes.at(0));
         case TypeKind::matrix:
@@ -185,7 +186,7 @@ std::string cpp_pair(const ir::System& system, const ir::Type& type, const Spell
 
 namespace {
 
-Extent padded(Extent extent) {
+Extent pad_extent(Extent extent) {
     extent.size = (extent.size + extent.alignment - 1) / extent.alignment * extent.alignment;
     return extent;
 }
@@ -194,7 +195,7 @@ Extent padded(Extent extent) {
 
 namespace {
 
-std::size_t entries(const ir::Type& type) {
+std::size_t entry_count(const ir::Type& type) {
     std::size_t result = 1;
     for (const std::int64_t size : type.sizes) result *= static_cast<std::size_t>(size);
     return result;
@@ -222,25 +223,25 @@ std::size_t longest(const ir::Instantiation& inst) {
 
 Extent cpp_extent(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id) {
     const ir::Type& type = system.type(id);
-    if (numeric(type.kind)) return {8, 8};
-    if (!composed(type)) return {1, 1};
+    if (is_numeric(type.kind)) return {8, 8};
+    if (!is_composed(type)) return {1, 1};
     if (type.kind == TypeKind::string) return {longest_string + 1, 1};
     if (!is_struct(type)) {
         const Extent part =
-            of_pairs(type) ? pair_extent(system, inst, type) : cpp_extent(system, inst, type.args.at(0));
-        if (block(type)) return {part.size * entries(type), part.alignment, part.varies};
+            has_pairs(type) ? pair_extent(system, inst, type) : cpp_extent(system, inst, type.args.at(0));
+        if (is_block_type(type)) return {part.size * entry_count(type), part.alignment, part.varies};
         const std::size_t places =
-            type.kind == TypeKind::sequence ? longest(inst) : std::min(capacity(system, inst, type), largest_set);
+            type.kind == TypeKind::sequence ? longest(inst) : std::min(set_capacity(system, inst, type), largest_set);
         return {part.size * places + part.alignment, part.alignment, true};
     }
     Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U};
-    for (const TypeMember& member : members(type)) {
+    for (const TypeMember& member : type_members(type)) {
         const Extent part = cpp_extent(system, inst, member.type);
         whole.size += part.size;
         whole.alignment = std::max(whole.alignment, part.alignment);
         whole.varies = whole.varies || part.varies;
     }
-    return padded(whole);
+    return pad_extent(whole);
 }
 
 std::string decimal_text(ir::Decimal decimal) {
@@ -257,7 +258,7 @@ std::string decimal_text(ir::Decimal decimal) {
 std::string literal_name(const ir::Type& type, std::size_t index) {
     NameScope scope;
     std::string name;
-    for (std::size_t label = 0; label <= index; ++label) name = scope.unique(type.labels[label]);
+    for (std::size_t label = 0; label <= index; ++label) name = scope.unique_name(type.labels[label]);
     return name;
 }
 
@@ -270,7 +271,7 @@ std::uint32_t decimals_of(std::int64_t scale) {
 }
 
 /// Removes trailing zeros: 0.50 becomes 0.5.
-ir::Decimal shortest(ir::Decimal decimal) {
+ir::Decimal remove_trailing_zeros(ir::Decimal decimal) {
     while (decimal.decimals > 1 && decimal.unscaled % 10 == 0) {
         decimal.unscaled /= 10;
         --decimal.decimals;
@@ -339,7 +340,7 @@ std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, i
             return value.number != 0 ? "true" : "false";
         case TypeKind::real:
             return fmt::format("{}({})", spelling.real,
-                               decimal_text(shortest({value.number, decimals_of(inst.scale)})));
+                               decimal_text(remove_trailing_zeros({value.number, decimals_of(inst.scale)})));
         case TypeKind::enumeration:
             return enumeration_value(system, inst, id, value, spelling);
         case TypeKind::string:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's types and values as C++ text.
+// Writes the model's types and values as C++ text.
 #pragma once
 
 #include <string>
@@ -31,20 +31,20 @@ struct Extent {
 };
 
 /// Whether code for values of the type can be generated.
-[[nodiscard]] bool supported(const ir::System&, ir::TypeId);
-[[nodiscard]] bool numeric(ir::TypeKind);
+[[nodiscard]] bool is_supported(const ir::System&, ir::TypeId);
+[[nodiscard]] bool is_numeric(ir::TypeKind);
 /// Whether the core declares the type: enumerations, given types, and structs.
-[[nodiscard]] bool declared(const ir::Type&);
+[[nodiscard]] bool is_declared(const ir::Type&);
 /// Whether it is a record, a product or an enumeration with arguments.
 [[nodiscard]] bool is_struct(const ir::Type&);
 /// Whether the exploration interface numbers the values of the type. True unless the type is a number, a boolean, or an
 /// enumeration without arguments.
-[[nodiscard]] bool composed(const ir::Type&);
+[[nodiscard]] bool is_composed(const ir::Type&);
 /// Whether the type is a vector or matrix.
-[[nodiscard]] bool block(const ir::Type&);
+[[nodiscard]] bool is_block_type(const ir::Type&);
 /// Whether the type is a relation or function, whose values are sets of pairs.
-[[nodiscard]] bool of_pairs(const ir::Type&);
-[[nodiscard]] std::vector<TypeMember> members(const ir::Type&);
+[[nodiscard]] bool has_pairs(const ir::Type&);
+[[nodiscard]] std::vector<TypeMember> type_members(const ir::Type&);
 /// The C++ name of a declared type.
 [[nodiscard]] std::string declared_name(const ir::Type&);
 /// The C++ name of a type: bool, Nat, Int, Real, the declared type's name, `robochart::Sequence<Nat, ...>`.
@@ -56,8 +56,8 @@ inline constexpr std::size_t longest_string = 31;
 /// The capacity of sets, relations and functions of the type: the number of values of their elements' type. The first
 /// function returns it as C++ text; the second counts over the instantiation's carriers and stops at largest_set + 1
 /// (capacity.cpp).
-[[nodiscard]] std::string capacity(const ir::System&, const ir::Type&, const Spelling&);
-[[nodiscard]] std::size_t capacity(const ir::System&, const ir::Instantiation&, const ir::Type&);
+[[nodiscard]] std::string set_capacity(const ir::System&, const ir::Type&, const Spelling&);
+[[nodiscard]] std::size_t set_capacity(const ir::System&, const ir::Instantiation&, const ir::Type&);
 /// Larger sets would lose elements.
 inline constexpr std::size_t largest_set = 1024;
 /// Size in bytes of a value in State over the instantiation's carriers, and its alignment (8 for numbers, 1 for

@@ -31,7 +31,7 @@ constexpr std::size_t max_bound_values = 1024;
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
 /// Whether the operator works on numbers; these operators are also defined for vectors.
-bool arithmetic(ExprKind kind) {
+bool is_arithmetic(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
            kind == ExprKind::modulus || kind == ExprKind::negate;
 }
@@ -43,7 +43,7 @@ bool of_blocks(ExprKind kind) {
 
 bool has_at_most(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type, std::size_t most) {
     try {
-        (void)ir::carrier(system, inst, type, most);
+        (void)ir::carrier_values(system, inst, type, most);
     } catch (const std::length_error&) {
         return false;
     }
@@ -56,11 +56,11 @@ public:
             Diagnostics& diagnostics)
         : system_(system), inst_(inst), component_(component), diagnostics_(diagnostics) {}
 
-    bool check() {
-        const std::size_t before = diagnostics_.errors();
+    bool check_all() {
+        const std::size_t before = diagnostics_.error_count();
         check_boundary();
         for (const Unit& unit : component_.units) check_unit(unit);
-        return diagnostics_.errors() == before;
+        return diagnostics_.error_count() == before;
     }
 
 private:
@@ -85,14 +85,14 @@ private:
 
     void check_type(ir::TypeId id, const std::string& element, Span span) {
         const ir::Type& type = system_.type(id);
-        if (!supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
+        if (!is_supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
     }
 
     /// A set needs a place for every possible element.
     void check_size(const std::string& where, ir::TypeId id, Span span) {
         const ir::Type& type = system_.type(id);
-        if (!(type.kind == ir::TypeKind::set || of_pairs(type)) || !supported(system_, id)) return;
-        if (capacity(system_, inst_, type) > largest_set)
+        if (!(type.kind == ir::TypeKind::set || has_pairs(type)) || !is_supported(system_, id)) return;
+        if (set_capacity(system_, inst_, type) > largest_set)
             diagnostics_.report(rules::too_large, span, {where, "a " + type.name + " may have more than 1024 members"});
     }
 
@@ -106,7 +106,7 @@ private:
     }
 
     void check_values(ir::TypeId id, const std::string& name, const char* limit, std::size_t most) {
-        if (supported(system_, id) && !has_at_most(system_, inst_, id, most))
+        if (is_supported(system_, id) && !has_at_most(system_, inst_, id, most))
             diagnostics_.report(rules::too_large, component_.origin.span, {name, limit});
     }
 
@@ -135,7 +135,7 @@ private:
             bool back = false;
             for (const ir::ExprPtr& condition : system_.functions[reached[i].index].preconditions)
                 visit(condition, [&](const ir::Expr& expr) {
-                    if (!ir::precondition_can_fail(system_, inst_, {}, expr) || !expr.function.valid()) return;
+                    if (!ir::precondition_can_fail(system_, inst_, {}, expr) || !expr.function.is_valid()) return;
                     back = back || expr.function == function;
                     if (std::ranges::find(reached, expr.function) == reached.end()) reached.push_back(expr.function);
                 });
@@ -154,7 +154,7 @@ private:
     }
 
     void check_node(const ir::Machine& machine, const ir::Node& node) {
-        if (node.composite() && !node.initial.valid())
+        if (node.is_composite() && !node.initial.is_valid())
             diagnostics_.report(rules::unsupported_node, node.origin.span,
                                 {"a composite state without an initial node", machine.name + "::" + node.path});
     }
@@ -176,12 +176,12 @@ private:
     }
 
     void check_expression(const std::string& where, const ir::Expr& expr) {
-        if (!supported(system_, expr.type))
+        if (!is_supported(system_, expr.type))
             diagnostics_.report(rules::unsupported_type, expr.span, {where, system_.type(expr.type).name});
         const ir::Type& type = system_.type(expr.type);
-        if (arithmetic(expr.kind) && !numeric(type.kind) && !(block(type) && of_blocks(expr.kind)))
+        if (is_arithmetic(expr.kind) && !is_numeric(type.kind) && !(is_block_type(type) && of_blocks(expr.kind)))
             diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", where});
-        if (expr.kind == ExprKind::is_type && !numeric(system_.type(expr.bound_types.at(0)).kind))
+        if (expr.kind == ExprKind::is_type && !is_numeric(system_.type(expr.bound_types.at(0)).kind))
             diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` of other than numbers", where});
         check_size(where, expr.type, expr.span);
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
@@ -195,18 +195,18 @@ private:
 };
 
 /// Number of numbers and literals in a value.
-std::size_t leaves(const ir::Value& value) {
+std::size_t count_leaves(const ir::Value& value) {
     if (value.parts.empty()) return 1;
     std::size_t count = 0;
-    for (const ir::Value& part : value.parts) count += leaves(part);
+    for (const ir::Value& part : value.parts) count += count_leaves(part);
     return count;
 }
 
 /// Whether the values of a type contain too many numbers to be listed. Their number must be within its own limit.
 bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
-    if (!composed(system.type(type))) return false;
+    if (!is_composed(system.type(type))) return false;
     std::size_t count = 0;
-    for (const ir::Value& value : ir::carrier(system, inst, type)) count += leaves(value);
+    for (const ir::Value& value : ir::carrier_values(system, inst, type)) count += count_leaves(value);
     return count > max_listed;
 }
 
@@ -221,9 +221,9 @@ std::vector<BeyondExploration> beyond_exploration(const ir::System& system, cons
         else if (lists_too_much(system, inst, type))
             result.push_back({name, "all values of an input or output have at most 524288 numbers and literals"});
     };
-    for (const Register& input : registers(component))
+    for (const Register& input : exploration_registers(component))
         if (input.type) look(*input.type, input.name, max_input_values, "an input has at most 4096 values");
-    for (const Output& output : outputs(component))
+    for (const Output& output : exploration_outputs(component))
         for (const ir::TypeId type : output.types)
             look(type, output.name, max_output_values, "an output has at most 65536 values");
     for (const FunctionHook& hook : component.functions) {
@@ -238,7 +238,7 @@ std::vector<BeyondExploration> beyond_exploration(const ir::System& system, cons
 
 bool check_support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
                    Diagnostics& diagnostics) {
-    return Support(system, inst, component, diagnostics).check();
+    return Support(system, inst, component, diagnostics).check_all();
 }
 
 }  // namespace robochart::cpp_emit

@@ -21,7 +21,7 @@ void visit_expressions(const ir::Machine& machine, const ExprVisitor& visitor) {
     ir::visit_running(machine, [&](const ir::Expr& root, ir::ExprRole) { ir::visit_operands(root, visitor); });
 }
 
-void visit_asked(const Component& component, const ir::System& system, const ExprVisitor& visitor) {
+void visit_tested_preconditions(const Component& component, const ir::System& system, const ExprVisitor& visitor) {
     for (const FunctionHook& hook : component.functions) {
         if (!hook.guarded) continue;
         for (const auto& condition : system.functions[hook.id.index].preconditions) visit(condition, visitor);

@@ -21,7 +21,7 @@ void visit(const ir::StmtPtr&, const StmtVisitor&);
 /// Visits all expressions with values that running code uses, with their operands: ir::visit_running.
 void visit_expressions(const ir::Machine&, const ExprVisitor&);
 /// Visits the expressions in preconditions that running code tests.
-void visit_asked(const Component&, const ir::System&, const ExprVisitor&);
+void visit_tested_preconditions(const Component&, const ir::System&, const ExprVisitor&);
 /// Visits the triggers of the transitions, then the communications of the statements.
 void visit_communications(const ir::Machine&, const std::function<void(const ir::Communication&, bool trigger)>&);
 

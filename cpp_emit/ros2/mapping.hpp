@@ -20,25 +20,25 @@ using frontend::Word;
 enum class ElementKind { operation, event, variable };
 
 /// "operation", "event", "variable".
-[[nodiscard]] std::string_view described(ElementKind);
+[[nodiscard]] std::string_view describe_kind(ElementKind);
 
-/// `geometry_msgs/Twist`.
+/// The name of a message: `geometry_msgs/Twist`.
 struct MessageName {
     std::string package;
     std::string type;
     diagnostics::Span span;
 
-    [[nodiscard]] std::string text() const { return package + "/" + type; }
+    [[nodiscard]] std::string full_name() const { return package + "/" + type; }
     friend bool operator==(const MessageName& a, const MessageName& b) {
         return a.package == b.package && a.type == b.type;
     }
 };
 
-/// `a.b.c`.
+/// A path of names: `a.b.c`.
 struct Path {
     std::vector<Word> words;
 
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string path_text() const;
     [[nodiscard]] diagnostics::Span span() const;
 };
 
@@ -52,7 +52,7 @@ struct Source {
     diagnostics::Span span;
 };
 
-/// `linear.x = speed`, `value = range`.
+/// An assignment to a field or value: `linear.x = speed`, `value = range`.
 struct Assignment {
     Path target;
     Source source;
@@ -65,7 +65,7 @@ struct Delivery {
     std::optional<std::uint32_t> depth;
 };
 
-/// `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
+/// An item: `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
 struct Item {
     bool published = false;
     ElementKind kind = ElementKind::operation;

@@ -131,8 +131,8 @@ FieldType type_of(std::string_view written) {
 
 }  // namespace
 
-bool known(const MessageName& name) {
-    return row_of(name.text()) != nullptr;
+bool is_known(const MessageName& name) {
+    return row_of(name.full_name()) != nullptr;
 }
 
 std::vector<std::string> known_messages(std::string_view package) {
@@ -151,7 +151,7 @@ std::vector<std::string> fields_of(std::string_view message) {
 }
 
 FoundField find_field(const MessageName& message, const Path& path) {
-    const FieldRow* row = row_of(message.text());
+    const FieldRow* row = row_of(message.full_name());
     FoundField found{{}, path.words.size(), row == nullptr ? "" : row->message};
     for (std::size_t i = 0; i < path.words.size(); ++i) {
         if (row == nullptr) return {{}, path.words.size(), ""};
@@ -176,7 +176,7 @@ FoundField find_field(const MessageName& message, const Path& path) {
     return found;
 }
 
-std::string described(const FieldType& type) {
+std::string describe_field(const FieldType& type) {
     switch (type.kind) {
         case FieldKind::truth:
         case FieldKind::whole:
@@ -194,7 +194,7 @@ std::string described(const FieldType& type) {
     return "of a type not known here";
 }
 
-bool holds(const FieldType& type, const std::string& whole) {
+bool holds_number(const FieldType& type, const std::string& whole) {
     if (type.kind != FieldKind::whole) return true;
     const bool is_unsigned = type.written.starts_with('u') || type.written == "byte" || type.written == "char";
     const std::size_t digits = std::min(type.written.find_first_of("0123456789"), type.written.size());

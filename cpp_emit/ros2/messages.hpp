@@ -29,7 +29,7 @@ struct FieldType {
 };
 
 /// Whether the message is in the table.
-[[nodiscard]] bool known(const MessageName&);
+[[nodiscard]] bool is_known(const MessageName&);
 /// The messages of this package in the table.
 [[nodiscard]] std::vector<std::string> known_messages(std::string_view package);
 /// The names of the fields of a message in the table; `message` is like "geometry_msgs/Vector3".
@@ -44,8 +44,8 @@ struct FoundField {
 [[nodiscard]] FoundField find_field(const MessageName&, const Path&);
 
 /// Describes a field type for messages to the user: "whole numbers (uint8)".
-[[nodiscard]] std::string described(const FieldType&);
+[[nodiscard]] std::string describe_field(const FieldType&);
 /// Whether a whole number is a value of the type. For example, "300" is no uint8.
-[[nodiscard]] bool holds(const FieldType&, const std::string& whole);
+[[nodiscard]] bool holds_number(const FieldType&, const std::string& whole);
 
 }  // namespace robochart::cpp_emit::ros2

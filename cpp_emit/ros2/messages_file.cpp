@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The class that stores the controller's outputs as messages until the end of a cycle.
+// Writes the class that stores the controller's outputs as messages until the end of a cycle.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -34,7 +34,7 @@ public:
         for (const Topic& topic : plan_.topics)
             headers.insert(
                 fmt::format("#include <{}/msg/{}.hpp>", topic.message.package, header_of_message(topic.message.type)));
-        if (plan_.stamped()) headers.insert("#include <builtin_interfaces/msg/time.hpp>");
+        if (plan_.is_stamped()) headers.insert("#include <builtin_interfaces/msg/time.hpp>");
         for (const std::string& header : headers) out_.line(header);
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", api_.cpp_name));
@@ -42,16 +42,16 @@ public:
         out_.gap();
         out_.line(fmt::format("namespace {} {{", api_.name_space));
         out_.gap();
-        outbox();
+        write_outbox();
         out_.gap();
-        robot();
+        write_robot();
         out_.gap();
         out_.line(fmt::format("}}  // namespace {}", api_.name_space));
         return out_.text();
     }
 
 private:
-    void outbox() {
+    void write_outbox() {
         out_.doc("What the controller says in a cycle, topic by topic in the order in which it says it.");
         out_.open(fmt::format("struct {}Outbox {{", api_.cpp_name));
         std::set<std::size_t> kept;
@@ -61,23 +61,23 @@ private:
             out_.line(fmt::format("std::vector<{}> {};", message_type(plan_.topics[topic].message),
                                   plan_.topics[topic].member));
         out_.line_with_doc("std::vector<const char*> unfit;", "what has a value that its message cannot hold");
-        if (plan_.stamped()) out_.line_with_doc("::builtin_interfaces::msg::Time now{};", "of the cycle");
+        if (plan_.is_stamped()) out_.line_with_doc("::builtin_interfaces::msg::Time now{};", "of the cycle");
         out_.close("};");
     }
 
-    void robot() {
+    void write_robot() {
         out_.doc(
             "The controller. What it does is kept until the end of the cycle, for a cycle must not fail. To do an "
             "operation in C++, inherit this class, override the operation and give the node an object of yours.");
         out_.open(fmt::format("class {0}Messages : public {0} {{", api_.cpp_name));
-        out_.label("public:");
+        out_.write_label("public:");
         out_.line(fmt::format("{}Outbox {};", api_.cpp_name, outbox_));
         for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr) keep(outgoing);
+            if (outgoing.variable == nullptr) write_keeping(outgoing);
         out_.close("};");
     }
 
-    void keep(const Outgoing& outgoing) {
+    void write_keeping(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
         std::vector<std::string> parameters;
         std::vector<ir::TypeId> types;
@@ -100,7 +100,7 @@ private:
         } else {
             out_.open(fmt::format("if ({}) {{", fits));
             out_.line(keep);
-            out_.reopen("} else {");
+            out_.reopen_block("} else {");
             out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
             out_.close();
         }

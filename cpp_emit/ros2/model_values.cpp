@@ -44,7 +44,7 @@ std::string message_of(ScalarKind kind) {
     return kind == ScalarKind::truth ? "Bool" : kind == ScalarKind::real ? "Float64" : "Int64";
 }
 
-std::string described(const ir::Type& type) {
+std::string describe_type(const ir::Type& type) {
     const char* const article = type.kind == TypeKind::integer || type.kind == TypeKind::enumeration ? "an" : "a";
     const char* const kind = type.kind == TypeKind::enumeration ? "enumeration "
                              : type.kind == TypeKind::record    ? "record "
@@ -59,7 +59,7 @@ bool scalars_of(const ir::System& system, const ModelValue& value, std::vector<S
         return true;
     }
     if (type.kind != TypeKind::record) return false;
-    const std::vector<TypeMember> parts = members(type);
+    const std::vector<TypeMember> parts = type_members(type);
     bool all = true;
     for (std::size_t i = 0; i < parts.size(); ++i)
         all = scalars_of(system, {value.name + "." + type.labels[i], value.place + "." + parts[i].name, parts[i].type},
@@ -83,7 +83,7 @@ FoundScalar find_scalar(const ir::System& system, const std::vector<ModelValue>&
         found.known = type.labels;
         const auto label = std::ranges::find(type.labels, path.words[found.missing].text);
         if (label == type.labels.end()) return found;
-        const TypeMember member = members(type)[static_cast<std::size_t>(label - type.labels.begin())];
+        const TypeMember member = type_members(type)[static_cast<std::size_t>(label - type.labels.begin())];
         at = {at.name + "." + *label, at.place + "." + member.name, member.type};
     }
     found.type = at.type;
@@ -91,7 +91,7 @@ FoundScalar find_scalar(const ir::System& system, const std::vector<ModelValue>&
     return found;
 }
 
-bool fits(const FieldType& field, ScalarKind kind, bool published) {
+bool fits_field(const FieldType& field, ScalarKind kind, bool published) {
     switch (field.kind) {
         case FieldKind::truth:
             return kind == ScalarKind::truth;

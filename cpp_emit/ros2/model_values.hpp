@@ -22,7 +22,7 @@ struct ModelValue {
 /// The message of std_msgs that carries a scalar: "Float64".
 [[nodiscard]] std::string message_of(ScalarKind);
 /// Describes a type for messages to the user: "a number (real)", "an enumeration (Light)".
-[[nodiscard]] std::string described(const ir::Type&);
+[[nodiscard]] std::string describe_type(const ir::Type&);
 /// Collects all scalars in a value: the value itself, or the values of a record's fields. Returns false if a part is
 /// neither a scalar nor a record.
 bool scalars_of(const ir::System&, const ModelValue&, std::vector<Scalar>&);
@@ -38,6 +38,6 @@ struct FoundScalar {
 
 /// Whether every value fits: of the scalar into the field if it is published, of the field into the scalar if it is
 /// received.
-[[nodiscard]] bool fits(const FieldType&, ScalarKind, bool published);
+[[nodiscard]] bool fits_field(const FieldType&, ScalarKind, bool published);
 
 }  // namespace robochart::cpp_emit::ros2

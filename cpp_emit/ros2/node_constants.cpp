@@ -19,7 +19,7 @@ struct Surroundings {
     const ir::Controller* controller = nullptr;
 };
 
-Surroundings surroundings(const Generation& generation, const Part& part) {
+Surroundings context_of_part(const Generation& generation, const Part& part) {
     const ir::System& system = generation.system;
     const ir::ComponentRef& ref = generation.component.ref;
     if (ref.kind == ir::ComponentKind::module) {
@@ -58,8 +58,8 @@ std::vector<NodeConstant> node_constants(const Generation& generation) {
         paths.emplace(constant.name, constant.path);
     std::map<std::string, NodeConstant> found;
     for (const Unit& unit : generation.component.units) {
-        const Part& part = generation.component.part(unit);
-        const Surroundings around = surroundings(generation, part);
+        const Part& part = generation.component.part_of(unit);
+        const Surroundings around = context_of_part(generation, part);
         const std::string name = name_in(around, unit, part);
         for (std::uint32_t i = 0; i < unit.machine->constants.size(); ++i) {
             const ir::ConstantId id{i};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header and source of the node.
+// Writes the header and the source of the node.
 #include "cpp_emit/ros2/node_files.hpp"
 
 #include <fmt/format.h>
@@ -31,13 +31,13 @@ public:
           outbox_("robot_->" + free_member(api, "outbox")) {
         NameScope names;
         for (const Outgoing& outgoing : plan.outgoing)
-            last_.push_back(outgoing.variable == nullptr ? ""
-                                                         : names.unique("last_" + outgoing.variable->member) + "_");
+            last_.push_back(
+                outgoing.variable == nullptr ? "" : names.unique_name("last_" + outgoing.variable->member) + "_");
         for (const StateTopic& state : plan.states)
-            last_states_.push_back(names.unique("last_" + state.machine->method) + "_");
+            last_states_.push_back(names.unique_name("last_" + state.machine->method) + "_");
     }
 
-    std::string header() {
+    std::string write_header() {
         file_comment(generation_, out_, "ROS 2 node");
         head_comment();
         out_.line("#pragma once");
@@ -62,7 +62,7 @@ public:
         return out_.text();
     }
 
-    std::string source() {
+    std::string write_source() {
         file_comment(generation_, out_, "ROS 2 node");
         out_.line(fmt::format("#include \"{}_node.hpp\"", api_.cpp_name));
         out_.gap();
@@ -71,15 +71,15 @@ public:
         out_.line("#include <rclcpp_components/register_node_macro.hpp>");
         out_.gap();
         out_.line(fmt::format("namespace {} {{", api_.name_space));
-        constructors();
-        configure();
-        activate();
-        deactivate();
-        release();
+        write_constructors();
+        write_configure();
+        write_activate();
+        write_deactivate();
+        write_release();
         for (std::size_t i = 0; i < plan_.topics.size(); ++i)
-            if (!plan_.topics[i].published) receive(i);
-        cycle();
-        publish();
+            if (!plan_.topics[i].published) write_receive(i);
+        write_cycle();
+        write_publish();
         log_method();
         out_.gap();
         out_.line(fmt::format("}}  // namespace {}", api_.name_space));
@@ -99,8 +99,8 @@ private:
                         "message means.",
                         api_.cpp_name));
         for (const Topic& topic : plan_.topics)
-            out_.comment(fmt::format("{} {} on {}", topic.published ? "publishes" : "receives", topic.message.text(),
-                                     topic.name));
+            out_.comment(fmt::format("{} {} on {}", topic.published ? "publishes" : "receives",
+                                     topic.message.full_name(), topic.name));
     }
 
     void node_class() {
@@ -109,7 +109,7 @@ private:
             "messages "
             "are not taken and nothing is published. To configure begins anew.");
         out_.open(fmt::format("class {} : public ::rclcpp_lifecycle::LifecycleNode {{", node_));
-        out_.label("public:");
+        out_.write_label("public:");
         out_.line(
             "using CallbackReturn = ::rclcpp_lifecycle::node_interfaces::LifecycleNodeInterface::CallbackReturn;");
         out_.gap();
@@ -122,7 +122,7 @@ private:
             out_.line(
                 fmt::format("CallbackReturn on_{}(const ::rclcpp_lifecycle::State& previous) override;", transition));
         out_.gap();
-        out_.label("private:");
+        out_.write_label("private:");
         if (!constants_.empty()) {
             out_.line("template <class Value>");
             out_.line("void constant(const std::string& parameter, const std::string& path, const Value& generated);");
@@ -156,7 +156,7 @@ private:
                                   quality_text(topic.quality)));
         for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
             if (const ApiVariable* const variable = plan_.outgoing[i].variable)
-                out_.line(fmt::format("std::optional<{}> {};", type(variable->stored->variable->type), last_[i]));
+                out_.line(fmt::format("std::optional<{}> {};", type_text(variable->stored->variable->type), last_[i]));
         for (std::size_t i = 0; i < plan_.states.size(); ++i)
             out_.line(fmt::format("std::optional<{}::{}> {};", api_.cpp_name, plan_.states[i].machine->enumeration,
                                   last_states_[i]));
@@ -166,7 +166,7 @@ private:
 
     // ------------------------------------------------------------ source
 
-    void constructors() {
+    void write_constructors() {
         out_.gap();
         out_.line(fmt::format("{0}::{0}(const ::rclcpp::NodeOptions& options)", node_));
         out_.line(fmt::format("    : {}(options, std::make_unique<{}Messages>()) {{}}", node_, api_.cpp_name));
@@ -222,7 +222,7 @@ private:
                               previous));
     }
 
-    void configure() {
+    void write_configure() {
         open_transition("configure", "");
         if (!constants_.empty()) {
             out_.comment("The code has the constants' values in it, and it is what has been checked.");
@@ -239,12 +239,12 @@ private:
         out_.close();
         out_.line("robot_->reset();");
         out_.line("log();");
-        for (const Topic& topic : plan_.topics) connect(topic);
+        for (const Topic& topic : plan_.topics) write_connection(topic);
         out_.line("return CallbackReturn::SUCCESS;");
         out_.close();
     }
 
-    void connect(const Topic& topic) {
+    void write_connection(const Topic& topic) {
         const std::string message = message_type(topic.message);
         const std::string quality = "quality_" + topic.member + "_";
         if (topic.published) {
@@ -260,7 +260,7 @@ private:
         out_.line(fmt::format("{}.settle({}_->get_actual_qos());", quality, topic.member));
     }
 
-    void activate() {
+    void write_activate() {
         open_transition("activate", " previous");
         out_.open("if (ended_) {");
         out_.line("RCLCPP_ERROR(get_logger(), \"the controller has ended: clean up and configure to begin anew\");");
@@ -278,7 +278,7 @@ private:
         out_.close();
     }
 
-    void deactivate() {
+    void write_deactivate() {
         open_transition("deactivate", " previous");
         out_.line("active_ = false;");
         out_.line("timer_.reset();");
@@ -291,7 +291,7 @@ private:
         out_.close();
     }
 
-    void release() {
+    void write_release() {
         for (const char* const transition : {"cleanup", "shutdown"}) {
             open_transition(transition, "");
             out_.line("release();");
@@ -311,27 +311,27 @@ private:
         out_.close();
     }
 
-    void receive(std::size_t topic) {
+    void write_receive(std::size_t topic) {
         out_.gap();
         out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
                               plan_.topics[topic].member, message_type(plan_.topics[topic].message)));
         out_.line("if (!active_) return;");
         for (const Incoming& incoming : plan_.incoming)
-            if (incoming.topic == topic) take(incoming);
+            if (incoming.topic == topic) write_taking(incoming);
         out_.close();
     }
 
-    void take(const Incoming& incoming) {
+    void write_taking(const Incoming& incoming) {
         if (!incoming.type) return out_.line(fmt::format("robot_->{}();", incoming.event->method));
         std::vector<std::string> conditions;
-        for (const Taken& taken : incoming.fields) conditions.push_back(taking(taken));
+        for (const Taken& taken : incoming.fields) conditions.push_back(taking_condition(taken));
         out_.open("{");
-        out_.line(fmt::format("{} value{{}};", type(*incoming.type)));
+        out_.line(fmt::format("{} value{{}};", type_text(*incoming.type)));
         out_.open(
             fmt::format("if ({}) {{", conditions.empty() ? "true" : fmt::format("{}", fmt::join(conditions, " && "))));
         out_.line(incoming.event != nullptr ? fmt::format("robot_->{}(value);", incoming.event->method)
                                             : fmt::format("robot_->{} = value;", incoming.variable->member));
-        out_.reopen("} else {");
+        out_.reopen_block("} else {");
         out_.line(fmt::format(
             "RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000, \"a message for {} has no value of {}\");",
             incoming.name, generation_.system.type(*incoming.type).name));
@@ -339,7 +339,7 @@ private:
         out_.close();
     }
 
-    [[nodiscard]] std::string taking(const Taken& taken) const {
+    [[nodiscard]] std::string taking_condition(const Taken& taken) const {
         const std::string& place = taken.scalar.place;
         switch (taken.scalar.kind) {
             case ScalarKind::nat:
@@ -355,10 +355,10 @@ private:
         return fmt::format("::robochart::ros2::take({}, message.{})", place, taken.field);
     }
 
-    void cycle() {
+    void write_cycle() {
         out_.gap();
         out_.open(fmt::format("void {}::cycle() {{", node_));
-        if (plan_.stamped()) out_.line(fmt::format("{}.now = now();", outbox_));
+        if (plan_.is_stamped()) out_.line(fmt::format("{}.now = now();", outbox_));
         out_.line("const ::robochart::StepResult result = robot_->step();");
         out_.line("publish();");
         out_.line("if (result == ::robochart::StepResult::quiescent) return;");
@@ -373,7 +373,7 @@ private:
         out_.close();
     }
 
-    void publish() {
+    void write_publish() {
         out_.gap();
         out_.open(fmt::format("void {}::publish() {{", node_));
         std::set<std::size_t> done;
@@ -419,7 +419,7 @@ private:
         } else {
             out_.open(fmt::format("if ({}) {{", fits));
             out_.line(publish);
-            out_.reopen("} else {");
+            out_.reopen_block("} else {");
             out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
             out_.close();
         }
@@ -453,7 +453,7 @@ private:
         out_.close();
     }
 
-    [[nodiscard]] std::string type(ir::TypeId id) const { return deployed_type(generation_, core_.relative, id); }
+    [[nodiscard]] std::string type_text(ir::TypeId id) const { return deployed_type(generation_, core_.relative, id); }
 
     const Generation& generation_;
     const Core& core_;
@@ -468,11 +468,11 @@ private:
 }  // namespace
 
 std::string node_header(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {
-    return NodeWriter(generation, core, api, plan).header();
+    return NodeWriter(generation, core, api, plan).write_header();
 }
 
 std::string node_source(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {
-    return NodeWriter(generation, core, api, plan).source();
+    return NodeWriter(generation, core, api, plan).write_source();
 }
 
 std::string constant_lines(const Generation& generation, const Core& core) {

@@ -8,12 +8,12 @@
 #include <map>
 #include <set>
 
+#include "base/diagnostics/spelling.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/ros2/messages.hpp"
 #include "cpp_emit/ros2/model_values.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
 #include "cpp_emit/ros2/rules.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -33,8 +33,8 @@ struct Element {
     const Item* item = nullptr;  ///< the element's item in the mapping
 };
 
-std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
-    const std::string meant = diagnostics::nearest(name, known);
+std::string suggest_name(const std::string& name, const std::vector<std::string>& known) {
+    const std::string meant = diagnostics::nearest_spelling(name, known);
     return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
 }
 
@@ -51,7 +51,7 @@ std::vector<Element> elements_of(const Generation& generation, const ClassApi& a
         for (const ApiVariable& variable : part.variables) {
             const ir::Variable& declared = *variable.stored->variable;
             for (const bool published : {true, false})
-                if (published ? variable.stored->visible : variable.stored->external && variable.stored->stored())
+                if (published ? variable.stored->visible : variable.stored->external && variable.stored->has_member())
                     result.push_back({ElementKind::variable, published, declared.name, nullptr, nullptr, &variable,
                                       declared.origin.span});
         }
@@ -69,7 +69,7 @@ bool is_modelled(const ClassApi& api, const std::string& name) {
 }
 
 /// Whether the fields overlap: one contains the other, or both are the same.
-bool overlap(const std::string& a, const std::string& b) {
+bool fields_overlap(const std::string& a, const std::string& b) {
     return a == b || a.starts_with(b + ".") || b.starts_with(a + ".");
 }
 
@@ -78,32 +78,33 @@ public:
     Planner(const Generation& generation, const ClassApi& api, diagnostics::Diagnostics& diagnostics)
         : generation_(generation), api_(api), diagnostics_(diagnostics) {
         plan_.node = generation.component.cpp_name;
-        for (const char* const own : {"message", "outbox", "unfit", "now"}) members_.take(own);
+        for (const char* const own : {"message", "outbox", "unfit", "now"}) members_.reserve_name(own);
     }
 
-    NodePlan make() {
+    NodePlan make_plan() {
         std::vector<Element> elements = elements_of(generation_, api_);
-        if (generation_.options.mapping != nullptr) match(*generation_.options.mapping, elements);
+        if (generation_.options.mapping != nullptr) match_items(*generation_.options.mapping, elements);
         for (const ApiMachine& machine : api_.machines)
             plan_.states.push_back(
                 {&machine,
-                 topic({"~/" + machine.method, {"std_msgs", "String", {}}, latched(), true, "", machine.method},
-                       generation_.component.origin.span)});
+                 topic_index(
+                     {"~/" + machine.method, {"std_msgs", "String", {}}, latched_quality(), true, "", machine.method},
+                     generation_.component.origin.span)});
         for (const Element& element : elements)
             if (element.item == nullptr) add_default(element);
         for (const Element& element : elements)
             if (element.item != nullptr) add_mapped(element);
         note_defaults();
-        packages();
+        collect_packages();
         return std::move(plan_);
     }
 
 private:
-    static QualityOfService latched() { return {true, true, 1}; }
+    static QualityOfService latched_quality() { return {true, true, 1}; }
 
     // ------------------------------------------------------------ names in the mapping
 
-    void match(const Mapping& mapping, std::vector<Element>& elements) {
+    void match_items(const Mapping& mapping, std::vector<Element>& elements) {
         for (const Item& item : mapping.items) {
             diagnostics_.poll();
             Element* found = nullptr;
@@ -112,10 +113,10 @@ private:
                     element.name == item.element.text && found == nullptr)
                     found = &element;
             if (found == nullptr) {
-                unknown(item, elements);
+                report_unknown(item, elements);
             } else if (found->item != nullptr) {
                 diagnostics_.report(rules::said_twice, item.element.span,
-                                    {fmt::format("{} '{}'", described(item.kind), item.element.text)});
+                                    {fmt::format("{} '{}'", describe_kind(item.kind), item.element.text)});
             } else {
                 found->item = &item;
             }
@@ -123,56 +124,57 @@ private:
         }
     }
 
-    void unknown(const Item& item, const std::vector<Element>& elements) {
+    void report_unknown(const Item& item, const std::vector<Element>& elements) {
         std::vector<std::string> known;
         std::string other;
         for (const Element& element : elements) {
             if (element.kind == item.kind && element.published == item.published) known.push_back(element.name);
             if (element.name == item.element.text)
                 other = fmt::format("; write '{} {} {}'", element.published ? "publish" : "receive",
-                                    described(element.kind), element.name);
+                                    describe_kind(element.kind), element.name);
         }
         if (item.kind == ElementKind::operation && is_modelled(api_, item.element.text))
             other = "; the model defines it, so it runs as modelled";
-        const std::string what = fmt::format("{} to {}", described(item.kind), item.published ? "publish" : "receive");
+        const std::string what =
+            fmt::format("{} to {}", describe_kind(item.kind), item.published ? "publish" : "receive");
         diagnostics_.report(rules::unknown_name, item.element.span,
                             {fmt::format("'{}'", generation_.component.name), what, item.element.text,
-                             other.empty() ? suggestion(item.element.text, known) : other});
+                             other.empty() ? suggest_name(item.element.text, known) : other});
     }
 
     void note_unchecked(const MessageName& message) {
-        if (known(message) || !noted_.insert(message.text()).second) return;
+        if (is_known(message) || !noted_.insert(message.full_name()).second) return;
         diagnostics_.report(rules::not_checked, message.span,
-                            {message.text(), suggestion(message.type, known_messages(message.package))});
+                            {message.full_name(), suggest_name(message.type, known_messages(message.package))});
     }
 
     // ------------------------------------------------------------ topics
 
     /// The topic as ROS resolves it without a namespace and remappings.
-    [[nodiscard]] std::string resolved(const std::string& name) const {
+    [[nodiscard]] std::string resolve_name(const std::string& name) const {
         if (name.starts_with("~/")) return "/" + plan_.node + name.substr(1);
         return name.starts_with('/') ? name : "/" + name;
     }
 
     /// The reason why two elements cannot share a topic; "" if they can share it.
-    static std::string conflict(const Topic& first, const Topic& second) {
+    static std::string describe_conflict(const Topic& first, const Topic& second) {
         if (first.published != second.published) return "one is published and the other received";
         if (!(first.message == second.message))
-            return fmt::format("one is {} and the other {}", first.message.text(), second.message.text());
+            return fmt::format("one is {} and the other {}", first.message.full_name(), second.message.full_name());
         return first.quality == second.quality ? "" : "they differ in quality of service";
     }
 
-    std::size_t topic(Topic wanted, Span span) {
+    std::size_t topic_index(Topic wanted, Span span) {
         for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
-            if (resolved(plan_.topics[i].name) != resolved(wanted.name)) continue;
-            const std::string why = conflict(plan_.topics[i], wanted);
+            if (resolve_name(plan_.topics[i].name) != resolve_name(wanted.name)) continue;
+            const std::string why = describe_conflict(plan_.topics[i], wanted);
             if (!why.empty())
                 diagnostics_.report(rules::shared_topic, span, {wanted.user, wanted.name, plan_.topics[i].user, why});
             return i;
         }
         std::string stem = wanted.name;
         std::ranges::replace(stem, '/', '_');
-        wanted.member = members_.unique((wanted.published ? "to_" : "from_") + identifier(stem));
+        wanted.member = members_.unique_name((wanted.published ? "to_" : "from_") + to_identifier(stem));
         plan_.topics.push_back(std::move(wanted));
         return plan_.topics.size() - 1;
     }
@@ -187,7 +189,7 @@ private:
 
     static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& said) {
         QualityOfService quality;
-        if (element.published && element.kind == ElementKind::variable) quality = latched();
+        if (element.published && element.kind == ElementKind::variable) quality = latched_quality();
         // drivers of sensors publish with best effort, and a reliable subscription would not receive their messages
         if (!element.published && message.package == "sensor_msgs") quality = {false, false, 5};
         quality.reliable = said.reliable.value_or(quality.reliable);
@@ -232,7 +234,7 @@ private:
             diagnostics_.report(
                 cpp_emit::rules::no_project, element.span,
                 {"ros2", generation_.component.name,
-                 fmt::format("std_msgs has no message for the {} '{}'", described(element.kind), element.name)});
+                 fmt::format("std_msgs has no message for the {} '{}'", describe_kind(element.kind), element.name)});
             return;
         }
         const char* const kind = element.kind == ElementKind::variable    ? (element.published ? "variable" : "set")
@@ -244,22 +246,22 @@ private:
                                   : scalars.size() == 1 ? message_of(scalars.front().kind)
                                                         : "Float64MultiArray",
                                   {}};
-        const std::size_t place = topic({default_topic(kind, element.name), message, quality_of(element, message, {}),
-                                         element.published, "", element.name},
-                                        element.span);
+        const std::size_t place = topic_index({default_topic(kind, element.name), message,
+                                               quality_of(element, message, {}), element.published, "", element.name},
+                                              element.span);
         if (element.published) {
-            Outgoing out = outgoing(element, place);
+            Outgoing out = make_outgoing(element, place);
             out.array = scalars.size() > 1;
             for (const Scalar& scalar : scalars) out.fields.push_back({"data", scalar, "", false});
             plan_.outgoing.push_back(std::move(out));
         } else {
-            Incoming in = incoming(element, place);
+            Incoming in = make_incoming(element, place);
             if (!scalars.empty()) in.fields.push_back({"data", scalars.front()});
             plan_.incoming.push_back(std::move(in));
         }
     }
 
-    static Outgoing outgoing(const Element& element, std::size_t topic) {
+    static Outgoing make_outgoing(const Element& element, std::size_t topic) {
         Outgoing out;
         out.kind = element.kind;
         out.name = element.name;
@@ -271,7 +273,7 @@ private:
         return out;
     }
 
-    static Incoming incoming(const Element& element, std::size_t topic) {
+    static Incoming make_incoming(const Element& element, std::size_t topic) {
         return {element.name, element.event, element.variable, type_of(element), topic, {}};
     }
 
@@ -280,25 +282,25 @@ private:
     void add_mapped(const Element& element) {
         const Item& item = *element.item;
         const std::size_t place =
-            topic({item.topic.text, item.message, quality_of(element, item.message, item.delivery), item.published, "",
-                   element.name},
-                  item.topic.span);
+            topic_index({item.topic.text, item.message, quality_of(element, item.message, item.delivery),
+                         item.published, "", element.name},
+                        item.topic.span);
         if (item.published)
-            publish(element, outgoing(element, place));
+            plan_publication(element, make_outgoing(element, place));
         else
-            receive(element, incoming(element, place));
+            plan_reception(element, make_incoming(element, place));
     }
 
-    void publish(const Element& element, Outgoing out) {
+    void plan_publication(const Element& element, Outgoing out) {
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
         for (const Assignment& each : element.item->assignments) {
             diagnostics_.poll();
             const std::optional<FieldType> field = field_of(*element.item, each.target);
             if (!field) continue;
-            const std::string text = each.target.text();
+            const std::string text = each.target.path_text();
             for (const Filled& before : out.fields)
-                if (overlap(before.field, text))
+                if (fields_overlap(before.field, text))
                     diagnostics_.report(rules::said_twice, each.target.span(), {fmt::format("the field '{}'", text)});
             Filled filled{text, {}, "", false};
             const bool value = each.source.kind == Source::Kind::path || each.source.kind == Source::Kind::truth;
@@ -306,7 +308,7 @@ private:
                 filled.scalar = scalar_of(element, values, each.source.path, *field, each.target);
                 if (filled.scalar) used.insert(filled.scalar->reading);
             } else {
-                literal(element, values, each, *field, filled);
+                fill_literal(element, values, each, *field, filled);
             }
             out.fields.push_back(std::move(filled));
         }
@@ -327,10 +329,10 @@ private:
             if (!used.contains(scalar.reading))
                 diagnostics_.report(
                     rules::not_sent, element.item->element.span,
-                    {fmt::format("'{}'", scalar.reading), std::string(described(element.kind)), element.name});
+                    {fmt::format("'{}'", scalar.reading), std::string(describe_kind(element.kind)), element.name});
     }
 
-    void receive(const Element& element, Incoming in) {
+    void plan_reception(const Element& element, Incoming in) {
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
         for (const Assignment& each : element.item->assignments) {
@@ -341,7 +343,7 @@ private:
             if (!scalar) continue;
             if (!used.insert(scalar->reading).second)
                 diagnostics_.report(rules::said_twice, each.target.span(), {fmt::format("'{}'", scalar->reading)});
-            in.fields.push_back({each.source.path.text(), *scalar});
+            in.fields.push_back({each.source.path.path_text(), *scalar});
         }
         for (const ModelValue& value : values) require_all(element, value, used);
         if (values.empty() && element.item->assignments.empty()) warn_unread(element);
@@ -352,11 +354,11 @@ private:
     /// fields.
     void warn_unread(const Element& element) {
         const MessageName& message = element.item->message;
-        const std::vector<std::string> fields = fields_of(message.text());
+        const std::vector<std::string> fields = fields_of(message.full_name());
         if (fields.empty()) return;
         std::string some = fmt::format("'{}'", fields.front());
         if (fields.size() > 1) some += fmt::format(" and {} more", fields.size() - 1);
-        diagnostics_.report(rules::not_asked, element.item->element.span, {message.text(), element.name, some});
+        diagnostics_.report(rules::not_asked, element.item->element.span, {message.full_name(), element.name, some});
     }
 
     void require_all(const Element& element, const ModelValue& value, const std::set<std::string>& used) {
@@ -364,7 +366,7 @@ private:
         if (!scalars_of(generation_.system, value, scalars)) {
             diagnostics_.report(
                 rules::wrong_type, element.item->element.span,
-                {fmt::format("the value of '{}'", element.name), described(generation_.system.type(value.type)),
+                {fmt::format("the value of '{}'", element.name), describe_type(generation_.system.type(value.type)),
                  "what a message can give it", "a truth value, a number, an enumeration or a record of them"});
             return;
         }
@@ -372,7 +374,7 @@ private:
             if (!used.contains(scalar.reading))
                 diagnostics_.report(
                     rules::incomplete, element.item->element.span,
-                    {fmt::format("'{}'", scalar.reading), std::string(described(element.kind)), element.name});
+                    {fmt::format("'{}'", scalar.reading), std::string(describe_kind(element.kind)), element.name});
     }
 
     /// The field's type; no value, with a finding, if the message does not have the field.
@@ -381,7 +383,7 @@ private:
         if (found.missing == path.words.size()) return found.type;
         const Word& word = path.words[found.missing];
         diagnostics_.report(rules::unknown_field, word.span,
-                            {std::string(found.in), word.text, suggestion(word.text, fields_of(found.in))});
+                            {std::string(found.in), word.text, suggest_name(word.text, fields_of(found.in))});
         return std::nullopt;
     }
 
@@ -389,31 +391,31 @@ private:
     std::optional<Scalar> scalar_of(const Element& element, const std::vector<ModelValue>& values, const Path& path,
                                     const FieldType& field, const Path& field_path) {
         const FoundScalar found = find_scalar(generation_.system, values, path);
-        const std::string place = fmt::format("{} '{}'", described(element.kind), element.name);
+        const std::string place = fmt::format("{} '{}'", describe_kind(element.kind), element.name);
         if (found.missing < path.words.size()) {
             const Word& word = path.words[found.missing];
             const std::string what = found.missing > 0                        ? "field"
                                      : element.kind == ElementKind::operation ? "parameter"
                                                                               : "value";
             diagnostics_.report(rules::unknown_name, word.span,
-                                {place, what, word.text, suggestion(word.text, found.known)});
+                                {place, what, word.text, suggest_name(word.text, found.known)});
             return std::nullopt;
         }
-        if (found.scalar && fits(field, found.scalar->kind, element.published)) return found.scalar;
+        if (found.scalar && fits_field(field, found.scalar->kind, element.published)) return found.scalar;
         diagnostics_.report(rules::wrong_type, path.span(),
-                            {fmt::format("'{}'", path.text()), described(generation_.system.type(*found.type)),
-                             fmt::format("the field '{}'", field_path.text()), described(field)});
+                            {fmt::format("'{}'", path.path_text()), describe_type(generation_.system.type(*found.type)),
+                             fmt::format("the field '{}'", field_path.path_text()), describe_field(field)});
         return std::nullopt;
     }
 
-    void literal(const Element& element, const std::vector<ModelValue>& values, const Assignment& each,
-                 const FieldType& field, Filled& filled) {
+    void fill_literal(const Element& element, const std::vector<ModelValue>& values, const Assignment& each,
+                      const FieldType& field, Filled& filled) {
         const FieldKind kind = field.kind;
         bool good = kind == FieldKind::unknown;
         const char* what = "a text";
         switch (each.source.kind) {
             case Source::Kind::path:
-                if (each.source.path.text() != "now") {
+                if (each.source.path.path_text() != "now") {
                     (void)scalar_of(element, values, each.source.path, field, each.target);
                     return;
                 }
@@ -424,7 +426,7 @@ private:
             case Source::Kind::whole:
                 what = "a whole number";
                 good = good || kind == FieldKind::real || kind == FieldKind::whole;
-                if (good && !holds(field, each.source.number)) {
+                if (good && !holds_number(field, each.source.number)) {
                     good = false;
                     what = "out of its range";
                 }
@@ -438,7 +440,7 @@ private:
             case Source::Kind::truth:
                 what = "a truth value";
                 good = good || kind == FieldKind::truth;
-                filled.literal = each.source.path.text();
+                filled.literal = each.source.path.path_text();
                 break;
             case Source::Kind::text:
                 good = good || kind == FieldKind::text;
@@ -448,7 +450,7 @@ private:
         if (!good)
             diagnostics_.report(
                 rules::wrong_type, each.source.span,
-                {"the value", what, fmt::format("the field '{}'", each.target.text()), described(field)});
+                {"the value", what, fmt::format("the field '{}'", each.target.path_text()), describe_field(field)});
     }
 
     // ------------------------------------------------------------ the whole
@@ -463,10 +465,10 @@ private:
                                 {generation_.component.name, fmt::format("{}", fmt::join(names, ", "))});
     }
 
-    void packages() {
+    void collect_packages() {
         std::set<std::string> names{"rcl_interfaces", "std_msgs"};
         for (const Topic& topic : plan_.topics) names.insert(topic.message.package);
-        if (plan_.stamped()) names.insert("builtin_interfaces");
+        if (plan_.is_stamped()) names.insert("builtin_interfaces");
         plan_.packages.assign(names.begin(), names.end());
     }
 
@@ -481,14 +483,14 @@ private:
 
 }  // namespace
 
-bool NodePlan::stamped() const {
+bool NodePlan::is_stamped() const {
     return std::ranges::any_of(outgoing, [](const Outgoing& out) {
         return std::ranges::any_of(out.fields, [](const Filled& field) { return field.now; });
     });
 }
 
 NodePlan plan_node(const Generation& generation, const ClassApi& api, diagnostics::Diagnostics& diagnostics) {
-    return Planner(generation, api, diagnostics).make();
+    return Planner(generation, api, diagnostics).make_plan();
 }
 
 }  // namespace robochart::cpp_emit::ros2

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "cpp_emit/api/class_api.hpp"
 #include "cpp_emit/ros2/mapping.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -93,7 +93,7 @@ struct NodePlan {
     std::vector<StateTopic> states;
     std::vector<std::string> packages;  ///< packages of messages, including those of parameters, sorted
 
-    [[nodiscard]] bool stamped() const;  ///< Whether some field contains the time of the cycle.
+    [[nodiscard]] bool is_stamped() const;  ///< Whether some field contains the time of the cycle.
 };
 
 /// Makes the plan. Binds Options::mapping, if there is one. Reports items that do not fit, and elements without a

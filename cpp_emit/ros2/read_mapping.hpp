@@ -2,9 +2,9 @@
 // Parses mappings.
 #pragma once
 
-#include "cpp_emit/ros2/mapping.hpp"
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/source.hpp"
+#include "cpp_emit/ros2/mapping.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 

@@ -33,7 +33,7 @@ std::string wrong_small_name(std::string_view name) {
 }
 
 /// Whether the topic belongs to ROS itself, so that a node must not publish on it.
-bool of_ros(std::string_view topic) {
+bool is_ros_topic(std::string_view topic) {
     static constexpr std::array names = {"rosout", "parameter_events", "clock", "~/transition_event"};
     if (topic.starts_with('/')) topic.remove_prefix(1);
     return std::ranges::find(names, topic) != names.end();
@@ -66,7 +66,7 @@ std::string wrong_field(std::string_view name) {
 std::string wrong_topic(std::string_view name) {
     if (name.empty()) return "it is empty";
     if (name.size() > longest_name) return "it is too long";
-    if (of_ros(name)) return "it is a topic of ROS itself";
+    if (is_ros_topic(name)) return "it is a topic of ROS itself";
     std::string_view rest = name;
     if (rest.starts_with("~/"))
         rest.remove_prefix(2);
@@ -86,7 +86,7 @@ std::string wrong_topic(std::string_view name) {
 
 std::string topic_part(std::string_view name) {
     std::string result;
-    for (const char c : identifier(name))
+    for (const char c : to_identifier(name))
         if (c != '_' || (!result.empty() && result.back() != '_')) result += c;
     while (!result.empty() && result.back() == '_') result.pop_back();
     return result.empty() || is_digit(result.front()) ? "x" + result : result;

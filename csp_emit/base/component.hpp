@@ -57,11 +57,11 @@ public:
         : project_(project), owner_(std::move(owner)), provenance_(provenance), decls_(decls) {}
 
     /// `e : InOut` or `e : InOut.T`: `in` receives, `out` sends.
-    void event(const ir::Event&);
+    void declare_event(const ir::Event&);
     /// `opCall.args`: a call of an operation that has no definition in the context.
-    void call(const ir::OperationSignature&);
+    void declare_call(const ir::OperationSignature&);
     /// `set_x`, and also `set_EXT_x` if other components may write the variable.
-    void variable(const std::string& name, ir::TypeId, bool written_by_others, const ir::Origin&);
+    void declare_variable(const std::string& name, ir::TypeId, bool written_by_others, const ir::Origin&);
 
 private:
     void mean(const std::string& event, EventMeaning meaning);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "checker/cspm/syntax/syntax.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::csp_emit {

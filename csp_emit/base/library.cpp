@@ -96,7 +96,7 @@ exports
 endmodule
 )";
 
-// Definitions that only CSP blocks use; emitted if a block names one of them.
+// Definitions that only CSP blocks use. They are emitted if a block mentions one of them.
 const char* const further_common = R"(
 -- injective sequences of at most n__ elements
 ILSeq(s__,0) = {<>}

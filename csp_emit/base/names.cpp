@@ -151,12 +151,12 @@ constexpr std::array only_at_top{"inter",  "diff", "Union",  "Inter", "set",  "s
                                  "concat", "elem", "length", "null",  "show", "extensions", "Map",  "productions"};
 
 bool relied_on(const std::string& name) {
-    return ends_as_ours(name) || std::ranges::find(reserved_names, name) != reserved_names.end();
+    return has_generated_suffix(name) || std::ranges::find(reserved_names, name) != reserved_names.end();
 }
 
 }  // namespace
 
-std::string NameManager::unique(const std::string& name) {
+std::string NameManager::unique_name(const std::string& name) {
     // Identifiers in CSPM begin with a letter.
     const bool begins = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0;
     const std::string wanted = begins ? name : "n" + name;
@@ -172,11 +172,11 @@ std::string bound_name(const std::string& name) {
     return is_identifier(name) ? name + "__q" : "n" + name + "__r";
 }
 
-bool ends_as_ours(const std::string& name) {
+bool has_generated_suffix(const std::string& name) {
     return name.size() > 2 && (name.ends_with("__") || name.ends_with("__q") || name.ends_with("__r"));
 }
 
-std::string flatten(std::string_view name) {
+std::string flatten_name(std::string_view name) {
     std::string result;
     for (std::size_t i = 0; i < name.size(); ++i) {
         if (name[i] == ':' && i + 1 < name.size() && name[i + 1] == ':') ++i;
@@ -186,8 +186,8 @@ std::string flatten(std::string_view name) {
     return result;
 }
 
-std::string qualified(const std::string& package, const std::string& name) {
-    return package.empty() ? name : flatten(package) + "::" + name;
+std::string qualified_name(const std::string& package, const std::string& name) {
+    return package.empty() ? name : flatten_name(package) + "::" + name;
 }
 
 std::string module_name(const ir::Machine& machine) {

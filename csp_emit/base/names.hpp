@@ -17,10 +17,10 @@ namespace robochart::csp_emit {
 class NameManager {
 public:
     void reserve(const std::string& name) { taken_.insert(name); }
-    [[nodiscard]] bool taken(const std::string& name) const { return taken_.count(name) != 0; }
+    [[nodiscard]] bool is_taken(const std::string& name) const { return taken_.count(name) != 0; }
     /// Returns `name`, or `name_2`, `name_3`... if it is in use. An `n` is prepended if `name` does not begin with a
     /// letter. The result is in use from then on.
-    [[nodiscard]] std::string unique(const std::string& name);
+    [[nodiscard]] std::string unique_name(const std::string& name);
 
 private:
     std::set<std::string> taken_;
@@ -29,9 +29,9 @@ private:
 };
 
 /// Converts `A::B` to `A_B`; the result contains only letters, digits and underscores.
-[[nodiscard]] std::string flatten(std::string_view name);
+[[nodiscard]] std::string flatten_name(std::string_view name);
 /// `P::X`, or `X` if the package is unnamed.
-[[nodiscard]] std::string qualified(const std::string& package, const std::string& name);
+[[nodiscard]] std::string qualified_name(const std::string& package, const std::string& name);
 /// The module of a machine: its name, or `OP_o` for an operation.
 [[nodiscard]] std::string module_name(const ir::Machine&);
 /// Whether CSPM can write the name: a letter, then letters, digits and underscores.
@@ -45,7 +45,7 @@ private:
 /// elements.
 [[nodiscard]] std::string bound_name(const std::string& name);
 /// Whether the name has the ending of generated parameters and processes, or of bound variables.
-[[nodiscard]] bool ends_as_ours(const std::string& name);
+[[nodiscard]] bool has_generated_suffix(const std::string& name);
 /// Whether CSPM predefines the name, in every script or in timed sections.
 [[nodiscard]] bool is_predefined(const std::string& name);
 /// Marks all reserved names as used in the NameManager.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/diagnostics/text.hpp"
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
-#include "base/diagnostics/text.hpp"
 
 namespace robochart::csp_emit {
 
@@ -34,26 +34,27 @@ bool Project::instantiations_replaced() const {
                                [&](const ir::CspBlock& block) { return replaces_instantiations(block); });
 }
 
-std::size_t Project::occurrences(const std::string& name) const {
+std::size_t Project::count_in_blocks(const std::string& name) const {
     std::size_t result = 0;
     for (const ir::CspBlock& block : system.csp_blocks)
-        if (applies(block)) result += times_in(block.text, name);
+        if (block_applies(block)) result += times_in(block.text, name);
     return result;
 }
 
-bool Project::mentions(const std::string& name) const {
-    return occurrences(name) > 0;
+bool Project::blocks_mention(const std::string& name) const {
+    return count_in_blocks(name) > 0;
 }
 
-bool Project::speaks_of(const std::string& path) const {
-    const auto names = [&](const ir::ComponentRef& ref) { return qualified(ref.package, ref.path) == path; };
-    return mentions(path) || std::ranges::any_of(system.properties, [&](const auto& property) {
+bool Project::mentions_component(const std::string& path) const {
+    const auto names = [&](const ir::ComponentRef& ref) { return qualified_name(ref.package, ref.path) == path; };
+    return blocks_mention(path) || std::ranges::any_of(system.properties, [&](const auto& property) {
                return names(property.subject) || names(property.other);
            });
 }
 
-void Project::refuse(const std::string& construct, diagnostics::Span span) const {
-    const auto known = diagnostics.sorted();  // a statement may be written at several points, but is reported once
+void Project::report_unsupported(const std::string& construct, diagnostics::Span span) const {
+    const auto known =
+        diagnostics.sorted_findings();  // a statement may be written at several points, but is reported once
     const bool again = std::ranges::any_of(known, [&](const diagnostics::Diagnostic& finding) {
         return finding.rule == &rules::unsupported && finding.span.source == span.source &&
                finding.span.begin == span.begin && finding.arguments.at(0) == construct;
@@ -61,10 +62,11 @@ void Project::refuse(const std::string& construct, diagnostics::Span span) const
     if (!again) diagnostics.report(rules::unsupported, span, {construct});
 }
 
-std::string Project::text(diagnostics::Span span) const {
-    if (!span.known()) return "";
+std::string Project::model_text(diagnostics::Span span) const {
+    if (!span.is_known()) return "";
     constexpr std::size_t longest = 80;
-    std::string result = diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin));
+    std::string result =
+        diagnostics::on_one_line(sources.source_text(span.source).substr(span.begin, span.end - span.begin));
     if (result.size() > longest) result = result.substr(0, longest - 3) + "...";
     return result;
 }

@@ -18,27 +18,29 @@ struct Project {
     diagnostics::SourceManager& sources;
     diagnostics::Diagnostics& diagnostics;
 
-    [[nodiscard]] bool timed() const { return time == Time::timed; }
+    [[nodiscard]] bool is_timed() const { return time == Time::timed; }
     /// Whether a CSP block applies to this semantics (untimed or timed).
-    [[nodiscard]] bool applies(const ir::CspBlock& block) const { return timed() ? block.timed : block.untimed; }
+    [[nodiscard]] bool block_applies(const ir::CspBlock& block) const {
+        return is_timed() ? block.timed : block.untimed;
+    }
     /// Whether a CSP block replaces the generated carriers, constants and functions (semantics 3.13). RoboTool's
     /// documents write `Instantiations`, some models `instantiations`.
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
-        return (block.name == "Instantiations" || block.name == "instantiations") && applies(block);
+        return (block.name == "Instantiations" || block.name == "instantiations") && block_applies(block);
     }
     /// Whether some CSP block replaces the generated instantiations.
     [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01 and names the unsupported construct.
-    void refuse(const std::string& construct, diagnostics::Span span) const;
+    void report_unsupported(const std::string& construct, diagnostics::Span span) const;
     /// The number of times that the applicable CSP blocks mention the name: a qualified or plain name, or its last part
     /// after `::`.
-    [[nodiscard]] std::size_t occurrences(const std::string& name) const;
+    [[nodiscard]] std::size_t count_in_blocks(const std::string& name) const;
     /// Whether they mention it.
-    [[nodiscard]] bool mentions(const std::string& name) const;
+    [[nodiscard]] bool blocks_mention(const std::string& name) const;
     /// Whether an applicable CSP block or assertion mentions the component with this qualified CSPM name.
-    [[nodiscard]] bool speaks_of(const std::string& path) const;
+    [[nodiscard]] bool mentions_component(const std::string& path) const;
     /// The model's text at a place with blanks folded, at most 80 characters; "" if the place is unknown.
-    [[nodiscard]] std::string text(diagnostics::Span span) const;
+    [[nodiscard]] std::string model_text(diagnostics::Span span) const;
 };
 
 }  // namespace robochart::csp_emit

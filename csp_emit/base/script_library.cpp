@@ -18,28 +18,28 @@ namespace robochart::csp_emit {
 namespace {
 
 /// Names that occur in an expression.
-void collect(const cspm::Expr& expr, std::set<std::string>& names) {
+void collect_names(const cspm::Expr& expr, std::set<std::string>& names) {
     if (expr.kind == cspm::ExprKind::name) names.insert(expr.text);
     for (const auto& part : expr.args)
-        if (part) collect(*part, names);
+        if (part) collect_names(*part, names);
     for (const auto& clause : expr.clauses)
-        if (clause.value) collect(*clause.value, names);
+        if (clause.value) collect_names(*clause.value, names);
     for (const auto& decl : expr.decls)
-        if (decl->body) collect(*decl->body, names);
+        if (decl->body) collect_names(*decl->body, names);
 }
 
-void collect(const ir::Expr& expr, std::set<std::string>& names) {
+void collect_names(const ir::Expr& expr, std::set<std::string>& names) {
     if (expr.kind == ir::ExprKind::toolkit) names.insert(expr.text);
     for (const auto& part : expr.args)
-        if (part) collect(*part, names);
+        if (part) collect_names(*part, names);
 }
 
 std::set<std::string> called_by_model(const ir::System& system) {
     std::set<std::string> names;
-    ir::visit_expressions(system, [&](const ir::Expr& expr, ir::ExprRole) { collect(expr, names); });
+    ir::visit_expressions(system, [&](const ir::Expr& expr, ir::ExprRole) { collect_names(expr, names); });
     for (const ir::Function& function : system.functions)
         for (const auto* conditions : {&function.preconditions, &function.postconditions})
-            for (const auto& condition : *conditions) collect(*condition, names);
+            for (const auto& condition : *conditions) collect_names(*condition, names);
     return names;
 }
 
@@ -54,7 +54,7 @@ std::vector<cspm::DeclPtr> toolkit_definitions(const Project& project) {
     for (std::size_t before = 0; before != used.size();) {
         before = used.size();
         for (const auto& decl : all)
-            if (used.contains(decl->names.front())) collect(*decl->body, used);
+            if (used.contains(decl->names.front())) collect_names(*decl->body, used);
     }
     std::vector<cspm::DeclPtr> result;
     for (const auto& decl : all)
@@ -64,7 +64,7 @@ std::vector<cspm::DeclPtr> toolkit_definitions(const Project& project) {
 
 }  // namespace
 
-std::vector<cspm::DeclPtr> library(const Project& project) {
+std::vector<cspm::DeclPtr> script_library(const Project& project) {
     const auto source =
         project.sources.add("<library of generated scripts>", library_text(project.system, project.time));
     auto decls = cspm::read(project.sources, source, project.diagnostics).decls;

@@ -10,6 +10,6 @@ namespace robochart::csp_emit {
 
 /// The library of the project's semantics (untimed or timed) and the toolkit functions that the model calls. Its syntax
 /// trees have no spans, so an error inside the library is reported where the model calls it.
-[[nodiscard]] std::vector<cspm::DeclPtr> library(const Project&);
+[[nodiscard]] std::vector<cspm::DeclPtr> script_library(const Project&);
 
 }  // namespace robochart::csp_emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of the toolkit libraries in CSPM.
+// Defines the functions of the toolkit libraries in CSPM.
 #pragma once
 
 #include <string>

@@ -96,12 +96,12 @@ ExprPtr tuple_or_one(const std::vector<ExprPtr>& parts) {
     return parts.size() == 1 ? parts[0] : b::tuple(parts);
 }
 
-bool numeric(const ir::Type& type) {
+bool is_numeric(const ir::Type& type) {
     return type.kind == TypeKind::nat || type.kind == TypeKind::integer || type.kind == TypeKind::real;
 }
 
 std::string type_name(const ir::Type& type) {
-    return type.package.empty() ? type.name : flatten(type.package) + "_" + type.name;
+    return type.package.empty() ? type.name : flatten_name(type.package) + "_" + type.name;
 }
 
 std::string literal_name(const ir::Type& type, std::size_t literal) {

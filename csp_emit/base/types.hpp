@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of the model as CSPM sets, and values of the model as CSPM values (semantics 3.13).
+// Converts types of the model to CSPM sets, and values of the model to CSPM values (semantics 3.13).
 #pragma once
 
 #include "csp_emit/base/project.hpp"
@@ -21,6 +21,6 @@ namespace robochart::csp_emit {
 /// A tuple; a single part is returned unchanged (semantics 3.13: products, records, vectors and rows of matrices).
 [[nodiscard]] cspm::ExprPtr tuple_or_one(const std::vector<cspm::ExprPtr>& parts);
 /// Whether the type is nat, int or real.
-[[nodiscard]] bool numeric(const ir::Type&);
+[[nodiscard]] bool is_numeric(const ir::Type&);
 
 }  // namespace robochart::csp_emit

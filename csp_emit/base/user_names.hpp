@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names that CSPM text declares at its top level.
+// Collects the names that CSPM text declares at its top level.
 #pragma once
 
 #include <set>

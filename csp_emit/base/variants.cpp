@@ -10,14 +10,14 @@ namespace b = cspm::build;
 using cspm::ExprPtr;
 
 ExprPtr maximal_progress(const Project& project, const ExprPtr& process, const ExprPtr& urgent) {
-    if (!project.timed()) return process;
+    if (!project.is_timed()) return process;
     const ExprPtr first = urgent ? urgent : b::set({});
     return b::call("prioritise", {process, b::sequence({first, b::set({b::name("tock")})})});
 }
 
-ExprPtr compressed(const Project& project, const ExprPtr& process, bool large) {
+ExprPtr compress_process(const Project& project, const ExprPtr& process, bool large) {
     if (large) return process;
-    return project.timed() ? b::call("dbisim", {process}) : b::call("sbisim", {b::call("diamond", {process})});
+    return project.is_timed() ? b::call("dbisim", {process}) : b::call("sbisim", {b::call("diamond", {process})});
 }
 
 }  // namespace robochart::csp_emit

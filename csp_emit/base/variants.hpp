@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators that the process variants of all components share (semantics 3.12).
+// Applies the operators that the process variants of all components share (semantics 3.12).
 #pragma once
 
 #include "csp_emit/base/project.hpp"
@@ -11,6 +11,6 @@ namespace robochart::csp_emit {
 [[nodiscard]] cspm::ExprPtr maximal_progress(const Project&, const cspm::ExprPtr& process,
                                              const cspm::ExprPtr& urgent = nullptr);
 /// Untimed `sbisim(diamond(P))`, timed `dbisim(P)`.
-[[nodiscard]] cspm::ExprPtr compressed(const Project&, const cspm::ExprPtr& process, bool large = false);
+[[nodiscard]] cspm::ExprPtr compress_process(const Project&, const cspm::ExprPtr& process, bool large = false);
 
 }  // namespace robochart::csp_emit

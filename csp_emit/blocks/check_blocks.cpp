@@ -42,11 +42,11 @@ Copy copy_of(const frontend::Model& model, const SourceManager& sources, const s
              bool blank, diagnostics::Budget* budget) {
     Copy copy;
     Diagnostics found;
-    found.within(budget);
+    found.set_budget(budget);
     std::vector<SourceId> texts;
     for (const std::size_t index : files) {
         const frontend::File& file = *model.files[index];
-        std::string text(sources.text(file.source));
+        std::string text(sources.source_text(file.source));
         for (const CspBlock& block : file.csp_blocks)
             for (std::uint32_t i = block.text_span.begin; blank && i < block.text_span.end; ++i)
                 if (text[i] != '\n') text[i] = ' ';
@@ -56,7 +56,7 @@ Copy copy_of(const frontend::Model& model, const SourceManager& sources, const s
     if (!found.ok()) return copy;
     copy.system = ir::lower(*copy.model, copy.sources, found);
     if (!found.ok()) return copy;
-    copy.instantiation = ir::instantiate(copy.system, {}, found);
+    copy.instantiation = ir::instantiate_system(copy.system, {}, found);
     copy.good = found.ok();
     return copy;
 }
@@ -68,7 +68,7 @@ public:
         for (const auto& file : model.files) files_[sources.path(file->source)] = file.get();
     }
 
-    void unit(const std::vector<std::size_t>& files) {
+    void check_unit(const std::vector<std::size_t>& files) {
         const bool has_blocks =
             std::ranges::any_of(files, [&](std::size_t file) { return !model_.files[file]->csp_blocks.empty(); });
         if (!has_blocks) return;
@@ -80,17 +80,17 @@ public:
                 return std::ranges::any_of(model_.files[file]->csp_blocks,
                                            [&](const CspBlock& block) { return block.time != other; });
             });
-            if (asked) emitted(copy, time);
+            if (asked) check_emission(copy, time);
         }
     }
 
 private:
-    void emitted(Copy& copy, Time time) {
+    void check_emission(Copy& copy, Time time) {
         Diagnostics found;
-        found.within(out_.budget());
+        found.set_budget(out_.budget());
         const Emission emission = emit(copy.system, copy.instantiation, time, Options{}, copy.sources, found);
         if (found.ok()) check_script(emission, copy.system, found);
-        take(copy.sources, found);
+        report_findings(copy.sources, found);
     }
 
     /// Parses the blocks of a unit that has no script.
@@ -99,36 +99,36 @@ private:
             const frontend::File& file = *model_.files[index];
             for (const CspBlock& block : file.csp_blocks) {
                 SourceManager copy;
-                std::string text(sources_.text(file.source));
+                std::string text(sources_.source_text(file.source));
                 for (std::uint32_t i = 0; i < text.size(); ++i)
                     if ((i < block.text_span.begin || i >= block.text_span.end) && text[i] != '\n') text[i] = ' ';
                 Diagnostics found;
-                found.within(out_.budget());
+                found.set_budget(out_.budget());
                 (void)cspm::read(copy, copy.add(sources_.path(file.source), std::move(text)), found);
-                take(copy, found);
+                report_findings(copy, found);
             }
         }
     }
 
     /// Reports findings about assertion files at their places in the texts of the model, each once.
-    void take(const SourceManager& copy, const Diagnostics& found) {
-        for (const diagnostics::Diagnostic& finding : found.sorted()) {
-            if (finding.rule->severity == diagnostics::Severity::note || !finding.span.known()) continue;
-            const Span span = original(copy, finding.span);
-            if (!span.known() || !files_.at(sources_.path(span.source))->is_assertions) continue;
+    void report_findings(const SourceManager& copy, const Diagnostics& found) {
+        for (const diagnostics::Diagnostic& finding : found.sorted_findings()) {
+            if (finding.rule->severity == diagnostics::Severity::note || !finding.span.is_known()) continue;
+            const Span span = original_span(copy, finding.span);
+            if (!span.is_known() || !files_.at(sources_.path(span.source))->is_assertions) continue;
             if (!said_.emplace(finding.rule, span.source, span.begin, finding.message()).second) continue;
             diagnostics::Diagnostic& said = out_.report(*finding.rule, span, finding.arguments);
             for (const diagnostics::Note& note : finding.notes)
-                said.notes.push_back({original(copy, note.span), note.message});
+                said.notes.push_back({original_span(copy, note.span), note.message});
             for (const diagnostics::FixIt& fix : finding.fixes)
-                if (const Span place = original(copy, fix.span); place.known())
+                if (const Span place = original_span(copy, fix.span); place.is_known())
                     said.fixes.push_back({place, fix.replacement, fix.title});
         }
     }
 
     /// The texts of blocks are separate sources, with the path and the offsets of their file.
-    [[nodiscard]] Span original(const SourceManager& copy, Span span) const {
-        if (!span.known()) return {};
+    [[nodiscard]] Span original_span(const SourceManager& copy, Span span) const {
+        if (!span.is_known()) return {};
         const auto file = files_.find(copy.path(span.source));
         return file == files_.end() ? Span{} : Span{file->second->source, span.begin, span.end};
     }
@@ -145,19 +145,19 @@ private:
 
 void check_blocks(const frontend::Model& model, const SourceManager& sources, Diagnostics& out) {
     BlockCheck check(model, sources, out);
-    for (const frontend::Unit& unit : frontend::units(model)) check.unit(unit.files);
+    for (const frontend::Unit& unit : frontend::split_into_units(model)) check.check_unit(unit.files);
 }
 
 std::optional<Emission> emission_without_blocks(const frontend::Model& model, const SourceManager& sources,
                                                 SourceId assertions, Time time, diagnostics::Budget* budget) {
-    for (const frontend::Unit& unit : frontend::units(model)) {
+    for (const frontend::Unit& unit : frontend::split_into_units(model)) {
         const bool its_own =
             std::ranges::any_of(unit.files, [&](std::size_t file) { return model.files[file]->source == assertions; });
         if (!its_own) continue;
         Copy copy = copy_of(model, sources, unit.files, true, budget);
         if (!copy.good) return std::nullopt;
         Diagnostics found;
-        found.within(budget);
+        found.set_budget(budget);
         // the findings concern claims about the omitted blocks, so they are ignored
         return emit(copy.system, copy.instantiation, time, Options{}, copy.sources, found);
     }

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "csp_emit/base/emission.hpp"
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/source.hpp"
+#include "csp_emit/base/emission.hpp"
 #include "frontend/syntax/ast.hpp"
 
 namespace robochart::csp_emit {

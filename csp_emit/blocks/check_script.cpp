@@ -7,20 +7,20 @@
 #include <map>
 #include <optional>
 
+#include "base/diagnostics/fixes.hpp"
 #include "checker/cspm/types/rules.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/blocks/script_names.hpp"
-#include "base/diagnostics/fixes.hpp"
 
 namespace robochart::csp_emit {
 
 namespace {
 
-cspm::ExprPtr placed(const cspm::ExprPtr& expr, diagnostics::Span span) {
-    if (expr == nullptr || expr->span.known()) return expr;
+cspm::ExprPtr with_span(const cspm::ExprPtr& expr, diagnostics::Span span) {
+    if (expr == nullptr || expr->span.is_known()) return expr;
     cspm::Expr result = *expr;
     result.span = span;
-    for (cspm::ExprPtr& each : result.args) each = placed(each, span);
+    for (cspm::ExprPtr& each : result.args) each = with_span(each, span);
     return std::make_shared<const cspm::Expr>(std::move(result));
 }
 
@@ -37,13 +37,13 @@ cspm::Script with_places(const Emission& emission, const ir::System& system) {
     cspm::Script script = emission.script;
     for (cspm::DeclPtr& decl : script.decls) {
         const auto place = places.find(decl.get());
-        if (place == places.end() || decl->span.known()) continue;
+        if (place == places.end() || decl->span.is_known()) continue;
         cspm::Decl result = *decl;
         result.span = place->second;
-        result.body = placed(result.body, place->second);
+        result.body = with_span(result.body, place->second);
         for (cspm::ExprPtr* part :
              {&result.assertion.specification, &result.assertion.implementation, &result.assertion.tau_priority})
-            *part = placed(*part, place->second);
+            *part = with_span(*part, place->second);
         decl = std::make_shared<const cspm::Decl>(std::move(result));
     }
     return script;
@@ -53,16 +53,16 @@ cspm::Script with_places(const Emission& emission, const ir::System& system) {
 
 void check_script(const Emission& emission, const ir::System& system, diagnostics::Diagnostics& out) {
     diagnostics::Diagnostics found;
-    found.within(out.budget());
+    found.set_budget(out.budget());
     (void)cspm::check_types(with_places(emission, system), found);
     std::optional<ScriptNames> names;
-    for (const diagnostics::Diagnostic& finding : found.sorted()) {
+    for (const diagnostics::Diagnostic& finding : found.sorted_findings()) {
         diagnostics::Diagnostic& said = out.report(*finding.rule, finding.span, finding.arguments);
         said.notes = finding.notes;
         said.fixes = finding.fixes;
         if (finding.rule != &cspm::types::rules::not_in_scope || finding.arguments.empty()) continue;
         if (!names) names.emplace(emission.definitions);
-        const std::vector<std::string> meant = names->meant(finding.arguments.front());
+        const std::vector<std::string> meant = names->suggest_names(finding.arguments.front());
         if (meant.empty()) continue;
         said.notes.push_back(
             {{},
@@ -70,7 +70,7 @@ void check_script(const Emission& emission, const ir::System& system, diagnostic
                          "(docs/claims-in-csp.md)",
                          fmt::join(meant, "`, `"))});
         const diagnostics::Span span = finding.span;
-        if (span.known() && said.fixes.empty())
+        if (span.is_known() && said.fixes.empty())
             said.fixes.push_back({span, meant.front(), std::string(diagnostics::suggestion_title)});
     }
 }

@@ -2,8 +2,8 @@
 // Checks the types of an emitted script and reports errors in terms of the CSP blocks that the user wrote.
 #pragma once
 
-#include "csp_emit/base/emission.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "csp_emit/base/emission.hpp"
 
 namespace robochart::csp_emit {
 

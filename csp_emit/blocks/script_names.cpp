@@ -9,7 +9,7 @@ namespace robochart::csp_emit {
 
 namespace {
 
-std::string in(const std::string& qualifier, const std::string& name) {
+std::string qualify_name(const std::string& qualifier, const std::string& name) {
     return qualifier.empty() ? name : qualifier + "::" + name;
 }
 
@@ -44,19 +44,19 @@ void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string
             case cspm::DeclKind::module: {
                 const std::string& name = decl->names.front();
                 names_.push_back({qualifier, name, decl->kind, false});
-                modules_.emplace(in(qualifier, name), decl.get());
+                modules_.emplace(qualify_name(qualifier, name), decl.get());
                 const bool exports = !decl->exports.empty();
-                add(exports ? decl->exports : decl->decls, in(qualifier, name));
+                add(exports ? decl->exports : decl->decls, qualify_name(qualifier, name));
                 break;
             }
             case cspm::DeclKind::instance: {
                 const std::string& name = decl->names.front();
                 names_.push_back({qualifier, name, cspm::DeclKind::module, false});
-                auto module = modules_.find(in(qualifier, decl->text));
+                auto module = modules_.find(qualify_name(qualifier, decl->text));
                 if (module == modules_.end()) module = modules_.find(decl->text);
                 if (module == modules_.end()) break;
                 const bool exports = !module->second->exports.empty();
-                add(exports ? module->second->exports : module->second->decls, in(qualifier, name));
+                add(exports ? module->second->exports : module->second->decls, qualify_name(qualifier, name));
                 break;
             }
             case cspm::DeclKind::function:
@@ -79,21 +79,21 @@ void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string
     }
 }
 
-std::vector<const ScriptName*> ScriptNames::behind(std::string_view qualifier) const {
+std::vector<const ScriptName*> ScriptNames::names_after(std::string_view qualifier) const {
     std::vector<const ScriptName*> result;
     for (const ScriptName& name : names_)
         if (name.qualifier == qualifier) result.push_back(&name);
     return result;
 }
 
-std::vector<std::string> ScriptNames::meant(std::string_view written) const {
+std::vector<std::string> ScriptNames::suggest_names(std::string_view written) const {
     constexpr std::size_t most = 3;
     const std::size_t cut = written.rfind("::");
     const std::string qualifier(cut == std::string_view::npos ? "" : written.substr(0, cut));
     const std::string last(cut == std::string_view::npos ? written : written.substr(cut + 2));
     std::vector<std::string> result;
     const auto take = [&](const ScriptName& name) {
-        const std::string text = in(name.qualifier, name.name) + (name.directed ? ".in" : "");
+        const std::string text = qualify_name(name.qualifier, name.name) + (name.directed ? ".in" : "");
         if (result.size() < most && std::ranges::find(result, text) == result.end()) result.push_back(text);
     };
     // The same name in other modules; modules of the model, which are outermost in a script, come first.
@@ -108,16 +108,16 @@ std::vector<std::string> ScriptNames::meant(std::string_view written) const {
         for (const ScriptName* name : same) take(*name);
     // Names with similar spelling: those in the same module, or otherwise in any module.
     std::vector<std::string> near;
-    for (const ScriptName* name : behind(qualifier)) near.push_back(name->name);
-    const std::string meant = diagnostics::nearest(last, near);
-    for (const ScriptName* name : behind(qualifier))
+    for (const ScriptName* name : names_after(qualifier)) near.push_back(name->name);
+    const std::string meant = diagnostics::nearest_spelling(last, near);
+    for (const ScriptName* name : names_after(qualifier))
         if (!meant.empty() && name->name == meant) take(*name);
     if (!qualifier.empty() && result.empty())
         for (const ScriptName* name : same) take(*name);
     if (!result.empty() || !qualifier.empty()) return result;
     near.clear();
     for (const ScriptName& name : names_) near.push_back(name.name);
-    const std::string anywhere = diagnostics::nearest(last, near);
+    const std::string anywhere = diagnostics::nearest_spelling(last, near);
     for (const ScriptName& name : names_)
         if (!anywhere.empty() && name.name == anywhere) take(name);
     return result;

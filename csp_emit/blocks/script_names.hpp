@@ -25,10 +25,10 @@ public:
 
     [[nodiscard]] const std::vector<ScriptName>& all() const { return names_; }
     /// The names that can follow `QUALIFIER::`, in the order of the script.
-    [[nodiscard]] std::vector<const ScriptName*> behind(std::string_view qualifier) const;
+    [[nodiscard]] std::vector<const ScriptName*> names_after(std::string_view qualifier) const;
     /// Suggestions for a name that a block uses and that is not in scope: the same name in a component, or names with
     /// similar spelling. At most three, best first.
-    [[nodiscard]] std::vector<std::string> meant(std::string_view written) const;
+    [[nodiscard]] std::vector<std::string> suggest_names(std::string_view written) const;
 
 private:
     void add(const std::vector<cspm::DeclPtr>& decls, const std::string& qualifier);

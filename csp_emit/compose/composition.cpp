@@ -16,10 +16,10 @@ using cspm::ExprPtr;
 
 namespace {
 
-ExprPtr in(const std::string& channel) {
+ExprPtr receiving_end(const std::string& channel) {
     return b::dot({b::name(channel), b::name("in")});
 }
-ExprPtr out(const std::string& channel) {
+ExprPtr sending_end(const std::string& channel) {
     return b::dot({b::name(channel), b::name("out")});
 }
 
@@ -29,13 +29,15 @@ enum class Writes { none, provided, all };
 class Definer {
 public:
     Definer(const Composition& composition, std::vector<DeclPtr>& decls) : c_(composition), decls_(decls) {}
-    void define();
+    void define_all();
 
 private:
-    bool timed() const { return c_.project->timed(); }
-    std::string channel(std::size_t part, const std::string& event) const { return c_.parts[part].name + "::" + event; }
+    bool timed() const { return c_.project->is_timed(); }
+    std::string channel_of_part(std::size_t part, const std::string& event) const {
+        return c_.parts[part].name + "::" + event;
+    }
     bool has_variable(std::size_t part, const std::string& name) const;
-    ExprPtr tocked(const ExprPtr& branches, const ExprPtr& self) const;
+    ExprPtr allow_tock(const ExprPtr& branches, const ExprPtr& self) const;
     ExprPtr with_tock(b::Exprs events) const;
     ExprPtr part_process(std::size_t part, const std::string& variant) const;
     ExprPtr parts_process(const std::string& variant) const;
@@ -49,7 +51,7 @@ private:
     b::Exprs memory_sync() const;
     ExprPtr hidden_writes(Writes shown) const;
     ExprPtr visible_writes() const;
-    ExprPtr variant(const std::string& part_variant, Writes shown) const;
+    ExprPtr variant_process(const std::string& part_variant, Writes shown) const;
 
     const Composition& c_;
     std::vector<DeclPtr>& decls_;
@@ -61,7 +63,7 @@ bool Definer::has_variable(std::size_t part, const std::string& name) const {
 }
 
 /// Timed semantics: `branches [] tock -> self`, so that a waiting process lets time pass.
-ExprPtr Definer::tocked(const ExprPtr& branches, const ExprPtr& self) const {
+ExprPtr Definer::allow_tock(const ExprPtr& branches, const ExprPtr& self) const {
     return timed() ? b::choice({branches, b::prefix(b::name("tock"), self)}) : branches;
 }
 
@@ -81,7 +83,7 @@ ExprPtr Definer::part_process(std::size_t index, const std::string& variant) con
     b::Exprs unconnected;
     for (const std::string& event : part.events) {
         const auto found = c_.targets.find({index, event});
-        const std::string own = channel(index, event);
+        const std::string own = channel_of_part(index, event);
         if (found == c_.targets.end()) {
             unconnected.push_back(b::name(own));
             continue;
@@ -90,8 +92,8 @@ ExprPtr Definer::part_process(std::size_t index, const std::string& variant) con
         if (targets.size() == 1 && targets[0].channel == own) continue;
         for (const auto& target : targets) {
             if (target.swapped) {
-                links.push_back({in(own), out(target.channel)});
-                links.push_back({out(own), in(target.channel)});
+                links.push_back({receiving_end(own), sending_end(target.channel)});
+                links.push_back({sending_end(own), receiving_end(target.channel)});
             } else {
                 links.push_back({b::name(own), b::name(target.channel)});
             }
@@ -99,9 +101,9 @@ ExprPtr Definer::part_process(std::size_t index, const std::string& variant) con
     }
     for (const SharedVariable& variable : c_.variables)
         if (has_variable(index, variable.name))
-            links.push_back({b::name(channel(index, "set_" + variable.name)), b::name("set_" + variable.name)});
+            links.push_back({b::name(channel_of_part(index, "set_" + variable.name)), b::name("set_" + variable.name)});
     for (const std::string& call : part.calls)
-        links.push_back({b::name(channel(index, call + "Call")), b::name(call + "Call")});
+        links.push_back({b::name(channel_of_part(index, call + "Call")), b::name(call + "Call")});
     const ExprPtr renamed = b::rename(b::call(part.name + "::" + variant, arguments), links);
     return unconnected.empty() ? renamed : b::hide(renamed, b::productions(unconnected));
 }
@@ -141,10 +143,10 @@ void Definer::define_propagation(const SharedVariable& variable) {
         const std::string next = last ? "Memory" : "Relay_" + variable.name + "_" + std::to_string(i + 1) + "__";
         b::Exprs arguments{b::name("id__")};
         if (!last) arguments.push_back(b::name("x__"));
-        const ExprPtr event = b::name(channel(readers[i], "set_EXT_" + variable.name));
+        const ExprPtr event = b::name(channel_of_part(readers[i], "set_EXT_" + variable.name));
         const ExprPtr step = b::prefix(event, {b::output(b::name("x__"))}, b::call(next, arguments));
         const ExprPtr self = b::call(name, {b::name("id__"), b::name("x__")});
-        decls_.push_back(b::function_decl(name, b::variables({"id__", "x__"}), tocked(step, self)));
+        decls_.push_back(b::function_decl(name, b::variables({"id__", "x__"}), allow_tock(step, self)));
     }
 }
 
@@ -165,7 +167,7 @@ void Definer::define_memory() {
         branches.push_back(b::prefix(b::name(event), {b::input("x__")}, first_propagation(variable, b::name("x__"))));
     }
     const ExprPtr self = b::call("Memory", {b::name("id__")});
-    decls_.push_back(b::function_decl("Memory", b::variables({"id__"}), tocked(b::choice(branches), self)));
+    decls_.push_back(b::function_decl("Memory", b::variables({"id__"}), allow_tock(b::choice(branches), self)));
     // Initial values that the model declares for platform variables are propagated like writes at the start (semantics
     // 3.7).
     ExprPtr next = self;
@@ -173,12 +175,12 @@ void Definer::define_memory() {
     for (const SharedVariable& variable : c_.variables)
         for (std::size_t i = 0; variable.pushed && i < c_.parts.size(); ++i)
             if (has_variable(i, variable.name))
-                chain.emplace_back(channel(i, "set_EXT_" + variable.name), variable.pushed);
+                chain.emplace_back(channel_of_part(i, "set_EXT_" + variable.name), variable.pushed);
     for (std::size_t i = chain.size(); i-- > 0;) {
         const std::string name = "Start_" + std::to_string(i) + "__";
         const ExprPtr push = b::prefix(b::name(chain[i].first), {b::output(chain[i].second)}, next);
         next = b::call(name, {b::name("id__")});
-        decls_.push_back(b::function_decl(name, b::variables({"id__"}), tocked(push, next)));
+        decls_.push_back(b::function_decl(name, b::variables({"id__"}), allow_tock(push, next)));
     }
     decls_.push_back(b::function_decl("MemoryStart__", b::variables({"id__"}), next));
 }
@@ -192,18 +194,18 @@ void Definer::define_buffers() {
         const Buffer& buffer = c_.buffers[i];
         const std::string empty = "Buffer" + std::to_string(i) + "_empty__";
         const std::string full = "Buffer" + std::to_string(i) + "_full__";
-        const bool valued = buffer.type.valid();
-        const ExprPtr written = out(channel(buffer.from, buffer.from_event));
-        const ExprPtr read = in(channel(buffer.to, buffer.to_event));
+        const bool valued = buffer.type.is_valid();
+        const ExprPtr written = sending_end(channel_of_part(buffer.from, buffer.from_event));
+        const ExprPtr read = receiving_end(channel_of_part(buffer.to, buffer.to_event));
         const b::Exprs value = valued ? b::Exprs{b::name("x__")} : b::Exprs{};
         const ExprPtr write = valued ? b::prefix(written, {b::input("y__")}, b::call(full, {b::name("y__")}))
                                      : b::prefix(written, b::call(full));
         const ExprPtr take =
             valued ? b::prefix(read, {b::output(b::name("x__"))}, b::call(empty)) : b::prefix(read, b::call(empty));
-        decls_.push_back(b::function_decl(empty, {}, tocked(write, b::call(empty))));
+        decls_.push_back(b::function_decl(empty, {}, allow_tock(write, b::call(empty))));
         decls_.push_back(
             b::function_decl(full, b::variables(valued ? std::vector<std::string>{"x__"} : std::vector<std::string>{}),
-                             tocked(b::choice({write, take}), b::call(full, value))));
+                             allow_tock(b::choice({write, take}), b::call(full, value))));
     }
 }
 
@@ -212,7 +214,8 @@ b::Exprs Definer::memory_sync() const {
     for (const SharedVariable& variable : c_.variables) {
         if (!variable.required) result.push_back(b::name("set_" + variable.name));
         for (std::size_t i = 0; i < c_.parts.size(); ++i)
-            if (has_variable(i, variable.name)) result.push_back(b::name(channel(i, "set_EXT_" + variable.name)));
+            if (has_variable(i, variable.name))
+                result.push_back(b::name(channel_of_part(i, "set_EXT_" + variable.name)));
     }
     return result;
 }
@@ -224,7 +227,8 @@ ExprPtr Definer::hidden_writes(Writes shown) const {
         const bool visible = shown == Writes::all || (shown == Writes::provided && variable.visible);
         if (!visible) result.push_back(b::name("set_" + variable.name));
         for (std::size_t i = 0; i < c_.parts.size(); ++i)
-            if (has_variable(i, variable.name)) result.push_back(b::name(channel(i, "set_EXT_" + variable.name)));
+            if (has_variable(i, variable.name))
+                result.push_back(b::name(channel_of_part(i, "set_EXT_" + variable.name)));
     }
     return b::productions(result);
 }
@@ -247,14 +251,14 @@ ExprPtr Definer::with_buffers(const ExprPtr& process) const {
     ExprPtr result = process;
     for (std::size_t i = 0; i < c_.buffers.size(); ++i) {
         const Buffer& buffer = c_.buffers[i];
-        const ExprPtr ends =
-            with_tock({out(channel(buffer.from, buffer.from_event)), in(channel(buffer.to, buffer.to_event))});
+        const ExprPtr ends = with_tock({sending_end(channel_of_part(buffer.from, buffer.from_event)),
+                                        receiving_end(channel_of_part(buffer.to, buffer.to_event))});
         result = b::parallel(result, ends, b::call("Buffer" + std::to_string(i) + "_empty__"));
     }
     b::Exprs ends;
     for (const Buffer& buffer : c_.buffers) {
-        ends.push_back(b::name(channel(buffer.from, buffer.from_event)));
-        ends.push_back(b::name(channel(buffer.to, buffer.to_event)));
+        ends.push_back(b::name(channel_of_part(buffer.from, buffer.from_event)));
+        ends.push_back(b::name(channel_of_part(buffer.to, buffer.to_event)));
     }
     return ends.empty() ? result : b::hide(result, b::productions(ends));
 }
@@ -262,7 +266,7 @@ ExprPtr Definer::with_buffers(const ExprPtr& process) const {
 /// Semantics 3.9 and 3.12: `((parts with buffers and memory) \ hidden writes) [| {terminate} |> SKIP`, so that the
 /// composition ends when its parts terminate together; a module hides `terminate`. In the timed semantics hidden
 /// events, and so propagation, have priority over tock (semantics 3.10).
-ExprPtr Definer::variant(const std::string& part_variant, Writes shown) const {
+ExprPtr Definer::variant_process(const std::string& part_variant, Writes shown) const {
     const ExprPtr inside = b::hide(with_memory(with_buffers(parts_process(part_variant))), hidden_writes(shown));
     const ExprPtr terminate = b::productions({b::name("terminate")});
     ExprPtr process = b::exception(inside, terminate, b::skip());
@@ -270,7 +274,7 @@ ExprPtr Definer::variant(const std::string& part_variant, Writes shown) const {
     return maximal_progress(*c_.project, process, visible_writes());
 }
 
-void Definer::define() {
+void Definer::define_all() {
     define_memory();
     define_buffers();
     std::vector<std::string> parameters{"id__"};
@@ -282,18 +286,19 @@ void Definer::define() {
     };
     // RoboTool's optimised module shows writes of the platform's variables in AS_O__ only.
     const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
-    define("D__", variant(large(c_) ? "O__" : "D__", Writes::provided));
-    define("VS__", variant("VS__", Writes::provided));
+    define("D__", variant_process(is_large(c_) ? "O__" : "D__", Writes::provided));
+    define("VS__", variant_process("VS__", Writes::provided));
     // A large controller on its own is not compressed, because its environment may write at any time. A large module is
     // compressed: its other controllers restrict the writes, and the environment of a claim multiplies the remaining
     // states.
-    define("O__", compressed(*c_.project, variant("O__", optimised), large(c_) && !c_.hides_termination));
+    define("O__",
+           compress_process(*c_.project, variant_process("O__", optimised), is_large(c_) && !c_.hides_termination));
     for (const char* name : {"FVS__", "FVS_C__"})
-        if (c_.project->mentions(name)) define(name, variant(name, Writes::provided));
-    if (c_.project->mentions("HUP__")) define("HUP__", b::call("O__", arguments));
-    define("VS_O__", compressed(*c_.project, variant("VS_O__", Writes::provided), large(c_)));
+        if (c_.project->blocks_mention(name)) define(name, variant_process(name, Writes::provided));
+    if (c_.project->blocks_mention("HUP__")) define("HUP__", b::call("O__", arguments));
+    define("VS_O__", compress_process(*c_.project, variant_process("VS_O__", Writes::provided), is_large(c_)));
     if (c_.hides_termination) {
-        define("AS_O__", compressed(*c_.project, variant("O__", Writes::all)));
+        define("AS_O__", compress_process(*c_.project, variant_process("O__", Writes::all)));
         return;
     }
     const ExprPtr closed = b::parallel(b::call("O__", arguments), b::name("shared_variable_events"), b::skip());
@@ -303,12 +308,12 @@ void Definer::define() {
 
 }  // namespace
 
-bool large(const Composition& composition) {
+bool is_large(const Composition& composition) {
     return std::ranges::any_of(composition.parts, [](const Part& part) { return part.emission.large; });
 }
 
-void connect(Composition& composition, std::optional<std::size_t> from, const std::string& from_event,
-             std::optional<std::size_t> to, const std::string& to_event) {
+void connect_ends(Composition& composition, std::optional<std::size_t> from, const std::string& from_event,
+                  std::optional<std::size_t> to, const std::string& to_event) {
     const auto add = [&](std::size_t part, const std::string& event, Composition::Target target) {
         composition.targets[{part, event}].push_back(std::move(target));
     };
@@ -325,7 +330,7 @@ void connect(Composition& composition, std::optional<std::size_t> from, const st
 }
 
 void define_composition(const Composition& composition, std::vector<DeclPtr>& decls) {
-    Definer(composition, decls).define();
+    Definer(composition, decls).define_all();
 }
 
 }  // namespace robochart::csp_emit

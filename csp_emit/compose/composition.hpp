@@ -57,10 +57,10 @@ struct Composition {
 };
 
 /// Records a connection. Each end consists of a part and an event; no part means the composition itself.
-void connect(Composition&, std::optional<std::size_t> from, const std::string& from_event,
-             std::optional<std::size_t> to, const std::string& to_event);
+void connect_ends(Composition&, std::optional<std::size_t> from, const std::string& from_event,
+                  std::optional<std::size_t> to, const std::string& to_event);
 /// Whether some part is too large to be compressed on its own. The composition then counts as large, too.
-[[nodiscard]] bool large(const Composition&);
+[[nodiscard]] bool is_large(const Composition&);
 /// Defines memory, buffers and the process variants.
 void define_composition(const Composition&, std::vector<cspm::DeclPtr>& decls);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controllers: their channels, their machines, their connections.
+// Emits a controller: its channels, its machines, its connections.
 #include "csp_emit/compose/controller.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ public:
 private:
     const Project& project() const { return *context_.project; }
     const ir::Controller& controller() const { return *context_.controller; }
-    void mean(const std::string& event, EventMeaning meaning) {
+    void record_meaning(const std::string& event, EventMeaning meaning) {
         meaning.component = context_.path;
         emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
     }
@@ -48,12 +48,14 @@ private:
 
 void ControllerEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     decls.push_back(b::channel({"terminate"}));
-    mean("terminate", {MeaningKind::terminate, controller().name + " terminates", {}, controller().origin});
+    record_meaning("terminate", {MeaningKind::terminate, controller().name + " terminates", {}, controller().origin});
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
-    for (const ir::Event& event : controller().events) channels.event(event);
-    for (const ir::OperationSignature& call : leaving_calls(project().system, controller())) channels.call(call);
+    for (const ir::Event& event : controller().events) channels.declare_event(event);
+    for (const ir::OperationSignature& call : leaving_calls(project().system, controller()))
+        channels.declare_call(call);
     for (const ir::Variable& variable : controller().variables) {
-        channels.variable(variable.name, variable.type, variable.scope == VariableScope::required, variable.origin);
+        channels.declare_variable(variable.name, variable.type, variable.scope == VariableScope::required,
+                                  variable.origin);
         composition_.variables.push_back({variable.name, variable.type, variable.scope == VariableScope::required,
                                           variable.scope == VariableScope::required, nullptr});
     }
@@ -121,7 +123,7 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
     context.names = context_.names;
     for (const ir::MachineId id : controller().definitions) context.definitions[project().system.machine(id).name] = id;
     for (const ir::OperationSignature& operation : machine.operations)
-        if (const ir::MachineId id = ir::definition_in(project().system, controller(), operation); id.valid())
+        if (const ir::MachineId id = ir::definition_in(project().system, controller(), operation); id.is_valid())
             context.definitions[operation.name] = id;
     const std::string path = context.path;
     ComponentEmission result = emit_machine(std::move(context), emitted_);
@@ -173,7 +175,7 @@ void ControllerEmitter::add_operations(std::vector<DeclPtr>& decls) {
         const ir::Machine& machine = project().system.machine(controller().definitions[i]);
         const std::string name = module_name(machine);
         const std::string path = context_.path + "::" + name;
-        if (!project().speaks_of(path)) continue;
+        if (!project().mentions_component(path)) continue;
         ComponentEmission& emission = emitted_.components[path] = emit_part(machine, name, decls);
         const std::string place = controller().path + "::" + controller().definition_names.at(i);
         std::size_t next = 0;
@@ -191,7 +193,8 @@ void ControllerEmitter::add_connections() {
     };
     // Asynchronous connections between machines are treated as synchronous (semantics 3.9).
     for (const ir::Connection& connection : controller().connections)
-        connect(composition_, place(connection.from), connection.from.event, place(connection.to), connection.to.event);
+        connect_ends(composition_, place(connection.from), connection.from.event, place(connection.to),
+                     connection.to.event);
 }
 
 ComponentEmission ControllerEmitter::emit() {
@@ -208,7 +211,7 @@ ComponentEmission ControllerEmitter::emit() {
     result.module = b::module_(context_.name, {}, {}, decls, "controller " + controller().origin.element);
     result.constants = composition_.constants;
     result.visible = visible_;
-    result.large = large(composition_);
+    result.large = is_large(composition_);
     emitted_.components[context_.path] = result;
     return result;
 }

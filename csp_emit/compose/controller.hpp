@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controllers (semantics 3.9): machines in parallel, each in its own module inside the controller's module.
+// Emits controllers (semantics 3.9): machines in parallel, each in its own module inside the controller's module.
 #pragma once
 
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defaults follow semantics 3.13; the finite sets themselves are chosen by semantics/instantiation.
+// Defaults follow semantics 3.13. The finite sets themselves come from semantics/instantiate.
 #include "csp_emit/compose/instantiations.hpp"
 
 #include <set>
@@ -31,7 +31,7 @@ ExprPtr number_set(const std::vector<std::int64_t>& values) {
 }
 
 /// `F(e1__,e2__,T__) = if member(v,T__) then v else e1__`: RoboTool's clipping.
-DeclPtr clipped(const std::string& name, const ExprPtr& value, bool unary = false) {
+DeclPtr clipped_function(const std::string& name, const ExprPtr& value, bool unary = false) {
     const std::vector<std::string> parameters =
         unary ? std::vector<std::string>{"e1__", "t__"} : std::vector<std::string>{"e1__", "e2__", "t__"};
     return b::function_decl(name, b::variables(parameters),
@@ -42,15 +42,15 @@ void add_arithmetic(const Project& project, std::vector<DeclPtr>& decls) {
     const ExprPtr left = b::name("e1__");
     const ExprPtr right = b::name("e2__");
     const ExprPtr scale = b::number(project.instantiation.scale);
-    decls.push_back(clipped("Plus", b::binary(Op::plus, left, right)));
-    decls.push_back(clipped("Minus", b::binary(Op::minus, left, right)));
-    decls.push_back(clipped("Mult", b::binary(Op::times, left, right)));
-    decls.push_back(clipped("Div", b::binary(Op::divide, left, right)));
-    decls.push_back(clipped("Modulus", b::binary(Op::modulus, left, right)));
-    decls.push_back(clipped("Neg", b::negate(left), true));
+    decls.push_back(clipped_function("Plus", b::binary(Op::plus, left, right)));
+    decls.push_back(clipped_function("Minus", b::binary(Op::minus, left, right)));
+    decls.push_back(clipped_function("Mult", b::binary(Op::times, left, right)));
+    decls.push_back(clipped_function("Div", b::binary(Op::divide, left, right)));
+    decls.push_back(clipped_function("Modulus", b::binary(Op::modulus, left, right)));
+    decls.push_back(clipped_function("Neg", b::negate(left), true));
     if (project.instantiation.scale == 1) return;
-    decls.push_back(clipped("RealMult", b::binary(Op::divide, b::binary(Op::times, left, right), scale)));
-    decls.push_back(clipped("RealDiv", b::binary(Op::divide, b::binary(Op::times, left, scale), right)));
+    decls.push_back(clipped_function("RealMult", b::binary(Op::divide, b::binary(Op::times, left, right), scale)));
+    decls.push_back(clipped_function("RealDiv", b::binary(Op::divide, b::binary(Op::times, left, scale), right)));
 }
 
 void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
@@ -75,9 +75,9 @@ class Constants {
 public:
     Constants(const Project& project, std::vector<DeclPtr>& decls) : project_(project), decls_(decls) {}
 
-    void add(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) {
+    void add_constant(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) {
         if (!seen_.insert(name).second) return;
-        decls_.push_back(b::value(name, value(name, constant, machine)));
+        decls_.push_back(b::value(name, value_of(name, constant, machine)));
     }
     /// A machine's constant in a controller has the value of the machine's own constant unless the instantiation
     /// differs.
@@ -85,19 +85,20 @@ public:
                   const ir::Machine& machine) {
         if (!seen_.insert(name).second) return;
         const bool same = default_constant(project_, own, name) == own;
-        decls_.push_back(b::value(name, same ? b::name(own) : value(name, constant, &machine)));
+        decls_.push_back(b::value(name, same ? b::name(own) : value_of(name, constant, &machine)));
     }
 
 private:
-    ExprPtr value(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) const {
+    ExprPtr value_of(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) const {
         const auto& given = project_.instantiation.constants;
         if (const auto found = given.find(name); found != given.end())
             return value_literal(project_, constant.type, found->second);
         if (!constant.value) return default_literal(project_, constant.type);
-        if (mentions(*constant.value, calls_function)) return computed(constant, machine);
+        if (has_part(*constant.value, calls_function)) return computed_value(constant, machine);
         const auto known = ir::evaluate_constant(project_.system, project_.instantiation, machine, *constant.value);
         if (known) return value_literal(project_, constant.type, *known);
-        project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
+        project_.report_unsupported("the value of constant " + constant.name + ", which is not constant",
+                                    constant.origin.span);
         return b::number(0);
     }
 
@@ -105,15 +106,16 @@ private:
         return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
     }
     /// Leaves results of functions for the script to compute, because the user may define the functions there.
-    ExprPtr computed(const ir::Constant& constant, const ir::Machine* machine) const {
+    ExprPtr computed_value(const ir::Constant& constant, const ir::Machine* machine) const {
         Scope scope;
         scope.constant = [machine](ir::ConstantId id) {
             return b::name(ir::constant_name(machine->package, machine->path, machine->constants.at(id.index).name));
         };
         const auto names_constant = [](const ir::Expr& part) { return part.kind == ir::ExprKind::constant; };
-        if (machine != nullptr || !mentions(*constant.value, names_constant))
+        if (machine != nullptr || !has_part(*constant.value, names_constant))
             return expression_as(project_, scope, *constant.value, constant.type);
-        project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
+        project_.report_unsupported("the value of constant " + constant.name + ", which is not constant",
+                                    constant.origin.span);
         return b::number(0);
     }
 
@@ -138,21 +140,22 @@ void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
     const ir::System& system = project.system;
     for (const ir::Machine& machine : system.machines)
         for (const ir::Constant& constant : machine.constants)
-            constants.add(ir::constant_name(machine.package, machine.path, constant.name), constant, &machine);
+            constants.add_constant(ir::constant_name(machine.package, machine.path, constant.name), constant, &machine);
     for (const ir::Controller& controller : system.controllers) {
         for (const ir::Constant& constant : controller.constants)
-            constants.add(ir::constant_name(controller.package, controller.path, constant.name), constant, nullptr);
+            constants.add_constant(ir::constant_name(controller.package, controller.path, constant.name), constant,
+                                   nullptr);
         add_parts(system, controller, constants);
     }
     for (const ir::Module& module : system.modules)
         for (const ir::Constant& constant : module.platform.constants)
-            constants.add(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
+            constants.add_constant(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
 }
 
 /// The preconditions of the functions that the condition calls, followed by the condition.
 b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
-    b::Exprs result = preconditions(project, {}, condition);
-    result.push_back(expression(project, {}, condition));
+    b::Exprs result = translate_preconditions(project, {}, condition);
+    result.push_back(translate_expression(project, {}, condition));
     return result;
 }
 
@@ -171,7 +174,7 @@ DeclPtr function_definition(const std::string& name, const ir::Function& functio
 }
 
 /// The default value if it satisfies the postconditions, otherwise the first value that does.
-ExprPtr searched(const Project& project, const ir::Function& function) {
+ExprPtr search_result(const Project& project, const ir::Function& function) {
     b::Exprs conditions;
     for (const auto& condition : function.postconditions)
         for (ExprPtr& part : with_preconditions(project, *condition)) conditions.push_back(part);
@@ -192,10 +195,10 @@ ExprPtr searched(const Project& project, const ir::Function& function) {
 void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
     for (const ir::Function& function : project.system.functions) {
         const bool specified = !function.postconditions.empty();
-        decls.push_back(
-            function_definition(function_name(function), function,
-                                specified ? searched(project, function) : default_literal(project, function.result),
-                                specified ? "function by its postcondition" : "function without body: default value"));
+        decls.push_back(function_definition(
+            function_name(function), function,
+            specified ? search_result(project, function) : default_literal(project, function.result),
+            specified ? "function by its postcondition" : "function without body: default value"));
     }
 }
 
@@ -238,7 +241,7 @@ namespace {
 std::set<std::string> names_at_top(const ir::System& system) {
     std::set<std::string> names;
     const auto component = [&](const auto& each) {
-        names.insert(each.package.empty() ? each.name : flatten(each.package));
+        names.insert(each.package.empty() ? each.name : flatten_name(each.package));
     };
     for (const ir::Machine& machine : system.machines) component(machine);
     for (const ir::Controller& controller : system.controllers) component(controller);
@@ -260,13 +263,13 @@ std::vector<DeclPtr> record_definitions(const Project& project, const std::set<s
     std::set<std::string> taken = declared;
     taken.merge(names_at_top(project.system));
     const auto add = [&](const std::string& name, const b::Patterns& parameters, const ExprPtr& body) {
-        if (!project.mentions(name) || !taken.insert(name).second) return;
+        if (!project.blocks_mention(name) || !taken.insert(name).second) return;
         decls.push_back(b::function_decl(name, parameters, body));
     };
     for (const ir::Type& type : project.system.types) {
         if (type.kind != ir::TypeKind::record) continue;
         const std::string carrier = type_name(type);
-        if (project.mentions(carrier) && !is_reserved(carrier) && taken.insert(carrier).second)
+        if (project.blocks_mention(carrier) && !is_reserved(carrier) && taken.insert(carrier).second)
             decls.push_back(b::nametype(
                 carrier, type_set(project, {static_cast<std::uint32_t>(&type - project.system.types.data())})));
         b::Patterns variables;
@@ -288,7 +291,7 @@ std::vector<DeclPtr> record_definitions(const Project& project, const std::set<s
     return decls;
 }
 
-std::vector<DeclPtr> instantiations(const Project& project) {
+std::vector<DeclPtr> instantiation_definitions(const Project& project) {
     std::vector<DeclPtr> decls;
     add_carriers(project, decls);
     add_arithmetic(project, decls);

@@ -12,7 +12,7 @@ namespace robochart::csp_emit {
 /// the functions `P_T_f(x)` and `update_P_T_f(x,v)`, which returns the record with another value of the field.
 [[nodiscard]] std::vector<cspm::DeclPtr> record_definitions(const Project&, const std::set<std::string>& declared);
 /// Carriers, constants, functions and clipped arithmetic; a CSP block named Instantiations replaces them.
-[[nodiscard]] std::vector<cspm::DeclPtr> instantiations(const Project&);
+[[nodiscard]] std::vector<cspm::DeclPtr> instantiation_definitions(const Project&);
 /// `const_P_S_c`, the machine's own constant; the name of the part's constant if the instantiation gives the part
 /// another value.
 [[nodiscard]] std::string default_constant(const Project&, const std::string& own, const std::string& part);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules: events and calls of the platform are visible, writes to platform variables are propagated, asynchronous
-// connections between controllers are buffers, and termination is hidden.
+// Emits a module. Events and calls of the platform are visible, writes to platform variables are propagated,
+// asynchronous connections between controllers are buffers, and termination is hidden.
 #include "csp_emit/compose/module.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ private:
     void declare_channels(std::vector<DeclPtr>& decls);
     void declare_variables(std::vector<DeclPtr>& decls);
     void declare_sets(std::vector<DeclPtr>& decls);
-    std::vector<ir::OperationSignature> calls() const;
+    std::vector<ir::OperationSignature> calls_of_platform() const;
     void add_constants();
     void add_part(const ir::ControllerInstance& instance, std::vector<DeclPtr>& decls);
     std::string constant_argument(const ir::Controller& controller, const ConstantParameter& constant);
@@ -44,7 +44,7 @@ private:
     std::vector<std::string> visible_;
 };
 
-std::vector<ir::OperationSignature> ModuleEmitter::calls() const {
+std::vector<ir::OperationSignature> ModuleEmitter::calls_of_platform() const {
     std::vector<ir::OperationSignature> result;
     for (const ir::ControllerInstance& instance : module().controllers)
         for (const auto& call : leaving_calls(project().system, project().system.controller(instance.controller))) {
@@ -59,8 +59,8 @@ void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     emitted_.provenance.events[context_.path + "::terminate"] = {
         MeaningKind::terminate, module().name + " terminates", {}, module().origin, context_.path};
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
-    for (const ir::Event& event : platform().events) channels.event(event);
-    for (const ir::OperationSignature& call : calls()) channels.call(call);
+    for (const ir::Event& event : platform().events) channels.declare_event(event);
+    for (const ir::OperationSignature& call : calls_of_platform()) channels.declare_call(call);
 }
 
 /// Writes to provided variables are visible to the platform; an explicit initial value is propagated to the controllers
@@ -68,7 +68,7 @@ void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
 void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Variable& variable : platform().variables) {
-        channels.variable(variable.name, variable.type, false, variable.origin);
+        channels.declare_variable(variable.name, variable.type, false, variable.origin);
         SharedVariable shared{variable.name, variable.type, false, variable.scope == VariableScope::required, nullptr};
         if (variable.initial) {
             const auto value =
@@ -76,7 +76,7 @@ void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
             if (value)
                 shared.pushed = value_literal(project(), variable.type, *value);
             else
-                project().refuse("the initial value of " + variable.name, variable.origin.span);
+                project().report_unsupported("the initial value of " + variable.name, variable.origin.span);
         }
         composition_.variables.push_back(shared);
     }
@@ -85,7 +85,7 @@ void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
 void ModuleEmitter::declare_sets(std::vector<DeclPtr>& decls) {
     b::Exprs visible;
     for (const ir::Event& event : platform().events) visible.push_back(b::name(event.name));
-    for (const ir::OperationSignature& call : calls()) visible.push_back(b::name(call.name + "Call"));
+    for (const ir::OperationSignature& call : calls_of_platform()) visible.push_back(b::name(call.name + "Call"));
     for (const ir::Variable& variable : platform().variables)
         if (variable.scope == VariableScope::required) visible.push_back(b::name("set_" + variable.name));
     for (const auto& channel : visible) visible_.push_back(channel->text);
@@ -140,7 +140,7 @@ void ModuleEmitter::add_connection(const ir::Connection& connection) {
     const auto to = place(connection.to);
     // Connections with the platform synchronise with the environment even if they are declared `_async`.
     if (!connection.async || !from || !to) {
-        connect(composition_, from, connection.from.event, to, connection.to.event);
+        connect_ends(composition_, from, connection.from.event, to, connection.to.event);
         return;
     }
     const auto& writer = project().system.controller(module().controllers.at(*from).controller);
@@ -171,7 +171,7 @@ ComponentEmission ModuleEmitter::emit() {
     result.module = b::module_(module().name, {}, {}, decls, "module " + module().origin.element);
     result.constants = composition_.constants;
     result.visible = visible_;
-    result.large = large(composition_);
+    result.large = is_large(composition_);
     emitted_.components[context_.path] = result;
     return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules (semantics 3.9): controllers in parallel, with the robotic platform as their environment.
+// Emits modules (semantics 3.9): controllers in parallel, with the robotic platform as their environment.
 #pragma once
 
 #include <set>

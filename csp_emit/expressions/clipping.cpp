@@ -15,14 +15,14 @@ constexpr std::array operators{Operator{"Plus", "+"},     Operator{"Minus", "-"}
                                Operator{"Div", "/"},      Operator{"Modulus", "%"}, Operator{"Neg", "-"},
                                Operator{"RealMult", "*"}, Operator{"RealDiv", "/"}};
 
-const Operator* find(const std::string& function) {
+const Operator* find_operator(const std::string& function) {
     for (const Operator& each : operators)
         if (function == each.function) return &each;
     return nullptr;
 }
 
 /// Whether the operation without clipping returns its first operand.
-bool unchanged(const std::string& function, std::int64_t a, std::int64_t b, std::int64_t scale) {
+bool keeps_first_operand(const std::string& function, std::int64_t a, std::int64_t b, std::int64_t scale) {
     if (function == "Plus" || function == "Minus") return b == 0;
     if (function == "Mult") return a == 0 || b == 1;
     if (function == "RealMult") return a == 0 || b == scale;
@@ -33,28 +33,28 @@ bool unchanged(const std::string& function, std::int64_t a, std::int64_t b, std:
 }
 
 /// The text of a number in the script; for a real with a scale, as a fraction.
-std::string shown(const std::string& function, std::int64_t value, std::int64_t scale) {
+std::string number_text(const std::string& function, std::int64_t value, std::int64_t scale) {
     const bool real = scale != 1 && function.rfind("Real", 0) == 0;
     return real ? std::to_string(value) + "/" + std::to_string(scale) : std::to_string(value);
 }
 
 }  // namespace
 
-cspm::ExprPtr placed(const cspm::ExprPtr& tree, diagnostics::Span span) {
-    if (!tree || tree->span.known() || !span.known()) return tree;
+cspm::ExprPtr with_place(const cspm::ExprPtr& tree, diagnostics::Span span) {
+    if (!tree || tree->span.is_known() || !span.is_known()) return tree;
     const bool leaf = tree->args.empty() && tree->clauses.empty();
     if (leaf) return tree;
     cspm::Expr copy = *tree;
     if (copy.kind == cspm::ExprKind::apply) copy.span = span;
-    for (auto& part : copy.args) part = placed(part, span);
-    for (auto& clause : copy.clauses) clause.value = placed(clause.value, span);
+    for (auto& part : copy.args) part = with_place(part, span);
+    for (auto& clause : copy.clauses) clause.value = with_place(clause.value, span);
     return std::make_shared<const cspm::Expr>(std::move(copy));
 }
 
 std::optional<std::string> reached_bound(const Emission& emission, const ir::Instantiation& instantiation,
                                          const cspm::ObservedCall& call) {
     if (!emission.bounded.contains(call.function)) return std::nullopt;
-    const Operator* arithmetic = find(call.function);
+    const Operator* arithmetic = find_operator(call.function);
     if (arithmetic == nullptr) {
         const std::string value = call.result ? " and is taken as " + std::to_string(*call.result) : "";
         return call.function + " has no body here" + value;
@@ -63,8 +63,8 @@ std::optional<std::string> reached_bound(const Emission& emission, const ir::Ins
     if (call.values.empty() || !call.values[0] || !call.result || *call.result != *call.values[0]) return std::nullopt;
     const std::int64_t left = *call.values[0];
     const std::int64_t right = unary || call.values.size() < 2 ? 0 : call.values[1].value_or(0);
-    if (unchanged(call.function, left, right, instantiation.scale)) return std::nullopt;
-    const auto number = [&](std::int64_t value) { return shown(call.function, value, instantiation.scale); };
+    if (keeps_first_operand(call.function, left, right, instantiation.scale)) return std::nullopt;
+    const auto number = [&](std::int64_t value) { return number_text(call.function, value, instantiation.scale); };
     const std::string operation =
         unary ? "-(" + number(left) + ")" : number(left) + " " + arithmetic->sign + " " + number(right);
     return operation + " leaves its type and is taken as " + number(left);

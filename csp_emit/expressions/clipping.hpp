@@ -14,7 +14,7 @@
 namespace robochart::csp_emit {
 
 /// Returns the tree with this span in every call that has no known span.
-[[nodiscard]] cspm::ExprPtr placed(const cspm::ExprPtr&, diagnostics::Span);
+[[nodiscard]] cspm::ExprPtr with_place(const cspm::ExprPtr&, diagnostics::Span);
 
 /// Describes how the call deviates from the model; no value if the call returns the model's value. Examples: "2 + 1
 /// leaves its type and is taken as 2", "f has no body here and is taken as 0".

@@ -15,23 +15,23 @@ using ir::ExprKind;
 
 namespace {
 
-void append(b::Exprs& list, const b::Exprs& more) {
+void append_all(b::Exprs& list, const b::Exprs& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
 b::Exprs Translator::preconditions(const ir::Expr& expr) const {
-    if (ir::binds(expr.kind)) return bound_preconditions(expr);
+    if (ir::binds_names(expr.kind)) return bound_preconditions(expr);
     b::Exprs result;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;
         b::Exprs inner = preconditions(*expr.args[i]);
         if (expr.kind == ExprKind::let && i > 0 && !inner.empty()) inner = {bind_let(expr, i, b::all_of(inner))};
-        append(result, inner);
+        append_all(result, inner);
     }
     if (expr.kind == ExprKind::toolkit && ir::toolkit_precondition(expr.text))
-        result.push_back(b::apply(b::name("pre_" + expr.text), args(expr)));
+        result.push_back(b::apply(b::name("pre_" + expr.text), translate_operands(expr)));
     if (expr.kind == ExprKind::call) {
         const ir::Function& function = project_.system.functions.at(expr.function.index);
         if (!function.preconditions.empty())
@@ -44,7 +44,7 @@ b::Exprs Translator::preconditions(const ir::Expr& expr) const {
 /// preconditions of the body for the values that satisfy the predicate.
 b::Exprs Translator::bound_preconditions(const ir::Expr& expr) const {
     b::Exprs result;
-    std::vector<cspm::Clause> clauses = generators(expr);
+    std::vector<cspm::Clause> clauses = make_generators(expr);
     const auto never_false = [&](const b::Exprs& conditions) {
         auto counterexamples = clauses;
         counterexamples.push_back(b::condition(b::logical_not(b::all_of(conditions))));
@@ -54,7 +54,7 @@ b::Exprs Translator::bound_preconditions(const ir::Expr& expr) const {
     if (!of_predicate.empty()) never_false(of_predicate);
     if (expr.args.size() < 2) return result;
     const b::Exprs of_body = preconditions(*expr.args[1]);
-    if (expr.args[0]) clauses.push_back(b::condition(arg(expr, 0)));
+    if (expr.args[0]) clauses.push_back(b::condition(translate_operand(expr, 0)));
     if (!of_body.empty()) never_false(of_body);
     return result;
 }

@@ -30,7 +30,7 @@ const std::int64_t* literal_place(const ExprPtr& place) {
 }
 
 /// `if index__ == 1 then first else ...`; indices out of range have no value.
-ExprPtr choose(const std::string& index, const b::Exprs& alternatives) {
+ExprPtr choose_by_index(const std::string& index, const b::Exprs& alternatives) {
     ExprPtr result = b::call("error", {b::string("index outside 1.." + std::to_string(alternatives.size()))});
     for (std::size_t i = alternatives.size(); i-- > 0;)
         result = b::if_(b::binary(Op::equal, b::name(index), b::number(static_cast<std::int64_t>(i) + 1)),
@@ -43,18 +43,18 @@ ExprPtr choose(const std::string& index, const b::Exprs& alternatives) {
 // ---------------------------------------------------------------- vectors and matrices
 
 bool Translator::is_block(ir::TypeId id) const {
-    const ir::Type* found = type(id);
+    const ir::Type* found = find_type(id);
     return found != nullptr && (found->kind == TypeKind::vector || found->kind == TypeKind::matrix);
 }
 
-Translator::Block Translator::block(ir::TypeId id) const {
-    const ir::Type& found = *type(id);
+Translator::Block Translator::block_shape(ir::TypeId id) const {
+    const ir::Type& found = *find_type(id);
     const bool vector = found.kind == TypeKind::vector;
     return {static_cast<std::size_t>(found.sizes.at(0)), vector ? 1 : static_cast<std::size_t>(found.sizes.at(1)),
             vector};
 }
 
-ExprPtr Translator::entry(const std::string& prefix, std::size_t row, std::size_t column) {
+ExprPtr Translator::entry_of_block(const std::string& prefix, std::size_t row, std::size_t column) {
     return b::name(prefix + std::to_string(row + 1) + "_" + std::to_string(column + 1) + "__");
 }
 
@@ -63,7 +63,7 @@ cspm::PatternPtr Translator::block_pattern(const Block& block, const std::string
     for (std::size_t row = 0; row < block.rows; ++row) {
         b::Patterns columns;
         for (std::size_t column = 0; column < block.columns; ++column)
-            columns.push_back(b::variable(entry(prefix, row, column)->text));
+            columns.push_back(b::variable(entry_of_block(prefix, row, column)->text));
         rows.push_back(pattern_of(std::move(columns)));
     }
     return pattern_of(std::move(rows));
@@ -79,9 +79,10 @@ ExprPtr Translator::block_value(const Block& block, const b::Exprs& entries) con
 }
 
 ExprPtr Translator::block_literal(const ir::Expr& expr) const {
-    const Block shape = block(expr.type);
-    if (expr.args.size() != shape.rows * shape.columns) return refused("a matrix of another size than its type", expr);
-    return block_value(shape, args(expr));
+    const Block shape = block_shape(expr.type);
+    if (expr.args.size() != shape.rows * shape.columns)
+        return report_unsupported("a matrix of another size than its type", expr);
+    return block_value(shape, translate_operands(expr));
 }
 
 /// Arithmetic entry by entry: sums, differences, negation, products with a number.
@@ -89,20 +90,20 @@ ExprPtr Translator::block_arithmetic(const ir::Expr& expr) const {
     const bool left_block = is_block(expr.args.at(0)->type);
     const bool binary = expr.args.size() > 1;
     const bool right_block = binary && is_block(expr.args[1]->type);
-    const ir::TypeId number = is_block(expr.type) ? type(expr.type)->args.at(0) : expr.type;
+    const ir::TypeId number = is_block(expr.type) ? find_type(expr.type)->args.at(0) : expr.type;
     if (expr.kind == ExprKind::times && left_block && right_block)
-        return block_product(expr, block(expr.args[0]->type), block(expr.args[1]->type), number);
-    const Block shape = block(expr.type);
+        return block_product(expr, block_shape(expr.args[0]->type), block_shape(expr.args[1]->type), number);
+    const Block shape = block_shape(expr.type);
     b::Patterns patterns{left_block ? block_pattern(shape, "left") : b::variable("left__")};
     if (binary) patterns.push_back(right_block ? block_pattern(shape, "right") : b::variable("right__"));
     b::Exprs entries;
     for (std::size_t row = 0; row < shape.rows; ++row)
         for (std::size_t column = 0; column < shape.columns; ++column) {
-            b::Exprs operands{left_block ? entry("left", row, column) : b::name("left__")};
-            if (binary) operands.push_back(right_block ? entry("right", row, column) : b::name("right__"));
-            entries.push_back(clipped(expr.kind, operands, number));
+            b::Exprs operands{left_block ? entry_of_block("left", row, column) : b::name("left__")};
+            if (binary) operands.push_back(right_block ? entry_of_block("right", row, column) : b::name("right__"));
+            entries.push_back(clipped_operation(expr.kind, operands, number));
         }
-    return b::apply(b::lambda(patterns, block_value(shape, entries)), args(expr));
+    return b::apply(b::lambda(patterns, block_value(shape, entries)), translate_operands(expr));
 }
 
 /// The product of two matrices, with sums from the left; the product of two vectors is the dot product.
@@ -110,32 +111,34 @@ ExprPtr Translator::block_product(const ir::Expr& expr, const Block& left, const
                                   ir::TypeId number) const {
     const bool dot = left.vector && right.vector;
     const std::size_t inner = dot ? left.rows : left.columns;
-    if (inner != right.rows) return refused("a product of matrices whose sizes do not fit", expr);
+    if (inner != right.rows) return report_unsupported("a product of matrices whose sizes do not fit", expr);
     const auto at = [&](std::size_t row, std::size_t column) {
         ExprPtr sum;
         for (std::size_t i = 0; i < inner; ++i) {
-            const ExprPtr factor = dot ? entry("left", i, 0) : entry("left", row, i);
-            const ExprPtr term = clipped(ExprKind::times, {factor, entry("right", i, column)}, number);
-            sum = sum ? clipped(ExprKind::plus, {sum, term}, number) : term;
+            const ExprPtr factor = dot ? entry_of_block("left", i, 0) : entry_of_block("left", row, i);
+            const ExprPtr term =
+                clipped_operation(ExprKind::times, {factor, entry_of_block("right", i, column)}, number);
+            sum = sum ? clipped_operation(ExprKind::plus, {sum, term}, number) : term;
         }
         return sum;
     };
     const b::Patterns patterns{block_pattern(left, "left"), block_pattern(right, "right")};
-    if (dot) return b::apply(b::lambda(patterns, at(0, 0)), args(expr));
-    const Block shape = block(expr.type);
+    if (dot) return b::apply(b::lambda(patterns, at(0, 0)), translate_operands(expr));
+    const Block shape = block_shape(expr.type);
     b::Exprs entries;
     for (std::size_t row = 0; row < shape.rows; ++row)
         for (std::size_t column = 0; column < shape.columns; ++column) entries.push_back(at(row, column));
-    return b::apply(b::lambda(patterns, block_value(shape, entries)), args(expr));
+    return b::apply(b::lambda(patterns, block_value(shape, entries)), translate_operands(expr));
 }
 
-ExprPtr Translator::transposed(const ir::Expr& expr) const {
-    const Block from = block(expr.args.at(0)->type);
-    const Block to = block(expr.type);
+ExprPtr Translator::transpose_block(const ir::Expr& expr) const {
+    const Block from = block_shape(expr.args.at(0)->type);
+    const Block to = block_shape(expr.type);
     b::Exprs entries;
     for (std::size_t row = 0; row < to.rows; ++row)
-        for (std::size_t column = 0; column < to.columns; ++column) entries.push_back(entry("left", column, row));
-    return b::apply(b::lambda({block_pattern(from, "left")}, block_value(to, entries)), args(expr));
+        for (std::size_t column = 0; column < to.columns; ++column)
+            entries.push_back(entry_of_block("left", column, row));
+    return b::apply(b::lambda({block_pattern(from, "left")}, block_value(to, entries)), translate_operands(expr));
 }
 
 // ---------------------------------------------------------------- components
@@ -149,14 +152,15 @@ ExprPtr Translator::tuple_part(const ExprPtr& whole, std::size_t size, std::size
 }
 
 /// An element of a sequence, vector or matrix, counted from 1.
-ExprPtr Translator::indexed(ir::TypeId id, const ExprPtr& whole, const b::Exprs& places) const {
+ExprPtr Translator::index_value(ir::TypeId id, const ExprPtr& whole, const b::Exprs& places) const {
     if (!is_block(id)) return b::call("access_", {whole, places.at(0)});
-    const Block shape = block(id);
+    const Block shape = block_shape(id);
     b::Exprs rows;
     for (std::size_t row = 0; row < shape.rows; ++row) {
         b::Exprs columns;
-        for (std::size_t column = 0; column < shape.columns; ++column) columns.push_back(entry("left", row, column));
-        rows.push_back(shape.vector ? columns.at(0) : choose("index2__", columns));
+        for (std::size_t column = 0; column < shape.columns; ++column)
+            columns.push_back(entry_of_block("left", row, column));
+        rows.push_back(shape.vector ? columns.at(0) : choose_by_index("index2__", columns));
     }
     b::Patterns patterns{block_pattern(shape, "left"), b::variable("index1__")};
     b::Exprs arguments{whole, places.at(0)};
@@ -167,18 +171,18 @@ ExprPtr Translator::indexed(ir::TypeId id, const ExprPtr& whole, const b::Exprs&
     if (const std::int64_t* fixed = literal_place(places[0]);
         fixed != nullptr && shape.vector && *fixed >= 1 && *fixed <= static_cast<std::int64_t>(shape.rows))
         return tuple_part(whole, shape.rows, static_cast<std::size_t>(*fixed - 1));
-    return b::apply(b::lambda(patterns, choose("index1__", rows)), arguments);
+    return b::apply(b::lambda(patterns, choose_by_index("index1__", rows)), arguments);
 }
 
-ExprPtr Translator::replaced(ir::TypeId id, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
-                             const ExprPtr& value) const {
+ExprPtr Translator::replace_part(ir::TypeId id, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
+                                 const ExprPtr& value) const {
     if (from >= path.size()) return value;
-    const ir::Type& found = *type(id);
+    const ir::Type& found = *find_type(id);
     if (found.kind == TypeKind::record || found.kind == TypeKind::product)
         return replaced_field(found, whole, path, from, value);
     if (is_block(id)) return replaced_entry(id, whole, path, from, value);
     const ExprPtr old = b::call("access_", {whole, path[from]});
-    return b::call("update_", {whole, replaced(found.args.at(0), old, path, from + 1, value), path[from]});
+    return b::call("update_", {whole, replace_part(found.args.at(0), old, path, from + 1, value), path[from]});
 }
 
 /// Fields are counted from 0, parts of tuples from 1; both are written as numbers.
@@ -186,7 +190,7 @@ ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, 
                                    const ExprPtr& value) const {
     const std::int64_t number = path[from]->number - (found.kind == TypeKind::record ? 0 : 1);
     const auto place = static_cast<std::size_t>(number);
-    if (found.args.size() == 1) return replaced(found.args[0], whole, path, from + 1, value);
+    if (found.args.size() == 1) return replace_part(found.args[0], whole, path, from + 1, value);
     b::Patterns patterns;
     b::Exprs parts;
     const bool last = from + 1 == path.size();
@@ -194,7 +198,7 @@ ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, 
         patterns.push_back(i == place && last ? b::wildcard() : b::variable(part_name(i)));
         parts.push_back(b::name(part_name(i)));
     }
-    parts.at(place) = replaced(found.args[place], parts[place], path, from + 1, value);
+    parts.at(place) = replace_part(found.args[place], parts[place], path, from + 1, value);
     return b::apply(b::lambda({b::tuple_pattern(patterns)}, b::tuple(parts)), {whole});
 }
 
@@ -202,12 +206,12 @@ ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, 
 /// inside the entry, only that part of it changes.
 ExprPtr Translator::replaced_entry(ir::TypeId id, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
                                    const ExprPtr& value) const {
-    const Block shape = block(id);
+    const Block shape = block_shape(id);
     b::Exprs places{path[from]};
     if (!shape.vector) places.push_back(path.at(from + 1));
     const std::size_t rest = from + places.size();
-    const ExprPtr old = rest < path.size() ? indexed(id, whole, places) : nullptr;
-    const ExprPtr changed = replaced(type(id)->args.at(0), old, path, rest, value);
+    const ExprPtr old = rest < path.size() ? index_value(id, whole, places) : nullptr;
+    const ExprPtr changed = replace_part(find_type(id)->args.at(0), old, path, rest, value);
     const auto here = [&](std::size_t row, std::size_t column) {
         const ExprPtr in_row = b::binary(Op::equal, b::name("index1__"), b::number(static_cast<std::int64_t>(row) + 1));
         if (shape.vector) return in_row;
@@ -218,7 +222,7 @@ ExprPtr Translator::replaced_entry(ir::TypeId id, const ExprPtr& whole, const b:
     b::Exprs anywhere;
     for (std::size_t row = 0; row < shape.rows; ++row)
         for (std::size_t column = 0; column < shape.columns; ++column) {
-            entries.push_back(b::if_(here(row, column), b::name("elem__"), entry("left", row, column)));
+            entries.push_back(b::if_(here(row, column), b::name("elem__"), entry_of_block("left", row, column)));
             anywhere.push_back(here(row, column));
         }
     b::Patterns patterns{block_pattern(shape, "left"), b::variable("elem__"), b::variable("index1__")};
@@ -251,15 +255,15 @@ std::vector<ir::TypeId> tuple_types(const ir::Type& type) {
 std::vector<ir::TypeId> Translator::pair_types(const ir::Type& found) const {
     if (found.kind == TypeKind::relation || found.kind == TypeKind::function) return found.args;
     if (found.kind != TypeKind::set) return {};
-    const auto parts = tuple_types(*type(found.args.at(0)));
+    const auto parts = tuple_types(*find_type(found.args.at(0)));
     return parts.size() == 2 ? parts : std::vector<ir::TypeId>{};
 }
 
 bool Translator::written_differently(ir::TypeId from, ir::TypeId to) const {
-    if (from == to || type(from) == nullptr || type(to) == nullptr) return false;
-    const ir::Type& source = *type(from);
-    const ir::Type& target = *type(to);
-    if (numeric(source) && numeric(target)) return scale() != 1 && is_real(from) != is_real(to);
+    if (from == to || find_type(from) == nullptr || find_type(to) == nullptr) return false;
+    const ir::Type& source = *find_type(from);
+    const ir::Type& target = *find_type(to);
+    if (is_numeric(source) && is_numeric(target)) return scale() != 1 && is_real(from) != is_real(to);
     if (source.kind == TypeKind::sequence && is_set_like(target.kind)) return true;
     std::vector<ir::TypeId> a = pair_types(source);
     std::vector<ir::TypeId> b = pair_types(target);
@@ -276,21 +280,21 @@ bool Translator::written_differently(ir::TypeId from, ir::TypeId to) const {
     return false;
 }
 
-bool Translator::narrows(ir::TypeId from, ir::TypeId to) const {
+bool Translator::narrows_numbers(ir::TypeId from, ir::TypeId to) const {
     if (!written_differently(from, to)) return false;
-    if (numeric(*type(from))) return is_real(from);
-    const std::vector<ir::TypeId>& source = type(from)->args;
-    const std::vector<ir::TypeId>& target = type(to)->args;
+    if (is_numeric(*find_type(from))) return is_real(from);
+    const std::vector<ir::TypeId>& source = find_type(from)->args;
+    const std::vector<ir::TypeId>& target = find_type(to)->args;
     for (std::size_t i = 0; i < std::min(source.size(), target.size()); ++i)
-        if (narrows(source[i], target[i])) return true;
+        if (narrows_numbers(source[i], target[i])) return true;
     return false;
 }
 
-ExprPtr Translator::converted(const ExprPtr& value, ir::TypeId from, ir::TypeId to) const {
+ExprPtr Translator::convert_value(const ExprPtr& value, ir::TypeId from, ir::TypeId to) const {
     if (!written_differently(from, to)) return value;
-    const ir::Type& source = *type(from);
-    const ir::Type& target = *type(to);
-    if (numeric(source)) {
+    const ir::Type& source = *find_type(from);
+    const ir::Type& target = *find_type(to);
+    if (is_numeric(source)) {
         if (!is_real(to)) return b::binary(Op::divide, value, b::number(scale()));
         if (value->kind == Op::integer) return b::number(value->number * scale());
         return b::binary(Op::times, value, b::number(scale()));
@@ -298,11 +302,12 @@ ExprPtr Translator::converted(const ExprPtr& value, ir::TypeId from, ir::TypeId 
     const bool collection = source.kind == TypeKind::sequence || is_set_like(source.kind);
     if (collection) return converted_elements(value, source, target);
     if (source.kind == TypeKind::matrix) {
-        const Block shape = block(from);
+        const Block shape = block_shape(from);
         b::Exprs entries;
         for (std::size_t row = 0; row < shape.rows; ++row)
             for (std::size_t column = 0; column < shape.columns; ++column)
-                entries.push_back(converted(entry("left", row, column), source.args[0], target.args.at(0)));
+                entries.push_back(
+                    convert_value(entry_of_block("left", row, column), source.args[0], target.args.at(0)));
         return b::apply(b::lambda({block_pattern(shape, "left")}, block_value(shape, entries)), {value});
     }
     return converted_tuple(value, tuple_types(source), tuple_types(target));
@@ -315,7 +320,7 @@ ExprPtr Translator::converted_tuple(const ExprPtr& value, const std::vector<ir::
     b::Exprs parts;
     for (std::size_t i = 0; i < from.size(); ++i) {
         patterns.push_back(b::variable(part_name(i)));
-        parts.push_back(converted(b::name(part_name(i)), from[i], to[i]));
+        parts.push_back(convert_value(b::name(part_name(i)), from[i], to[i]));
     }
     return b::apply(b::lambda({pattern_of(patterns)}, tuple_or_one(parts)), {value});
 }
@@ -324,7 +329,7 @@ ExprPtr Translator::converted_tuple(const ExprPtr& value, const std::vector<ir::
 ExprPtr Translator::converted_elements(const ExprPtr& value, const ir::Type& source, const ir::Type& target) const {
     const ExprPtr elem = b::name("elem__");
     if (source.kind == TypeKind::sequence && target.kind == TypeKind::sequence)
-        return b::sequence_comprehension({converted(elem, source.args.at(0), target.args.at(0))},
+        return b::sequence_comprehension({convert_value(elem, source.args.at(0), target.args.at(0))},
                                          {b::generator("elem__", value)});
     const auto to = pair_types(target);
     if (source.kind == TypeKind::sequence) {
@@ -334,15 +339,16 @@ ExprPtr Translator::converted_elements(const ExprPtr& value, const ir::Type& sou
         ExprPtr place = b::name("part1__");
         if (scale() != 1 && is_real(to[0])) place = b::binary(Op::times, place, b::number(scale()));
         return b::set_comprehension(
-            {b::tuple({place, converted(b::name("part2__"), source.args[0], to[1])})},
+            {b::tuple({place, convert_value(b::name("part2__"), source.args[0], to[1])})},
             {b::generator(b::tuple_pattern({b::variable("part1__"), b::variable("part2__")}), pairs)});
     }
     const auto from = pair_types(source);
     if (!from.empty() && !to.empty())
         return b::set_comprehension(
-            {b::tuple({converted(b::name("part1__"), from[0], to[0]), converted(b::name("part2__"), from[1], to[1])})},
+            {b::tuple({convert_value(b::name("part1__"), from[0], to[0]),
+                       convert_value(b::name("part2__"), from[1], to[1])})},
             {b::generator(b::tuple_pattern({b::variable("part1__"), b::variable("part2__")}), value)});
-    return b::set_comprehension({converted(elem, source.args.at(0), target.args.at(0))},
+    return b::set_comprehension({convert_value(elem, source.args.at(0), target.args.at(0))},
                                 {b::generator("elem__", value)});
 }
 

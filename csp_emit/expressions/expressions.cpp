@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One case per ExprKind; no default, so that the compiler finds a kind that is missing.
+// Handles one case per ExprKind. There is no default case, so that the compiler finds a missing kind.
 #include "csp_emit/expressions/expressions.hpp"
 
 #include <algorithm>
@@ -22,35 +22,36 @@ using ir::TypeKind;
 using Op = cspm::ExprKind;
 
 bool Translator::is_whole(ir::TypeId id) const {
-    const ir::Type* found = type(id);
+    const ir::Type* found = find_type(id);
     return found != nullptr && (found->kind == TypeKind::nat || found->kind == TypeKind::integer);
 }
 
-b::Exprs Translator::args(const ir::Expr& expr) const {
+b::Exprs Translator::translate_operands(const ir::Expr& expr) const {
     b::Exprs result;
     for (const auto& part : expr.args) result.push_back(translate(*part));
     return result;
 }
 
-ExprPtr Translator::refused(const std::string& what, const ir::Expr& expr) const {
-    project_.refuse(what, expr.span);
+ExprPtr Translator::report_unsupported(const std::string& what, const ir::Expr& expr) const {
+    project_.report_unsupported(what, expr.span);
     return b::number(0);
 }
 
 /// A decimal in units of 1/scale. The scale is chosen from the model's literals, so no literal is rounded.
 ExprPtr Translator::real_literal(const ir::Expr& expr) const {
-    const auto units = ir::scaled(expr.decimal, scale());
-    return units ? b::number(*units) : refused("a real literal beyond 64 bits", expr);
+    const auto units = ir::scale_decimal(expr.decimal, scale());
+    return units ? b::number(*units) : report_unsupported("a real literal beyond 64 bits", expr);
 }
 
 ExprPtr Translator::enum_literal(const ir::Expr& expr) const {
     b::Exprs parts{b::name(literal_name(project_.system.type(expr.type), static_cast<std::size_t>(expr.number)))};
-    for (auto& value : args(expr)) parts.push_back(value);
+    for (auto& value : translate_operands(expr)) parts.push_back(value);
     return b::dot(parts);
 }
 
 ExprPtr Translator::trigger_value(const ir::Expr& expr) const {
-    return scope_.trigger_value ? scope_.trigger_value : refused("a trigger's value outside its transition", expr);
+    return scope_.trigger_value ? scope_.trigger_value
+                                : report_unsupported("a trigger's value outside its transition", expr);
 }
 
 ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
@@ -62,7 +63,7 @@ ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
 }
 
 /// Compares both operands in the same unit: if one operand is a real, the other is converted to a real.
-ExprPtr Translator::comparison(const ir::Expr& expr, cspm::ExprKind op) const {
+ExprPtr Translator::translate_comparison(const ir::Expr& expr, cspm::ExprKind op) const {
     const ir::Expr& left = *expr.args.at(0);
     const ir::Expr& right = *expr.args.at(1);
     const ir::TypeId common = is_real(left.type) ? left.type : right.type;
@@ -89,53 +90,54 @@ const char* clipping_function(ExprKind kind, bool scaled_real) {
 
 }  // namespace
 
-ExprPtr Translator::clipped(ExprKind kind, b::Exprs operands, ir::TypeId type) const {
+ExprPtr Translator::clipped_operation(ExprKind kind, b::Exprs operands, ir::TypeId type) const {
     // -3 is a literal, not an operation: RoboTool's carriers contain every literal of the model with its sign.
     if (kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
     operands.push_back(type_set(project_, type));
     return b::call(clipping_function(kind, is_real(type) && scale() != 1), operands);
 }
 
-ExprPtr Translator::arithmetic(const ir::Expr& expr) const {
-    const ir::Type* result = type(expr.type);
+ExprPtr Translator::translate_arithmetic(const ir::Expr& expr) const {
+    const ir::Type* result = find_type(expr.type);
     const auto block = [&](const auto& part) { return is_block(part->type); };
     if (std::ranges::any_of(expr.args, block)) return block_arithmetic(expr);
-    if (result == nullptr || !numeric(*result)) return refused("arithmetic on a type that is not a number", expr);
+    if (result == nullptr || !is_numeric(*result))
+        return report_unsupported("arithmetic on a type that is not a number", expr);
     b::Exprs operands;
     for (const auto& part : expr.args) operands.push_back(as_type(*part, expr.type));
     // RoboTool's clock bounds divide by 1 if a value of the type is 0; the guard itself does not.
     const bool divides = expr.kind == ExprKind::divide || expr.kind == ExprKind::modulus;
     if (divides && !scope_.placed && operands[1]->kind != Op::integer)
         operands[1] = b::call("no_zero_div", {operands[1]});
-    return clipped(expr.kind, operands, expr.type);
+    return clipped_operation(expr.kind, operands, expr.type);
 }
 
-ExprPtr Translator::member(const ir::Expr& expr) const {
-    const ir::Type* whole = type(expr.args.at(0)->type);
-    if (whole == nullptr) return refused("a component of a value without a type", expr);
+ExprPtr Translator::translate_member(const ir::Expr& expr) const {
+    const ir::Type* whole = find_type(expr.args.at(0)->type);
+    if (whole == nullptr) return report_unsupported("a component of a value without a type", expr);
     const std::int64_t place = whole->kind == TypeKind::record ? expr.number : expr.number - 1;
-    return tuple_part(arg(expr, 0), whole->args.size(), static_cast<std::size_t>(place));
+    return tuple_part(translate_operand(expr, 0), whole->args.size(), static_cast<std::size_t>(place));
 }
 
-ExprPtr Translator::index(const ir::Expr& expr) const {
-    b::Exprs places = args(expr);
+ExprPtr Translator::translate_index(const ir::Expr& expr) const {
+    b::Exprs places = translate_operands(expr);
     const ExprPtr whole = places.at(0);
     places.erase(places.begin());
-    return indexed(expr.args.at(0)->type, whole, places);
+    return index_value(expr.args.at(0)->type, whole, places);
 }
 
-ExprPtr Translator::cast(const ir::Expr& expr) const {
+ExprPtr Translator::translate_cast(const ir::Expr& expr) const {
     const ir::Expr& inner = *expr.args.at(0);
-    return converted(translate(inner), inner.type, expr.type);
+    return convert_value(translate(inner), inner.type, expr.type);
 }
 
 /// `member(v,T)`; a real must also be a whole number.
 ExprPtr Translator::type_test(const ir::Expr& expr) const {
     const ir::TypeId wanted = expr.bound_types.at(0);
     const ir::TypeId own = expr.args.at(0)->type;
-    const ExprPtr value = arg(expr, 0);
+    const ExprPtr value = translate_operand(expr, 0);
     if (!is_real(own) || !is_whole(wanted) || scale() == 1)
-        return b::call("member", {converted(value, own, wanted), type_set(project_, wanted)});
+        return b::call("member", {convert_value(value, own, wanted), type_set(project_, wanted)});
     const ExprPtr units = b::name("elem__");
     const ExprPtr rest = b::binary(Op::modulus, units, b::number(scale()));
     const ExprPtr number = b::binary(Op::divide, units, b::number(scale()));
@@ -146,10 +148,10 @@ ExprPtr Translator::type_test(const ir::Expr& expr) const {
 }
 
 /// `{low..high}` for whole numbers; for reals, the values of the type within the bounds.
-ExprPtr Translator::range(const ir::Expr& expr) const {
+ExprPtr Translator::translate_range(const ir::Expr& expr) const {
     const bool open_low = expr.number == 1 || expr.number == 3;
     const bool open_high = expr.number >= 2;
-    const ir::Type* set = type(expr.type);
+    const ir::Type* set = find_type(expr.type);
     const ir::TypeId element = set != nullptr && !set->args.empty() ? set->args[0] : expr.args.at(0)->type;
     const ExprPtr low = as_type(*expr.args.at(0), element);
     const ExprPtr high = as_type(*expr.args.at(1), element);
@@ -163,7 +165,7 @@ ExprPtr Translator::range(const ir::Expr& expr) const {
 }
 
 /// A function is applied even if it has no arguments: RoboTool's instantiations define `f() = 0`.
-ExprPtr Translator::call(const ir::Expr& expr) const {
+ExprPtr Translator::translate_call(const ir::Expr& expr) const {
     return b::apply(b::name(function_name(project_.system.functions.at(expr.function.index))), call_arguments(expr));
 }
 
@@ -172,29 +174,29 @@ b::Exprs Translator::call_arguments(const ir::Expr& expr) const {
     b::Exprs arguments;
     for (std::size_t i = 0; i < expr.args.size(); ++i)
         arguments.push_back(i < function.parameters.size() ? as_type(*expr.args[i], function.parameters[i])
-                                                           : arg(expr, i));
+                                                           : translate_operand(expr, i));
     return arguments;
 }
 
 bool Translator::is_open(ir::TypeId id) const {
-    const ir::Type* found = type(id);
+    const ir::Type* found = find_type(id);
     if (found == nullptr || found->kind == TypeKind::unit) return true;
     return found->kind != TypeKind::record &&
            std::ranges::any_of(found->args, [&](ir::TypeId arg) { return is_open(arg); });
 }
 
-ExprPtr Translator::toolkit(const ir::Expr& expr) const {
-    b::Exprs arguments = args(expr);
+ExprPtr Translator::translate_toolkit_call(const ir::Expr& expr) const {
+    b::Exprs arguments = translate_operands(expr);
     for (const std::size_t place : ir::toolkit_carriers(expr.text)) {
         if (is_open(expr.bound_types.at(place)))
-            return refused("function " + expr.text + " of elements whose type nothing tells", expr);
+            return report_unsupported("function " + expr.text + " of elements whose type nothing tells", expr);
         arguments.push_back(type_set(project_, expr.bound_types[place]));
     }
     return b::apply(b::name(expr.text), arguments);
 }
 
-ExprPtr Translator::apply(const ir::Expr& expr) const {
-    b::Exprs arguments = args(expr);
+ExprPtr Translator::translate_application(const ir::Expr& expr) const {
+    b::Exprs arguments = translate_operands(expr);
     const ExprPtr function = arguments.at(0);
     arguments.erase(arguments.begin());
     return b::call("callFunc", {function, tuple_or_one(arguments)});
@@ -210,14 +212,14 @@ ExprPtr Translator::function_value(const ir::Expr& expr) const {
         clauses.push_back(b::generator(name, type_set(project_, function.parameters[i])));
         arguments.push_back(b::name(name));
     }
-    if (arguments.empty()) return refused("a function without parameters as a value", expr);
+    if (arguments.empty()) return report_unsupported("a function without parameters as a value", expr);
     if (!function.preconditions.empty())
         clauses.push_back(b::condition(b::apply(b::name("pre_" + function_name(function)), arguments)));
     const ExprPtr value = b::apply(b::name(function_name(function)), arguments);
     return b::set_comprehension({b::tuple({tuple_or_one(arguments), value})}, clauses);
 }
 
-std::vector<cspm::Clause> Translator::generators(const ir::Expr& expr) const {
+std::vector<cspm::Clause> Translator::make_generators(const ir::Expr& expr) const {
     std::vector<cspm::Clause> clauses;
     for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
         clauses.push_back(b::generator(bound_name(expr.bound_names[i]), type_set(project_, expr.bound_types.at(i))));
@@ -231,40 +233,41 @@ ExprPtr Translator::bound_tuple(const ir::Expr& expr) {
 }
 
 /// The generators of the bound variables, and the predicate.
-std::vector<cspm::Clause> Translator::satisfying(const ir::Expr& expr) const {
-    std::vector<cspm::Clause> clauses = generators(expr);
-    if (expr.args.at(0)) clauses.push_back(b::condition(arg(expr, 0)));
+std::vector<cspm::Clause> Translator::satisfying_clauses(const ir::Expr& expr) const {
+    std::vector<cspm::Clause> clauses = make_generators(expr);
+    if (expr.args.at(0)) clauses.push_back(b::condition(translate_operand(expr, 0)));
     return clauses;
 }
 
 /// The bound values that satisfy the predicate and the body; with `negated`, the predicate and not the body.
-ExprPtr Translator::witnesses(const ir::Expr& expr, bool negated) const {
-    std::vector<cspm::Clause> clauses = satisfying(expr);
-    const ExprPtr body = arg(expr, 1);
+ExprPtr Translator::witness_set(const ir::Expr& expr, bool negated) const {
+    std::vector<cspm::Clause> clauses = satisfying_clauses(expr);
+    const ExprPtr body = translate_operand(expr, 1);
     clauses.push_back(b::condition(negated ? b::logical_not(body) : body));
     return b::set_comprehension({bound_tuple(expr)}, clauses);
 }
 
 /// The values of the body, or the bound values if there is no body.
-ExprPtr Translator::comprehension(const ir::Expr& expr) const {
-    const std::vector<cspm::Clause> clauses = satisfying(expr);
-    return b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : bound_tuple(expr)}, clauses);
+ExprPtr Translator::translate_comprehension(const ir::Expr& expr) const {
+    const std::vector<cspm::Clause> clauses = satisfying_clauses(expr);
+    return b::set_comprehension({expr.args.size() > 1 ? translate_operand(expr, 1) : bound_tuple(expr)}, clauses);
 }
 
-ExprPtr Translator::lambda(const ir::Expr& expr) const {
-    const std::vector<cspm::Clause> clauses = satisfying(expr);
-    return b::set_comprehension({b::tuple({bound_tuple(expr), arg(expr, 1)})}, clauses);
+ExprPtr Translator::translate_lambda(const ir::Expr& expr) const {
+    const std::vector<cspm::Clause> clauses = satisfying_clauses(expr);
+    return b::set_comprehension({b::tuple({bound_tuple(expr), translate_operand(expr, 1)})}, clauses);
 }
 
 /// Wraps the first `count` bindings around a body. CSPM's own `let` is recursive; here each value sees only the
 /// bindings before it.
 ExprPtr Translator::bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const {
     for (std::size_t i = count; i-- > 0;)
-        body = b::apply(b::lambda({b::variable(bound_name(expr.bound_names.at(i)))}, body), {arg(expr, i)});
+        body =
+            b::apply(b::lambda({b::variable(bound_name(expr.bound_names.at(i)))}, body), {translate_operand(expr, i)});
     return body;
 }
 
-ExprPtr Translator::let(const ir::Expr& expr) const {
+ExprPtr Translator::translate_let(const ir::Expr& expr) const {
     return bind_let(expr, expr.bound_names.size(), translate(*expr.args.back()));
 }
 
@@ -294,132 +297,134 @@ ExprPtr Translator::translate(const ir::Expr& expr) const {
         case ExprKind::bound:
             return b::name(bound_name(expr.text));
         case ExprKind::logical_not:
-            return b::logical_not(arg(expr, 0));
+            return b::logical_not(translate_operand(expr, 0));
         case ExprKind::iff:
-            return b::binary(Op::equal, arg(expr, 0), arg(expr, 1));
+            return b::binary(Op::equal, translate_operand(expr, 0), translate_operand(expr, 1));
         case ExprKind::implies:
-            return b::binary(Op::logical_or, b::logical_not(arg(expr, 0)), arg(expr, 1));
+            return b::binary(Op::logical_or, b::logical_not(translate_operand(expr, 0)), translate_operand(expr, 1));
         case ExprKind::disjunction:
-            return b::binary(Op::logical_or, arg(expr, 0), arg(expr, 1));
+            return b::binary(Op::logical_or, translate_operand(expr, 0), translate_operand(expr, 1));
         case ExprKind::conjunction:
-            return b::binary(Op::logical_and, arg(expr, 0), arg(expr, 1));
+            return b::binary(Op::logical_and, translate_operand(expr, 0), translate_operand(expr, 1));
         case ExprKind::equal:
-            return comparison(expr, Op::equal);
+            return translate_comparison(expr, Op::equal);
         case ExprKind::not_equal:
-            return comparison(expr, Op::not_equal);
+            return translate_comparison(expr, Op::not_equal);
         case ExprKind::greater:
-            return comparison(expr, Op::greater);
+            return translate_comparison(expr, Op::greater);
         case ExprKind::greater_equal:
-            return comparison(expr, Op::greater_equal);
+            return translate_comparison(expr, Op::greater_equal);
         case ExprKind::less:
-            return comparison(expr, Op::less);
+            return translate_comparison(expr, Op::less);
         case ExprKind::less_equal:
-            return comparison(expr, Op::less_equal);
+            return translate_comparison(expr, Op::less_equal);
         case ExprKind::negate:
         case ExprKind::plus:
         case ExprKind::minus:
         case ExprKind::times:
         case ExprKind::divide:
         case ExprKind::modulus:
-            return arithmetic(expr);
+            return translate_arithmetic(expr);
         case ExprKind::if_then_else:
-            return b::if_(arg(expr, 0), as_type(*expr.args.at(1), expr.type), as_type(*expr.args.at(2), expr.type));
+            return b::if_(translate_operand(expr, 0), as_type(*expr.args.at(1), expr.type),
+                          as_type(*expr.args.at(2), expr.type));
         case ExprKind::call:
-            return call(expr);
+            return translate_call(expr);
         case ExprKind::tuple:
         case ExprKind::record:
-            return tuple_or_one(args(expr));
+            return tuple_or_one(translate_operands(expr));
         case ExprKind::sequence:
-            return b::sequence(args(expr));
+            return b::sequence(translate_operands(expr));
         case ExprKind::set:
-            return b::set(args(expr));
+            return b::set(translate_operands(expr));
         case ExprKind::set_range:
-            return b::set_range(arg(expr, 0), arg(expr, 1));
+            return b::set_range(translate_operand(expr, 0), translate_operand(expr, 1));
         case ExprKind::concat:
-            return b::binary(Op::concat, arg(expr, 0), arg(expr, 1));
+            return b::binary(Op::concat, translate_operand(expr, 0), translate_operand(expr, 1));
         case ExprKind::is_in:
-            return b::call("member", args(expr));
+            return b::call("member", translate_operands(expr));
         case ExprKind::matrix:
             return block_literal(expr);
         case ExprKind::transpose:
-            return transposed(expr);
+            return transpose_block(expr);
         case ExprKind::index:
-            return index(expr);
+            return translate_index(expr);
         case ExprKind::range:
-            return range(expr);
+            return translate_range(expr);
         case ExprKind::is_type:
             return type_test(expr);
         case ExprKind::toolkit:
-            return toolkit(expr);
+            return translate_toolkit_call(expr);
         case ExprKind::apply:
-            return apply(expr);
+            return translate_application(expr);
         case ExprKind::function_value:
             return function_value(expr);
         case ExprKind::member:
-            return member(expr);
+            return translate_member(expr);
         case ExprKind::cast:
-            return cast(expr);
+            return translate_cast(expr);
         case ExprKind::let:
-            return let(expr);
+            return translate_let(expr);
         case ExprKind::forall:
-            return b::call("empty", {witnesses(expr, true)});
+            return b::call("empty", {witness_set(expr, true)});
         case ExprKind::exists:
-            return b::logical_not(b::call("empty", {witnesses(expr, false)}));
+            return b::logical_not(b::call("empty", {witness_set(expr, false)}));
         case ExprKind::exists_unique:
-            return b::binary(Op::equal, b::call("card", {witnesses(expr, false)}), b::number(1));
+            return b::binary(Op::equal, b::call("card", {witness_set(expr, false)}), b::number(1));
         case ExprKind::lambda:
-            return lambda(expr);
+            return translate_lambda(expr);
         case ExprKind::the:
-            return b::call("theOnly__", {comprehension(expr)});
+            return b::call("theOnly__", {translate_comprehension(expr)});
         case ExprKind::set_comprehension:
-            return comprehension(expr);
+            return translate_comprehension(expr);
     }
-    return refused("this kind of expression", expr);
+    return report_unsupported("this kind of expression", expr);
 }
 
 std::string function_name(const ir::Function& function) {
-    return function.package.empty() ? function.name : flatten(function.package) + "_" + function.name;
+    return function.package.empty() ? function.name : flatten_name(function.package) + "_" + function.name;
 }
 
-ExprPtr expression(const Project& project, const Scope& scope, const ir::Expr& expr) {
+ExprPtr translate_expression(const Project& project, const Scope& scope, const ir::Expr& expr) {
     const ExprPtr result = Translator(project, scope).translate(expr);
-    return scope.placed ? placed(result, expr.span) : result;
+    return scope.placed ? with_place(result, expr.span) : result;
 }
 
 ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr& expr, ir::TypeId wanted) {
     const ExprPtr result = Translator(project, scope).as_type(expr, wanted);
-    return scope.placed ? placed(result, expr.span) : result;
+    return scope.placed ? with_place(result, expr.span) : result;
 }
 
 ExprPtr received_as(const Project& project, const ExprPtr& value, ir::TypeId event, ir::TypeId variable,
                     diagnostics::Span reception) {
     const Scope nothing;
     const Translator translator(project, nothing);
-    if (translator.narrows(event, variable)) project.refuse("receiving a real into a whole number", reception);
-    return translator.converted(value, event, variable);
+    if (translator.narrows_numbers(event, variable))
+        project.report_unsupported("receiving a real into a whole number", reception);
+    return translator.convert_value(value, event, variable);
 }
 
-std::vector<ExprPtr> preconditions(const Project& project, const Scope& scope, const ir::Expr& expr) {
+std::vector<ExprPtr> translate_preconditions(const Project& project, const Scope& scope, const ir::Expr& expr) {
     std::vector<ExprPtr> result = Translator(project, scope).preconditions(expr);
     if (scope.placed)
-        for (ExprPtr& condition : result) condition = placed(condition, expr.span);
+        for (ExprPtr& condition : result) condition = with_place(condition, expr.span);
     return result;
 }
 
-ExprPtr component(const Project& project, ir::TypeId type, const ExprPtr& whole, const std::vector<ExprPtr>& path,
-                  const ExprPtr& value) {
-    return Translator(project, {}).replaced(type, whole, path, 0, value);
+ExprPtr replace_component(const Project& project, ir::TypeId type, const ExprPtr& whole,
+                          const std::vector<ExprPtr>& path, const ExprPtr& value) {
+    return Translator(project, {}).replace_part(type, whole, path, 0, value);
 }
 
-void walk(const ir::Expr& expr, const std::function<void(const ir::Expr&)>& visit) {
+void walk_parts(const ir::Expr& expr, const std::function<void(const ir::Expr&)>& visit) {
     visit(expr);
     for (const auto& part : expr.args)
-        if (part) walk(*part, visit);
+        if (part) walk_parts(*part, visit);
 }
 
-bool mentions(const ir::Expr& expr, const std::function<bool(const ir::Expr&)>& predicate) {
+bool has_part(const ir::Expr& expr, const std::function<bool(const ir::Expr&)>& predicate) {
     bool found = false;
-    walk(expr, [&](const ir::Expr& part) { found = found || predicate(part); });
+    walk_parts(expr, [&](const ir::Expr& part) { found = found || predicate(part); });
     return found;
 }
 

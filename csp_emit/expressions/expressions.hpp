@@ -22,7 +22,7 @@ struct Scope {
 };
 
 /// Translates the expression; constructs that CSP cannot express are reported by name (RC-C01).
-[[nodiscard]] cspm::ExprPtr expression(const Project&, const Scope&, const ir::Expr&);
+[[nodiscard]] cspm::ExprPtr translate_expression(const Project&, const Scope&, const ir::Expr&);
 /// The expression converted to another numeric type: integers become reals in units of 1/scale.
 [[nodiscard]] cspm::ExprPtr expression_as(const Project&, const Scope&, const ir::Expr&, ir::TypeId wanted);
 /// The value of an event, converted to the type of the variable that receives it. If the scale is not 1, a variable of
@@ -30,17 +30,17 @@ struct Scope {
 [[nodiscard]] cspm::ExprPtr received_as(const Project&, const cspm::ExprPtr& value, ir::TypeId event,
                                         ir::TypeId variable, diagnostics::Span reception);
 /// Preconditions of all functions that the expression calls, for `pre &` (semantics 3.5); empty if there are none.
-[[nodiscard]] std::vector<cspm::ExprPtr> preconditions(const Project&, const Scope&, const ir::Expr&);
+[[nodiscard]] std::vector<cspm::ExprPtr> translate_preconditions(const Project&, const Scope&, const ir::Expr&);
 /// Returns the value `whole` with `value` in place of one part. `path` leads to the part. Its elements are positions of
 /// fields (numbers from 0) and of tuple parts, the index of a sequence or vector, and two indices of a matrix.
-[[nodiscard]] cspm::ExprPtr component(const Project&, ir::TypeId type, const cspm::ExprPtr& whole,
-                                      const std::vector<cspm::ExprPtr>& path, const cspm::ExprPtr& value);
+[[nodiscard]] cspm::ExprPtr replace_component(const Project&, ir::TypeId type, const cspm::ExprPtr& whole,
+                                              const std::vector<cspm::ExprPtr>& path, const cspm::ExprPtr& value);
 /// CSPM name of a function of the model: `f`, or `P_f` in a package; its precondition is `pre_` followed by that name.
 [[nodiscard]] std::string function_name(const ir::Function&);
 
 /// Calls `visit` on the expression and all its parts, outermost first.
-void walk(const ir::Expr&, const std::function<void(const ir::Expr&)>& visit);
+void walk_parts(const ir::Expr&, const std::function<void(const ir::Expr&)>& visit);
 /// Whether some part of the expression satisfies the predicate.
-[[nodiscard]] bool mentions(const ir::Expr&, const std::function<bool(const ir::Expr&)>& predicate);
+[[nodiscard]] bool has_part(const ir::Expr&, const std::function<bool(const ir::Expr&)>& predicate);
 
 }  // namespace robochart::csp_emit

@@ -16,14 +16,14 @@ using ir::NodeKind;
 
 std::vector<std::string> parameters_with(const MachineTables& tables, const std::vector<std::string>& constants) {
     std::vector<std::string> result{"id__"};
-    for (const CellId cell : tables.frames.root().variables)
+    for (const CellId cell : tables.frames.root_frame().variables)
         if (tables.cells[cell].parameter) result.push_back(tables.cells[cell].name);
     result.insert(result.end(), constants.begin(), constants.end());
     return result;
 }
 
 /// The states and final states. Each has an event `entered`.
-std::vector<ir::NodeId> ModuleDeclarations::states() const {
+std::vector<ir::NodeId> ModuleDeclarations::entered_states() const {
     std::vector<ir::NodeId> result;
     for (std::uint32_t i = 0; i < tables_.machine().nodes.size(); ++i)
         if (tables_.machine().nodes[i].kind == NodeKind::state || tables_.machine().nodes[i].kind == NodeKind::final)
@@ -31,7 +31,7 @@ std::vector<ir::NodeId> ModuleDeclarations::states() const {
     return result;
 }
 
-DeclPtr ModuleDeclarations::module(const std::vector<DeclPtr>& points, const ExprPtr& initial) {
+DeclPtr ModuleDeclarations::make_module(const std::vector<DeclPtr>& points, const ExprPtr& initial) {
     std::vector<DeclPtr> decls;
     declare_channels(decls);
     declare_mentioned(decls);
@@ -51,15 +51,16 @@ DeclPtr ModuleDeclarations::module(const std::vector<DeclPtr>& points, const Exp
 
 void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
     if (tables_.machine().kind == ir::MachineKind::state_machine) decls.push_back(b::channel({"terminate"}));
-    tables_.mean("terminate",
-                 {MeaningKind::terminate, tables_.machine().name + " terminates", {}, tables_.machine().origin});
+    tables_.record_meaning(
+        "terminate", {MeaningKind::terminate, tables_.machine().name + " terminates", {}, tables_.machine().origin});
     ChannelDeclarations channels(tables_.project(), tables_.context.path, tables_.provenance, decls);
-    for (const ir::Event& event : tables_.machine().events) channels.event(event);
+    for (const ir::Event& event : tables_.machine().events) channels.declare_event(event);
     for (std::size_t i = 0; i < tables_.machine().variables.size(); ++i) {
-        const Cell& cell = tables_.cells[tables_.frames.root().variables[i]];
-        if (cell.shared) channels.variable(cell.channel, cell.type, true, tables_.machine().variables[i].origin);
+        const Cell& cell = tables_.cells[tables_.frames.root_frame().variables[i]];
+        if (cell.shared)
+            channels.declare_variable(cell.channel, cell.type, true, tables_.machine().variables[i].origin);
     }
-    tables_.events.declare(decls);
+    tables_.events.declare_channels(decls);
     for (DeclPtr& channel : memory_channels(remembered_)) decls.push_back(std::move(channel));
 }
 
@@ -67,10 +68,10 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
 void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
     for (std::size_t i = 0; i < tables_.machine().variables.size(); ++i) {
         const ir::Variable& variable = tables_.machine().variables[i];
-        const bool shared = tables_.cells[tables_.frames.root().variables[i]].shared;
+        const bool shared = tables_.cells[tables_.frames.root_frame().variables[i]].shared;
         for (const char* prefix : {"get_", "set_", "set_EXT_", "setL_", "setR_"}) {
             const bool declared = shared && (std::string(prefix) == "set_" || std::string(prefix) == "set_EXT_");
-            if (declared || !tables_.project().mentions(prefix + variable.name)) continue;
+            if (declared || !tables_.project().blocks_mention(prefix + variable.name)) continue;
             decls.push_back(b::channel({prefix + variable.name}, type_set(tables_.project(), variable.type)));
         }
     }
@@ -81,26 +82,26 @@ void ModuleDeclarations::declare_clocks(std::vector<DeclPtr>& decls) {
     if (!tables_.timed()) return;
     std::vector<cspm::Constructor> constructors;
     b::Exprs local;
-    const Frame& root = tables_.frames.root();
+    const Frame& root = tables_.frames.root_frame();
     for (std::uint32_t i = 0; i < tables_.machine().clocks.size(); ++i) {
         const ir::Clock& clock = tables_.machine().clocks[i];
-        const std::string name = "CLID_" + flatten(clock.name);
+        const std::string name = "CLID_" + flatten_name(clock.name);
         const std::string reading = "get_" + name;
-        if (const std::string* reset = tables_.frames.announced(0, {i})) {
+        if (const std::string* reset = tables_.frames.reset_constructor(0, {i})) {
             constructors.push_back(b::constructor(*reset));
             const ExprPtr event = b::dot({b::name("clockReset"), b::name(*reset)});
-            tables_.mean("clockReset." + tables_.context.path + "::" + *reset,
-                         {MeaningKind::step, "reset of " + clock.name, {}, clock.origin});
+            tables_.record_meaning("clockReset." + tables_.context.path + "::" + *reset,
+                                   {MeaningKind::step, "reset of " + clock.name, {}, clock.origin});
             (is_callers(tables_.machine(), clock) ? clock_events_ : local).push_back(event);
         }
         const bool read = root.clocks[i] && !tables_.cells[*root.clocks[i]].reading.empty();
         if (read) {
             clock_events_.push_back(b::name(reading));
-            tables_.mean(reading, {MeaningKind::step, "since(" + clock.name + ") is read", {}, clock.origin});
+            tables_.record_meaning(reading, {MeaningKind::step, "since(" + clock.name + ") is read", {}, clock.origin});
         }
-        if (read || tables_.project().mentions(reading))
+        if (read || tables_.project().blocks_mention(reading))
             decls.push_back(b::channel({reading}, b::name("core_clock_type")));
-        if (!tables_.project().mentions(name + "_clock_type")) continue;
+        if (!tables_.project().blocks_mention(name + "_clock_type")) continue;
         std::vector<std::string> parameters = tables_.calls.constants_inside();
         parameters.insert(parameters.begin(), "id__");
         const ExprPtr limit = root.clocks[i] ? tables_.cells[*root.clocks[i]].limit : b::number(1);
@@ -118,7 +119,7 @@ void ModuleDeclarations::declare_calls(std::vector<DeclPtr>& decls) {
     ChannelDeclarations channels(tables_.project(), tables_.context.path, tables_.provenance, decls);
     for (const ir::OperationSignature& operation : tables_.machine().operations) {
         if (tables_.context.definitions.count(operation.name) != 0) continue;
-        channels.call(operation);
+        channels.declare_call(operation);
         calls_.push_back(operation.name);
     }
 }
@@ -133,7 +134,7 @@ DeclPtr ModuleDeclarations::state_module(ir::NodeId id) {
     const ir::Node& node = tables_.machine().nodes[id.index];
     if (node.kind != NodeKind::state && node.kind != NodeKind::final) return nullptr;
     std::vector<DeclPtr> decls{b::channel({"entered"})};
-    tables_.mean(node.path + "::entered", {MeaningKind::entered, "entered " + node.path, {}, node.origin});
+    tables_.record_meaning(node.path + "::entered", {MeaningKind::entered, "entered " + node.path, {}, node.origin});
     for (const ir::NodeId child : node.children)
         if (DeclPtr inner = state_module(child)) decls.push_back(inner);
     return b::module_(node.name, {}, {}, decls);
@@ -143,7 +144,7 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
     b::Exprs visible;
     b::Exprs entered;
     if (tables_.machine().kind == ir::MachineKind::state_machine) visible.push_back(b::name("terminate"));
-    for (const CellId cell : tables_.frames.root().variables) {
+    for (const CellId cell : tables_.frames.root_frame().variables) {
         if (!tables_.cells[cell].shared) continue;
         visible.push_back(b::name("set_EXT_" + tables_.cells[cell].channel));
         visible.push_back(b::name("set_" + tables_.cells[cell].channel));
@@ -151,14 +152,14 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
     for (const ir::Event& event : tables_.machine().events) visible.push_back(b::name(event.name));
     for (const std::string& call : calls_) visible.push_back(b::name(call + "Call"));
     visible.insert(visible.end(), clock_events_.begin(), clock_events_.end());
-    for (const ir::NodeId state : states())
+    for (const ir::NodeId state : entered_states())
         entered.push_back(b::name(tables_.machine().nodes[state.index].path + "::entered"));
     for (const ExprPtr& channel : visible)
         if (channel->kind == cspm::ExprKind::name) visible_.push_back(channel->text);
     decls.push_back(b::value("sem__events", b::productions(visible)));
     decls.push_back(b::value("shared_variable_events", b::productions(external_write_events(tables_))));
     decls.push_back(b::value("enteredSS", b::productions(entered)));
-    decls.push_back(b::value("internal_events", b::productions(tables_.events.channels())));
+    decls.push_back(b::value("internal_events", b::productions(tables_.events.declared_channels())));
 }
 
 /// Declares D__, O__, VS__, VS_O__, FVS__, HEXT__ and HUP__ (semantics 3.12).
@@ -174,14 +175,14 @@ void ModuleDeclarations::declare_variants(std::vector<DeclPtr>& decls, const Exp
     const ExprPtr inside = local_resets_ ? b::call("union", {within, b::name("localClockResets")}) : within;
     decls.push_back(b::function_decl("STM__", b::variables(parameters_with(tables_, tables_.calls.constants_inside())),
                                      with_memories(initial, remembered_, tables_.timed())));
-    if (tables_.project().mentions("FVS_C__"))
+    if (tables_.project().blocks_mention("FVS_C__"))
         define("FVS_C__", maximal_progress(tables_.project(), b::hide(of("STM__"), within)));
     define("FVS__", maximal_progress(tables_.project(), b::hide(of("STM__"), inside)));
     define("D__",
            maximal_progress(tables_.project(), b::hide(of("STM__"), b::call("union", {inside, b::name("enteredSS")}))));
-    define("O__", compressed(tables_.project(), of("D__"), !remembered_.empty()));
+    define("O__", compress_process(tables_.project(), of("D__"), !remembered_.empty()));
     define("VS__", of("FVS__"));
-    define("VS_O__", compressed(tables_.project(), of("VS__"), !remembered_.empty()));
+    define("VS_O__", compress_process(tables_.project(), of("VS__"), !remembered_.empty()));
     define("HEXT__", b::parallel(of("O__"), b::name("shared_variable_events"), b::skip()));
     define("HUP__", of("O__"));
 }

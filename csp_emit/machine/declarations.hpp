@@ -23,9 +23,9 @@ public:
         : tables_(tables), remembered_(remembered) {}
 
     /// Returns the module with the definitions of the points. `initial` is the machine's process.
-    [[nodiscard]] cspm::DeclPtr module(const std::vector<cspm::DeclPtr>& points, const cspm::ExprPtr& initial);
-    /// Channels of `sem__events`; valid after `module`.
-    [[nodiscard]] const std::vector<std::string>& visible() const { return visible_; }
+    [[nodiscard]] cspm::DeclPtr make_module(const std::vector<cspm::DeclPtr>& points, const cspm::ExprPtr& initial);
+    /// Channels of `sem__events`; valid after the module has been made.
+    [[nodiscard]] const std::vector<std::string>& visible_channels() const { return visible_; }
 
 private:
     void declare_channels(std::vector<cspm::DeclPtr>& decls);
@@ -36,7 +36,7 @@ private:
     void declare_sets(std::vector<cspm::DeclPtr>& decls);
     void declare_variants(std::vector<cspm::DeclPtr>& decls, const cspm::ExprPtr& initial) const;
     cspm::DeclPtr state_module(ir::NodeId);
-    std::vector<ir::NodeId> states() const;
+    std::vector<ir::NodeId> entered_states() const;
 
     MachineTables& tables_;
     const std::vector<Remembered>& remembered_;

@@ -18,7 +18,7 @@ std::string key_of(const MachineContext& context) {
 
 /// Replaces the old path in a name by the new one, at the beginning of the name and after the channel of an event
 /// (emit.hpp: Provenance).
-std::string moved(const std::string& name, const std::string& from, const std::string& to) {
+std::string replace_path(const std::string& name, const std::string& from, const std::string& to) {
     const std::string before = from + "::";
     std::string result;
     for (std::size_t at = 0; at < name.size();) {
@@ -36,10 +36,10 @@ std::string moved(const std::string& name, const std::string& from, const std::s
 template <class Meaning>
 void add_moved(const std::map<std::string, Meaning>& meanings, const std::string& from, const std::string& to,
                std::map<std::string, Meaning>& result) {
-    for (const auto& [name, meaning] : meanings) (result[moved(name, from, to)] = meaning).component = to;
+    for (const auto& [name, meaning] : meanings) (result[replace_path(name, from, to)] = meaning).component = to;
 }
 
-cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {
+cspm::DeclPtr rename_module(const cspm::DeclPtr& module, const std::string& name) {
     if (module->names.front() == name) return module;
     auto result = std::make_shared<cspm::Decl>(*module);
     result->names.front() = name;
@@ -50,7 +50,7 @@ cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {
 
 ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
     // a copy that an assertion watches is unique
-    if (context.copied()) return machine_module(std::move(context), emitted);
+    if (context.is_copy()) return machine_module(std::move(context), emitted);
     const std::string path = context.path;
     const std::string name = context.name;
     const auto [found, added] = emitted.machines.try_emplace(key_of(context));
@@ -64,7 +64,7 @@ ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
     add_moved(known.provenance.events, known.path, path, emitted.provenance.events);
     add_moved(known.provenance.definitions, known.path, path, emitted.provenance.definitions);
     ComponentEmission result = known.emission;
-    result.module = renamed(result.module, name);
+    result.module = rename_module(result.module, name);
     return emitted.components[path] = result;
 }
 

@@ -2,7 +2,7 @@
 // One machine as one sequential process: mutually recursive functions, one for each reachable configuration, whose
 // parameters are the machine's constants, variables, clocks and counters (semantics 3.3 to 3.8, 3.10, 3.11).
 //
-// Who owns what. MachineTables (tables/machine_tables.hpp) holds all data about the machine during the emission, in one
+// Ownership: MachineTables (tables/machine_tables.hpp) holds all data about the machine during the emission, in one
 // class for each kind of data. Each class depends only on those before it: CallGraph has the operations reached by
 // calls and the constants, ParameterTable the cells, DefaultValues and ClockLimits small definitions, ActivationRecords
 // the cell of every variable, clock and counter of the machine and of each called operation, HiddenEvents the numbers

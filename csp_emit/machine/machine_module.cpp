@@ -39,10 +39,10 @@ std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) 
     std::vector<std::vector<std::string>> result;
     for (const Point& point : tables.points.all()) {
         std::vector<std::string>& read = result.emplace_back();
-        for (const RunningMachine& running : view(point.config).machines) {
+        for (const RunningMachine& running : view_of(point.config).machines) {
             const Frame& frame = tables.frames[running.activation->frame];
             const ir::NodeId at = running.activation->at;
-            if (at.valid() && frame.machine->nodes[at.index].kind == ir::NodeKind::probabilistic)
+            if (at.is_valid() && frame.machine->nodes[at.index].kind == ir::NodeKind::probabilistic)
                 add_weights(frame, at, tables.cells, read);
         }
     }
@@ -59,10 +59,10 @@ Candidates parameter_candidates(const MachineTables& tables) {
             result.ticking[cell.name] = b::call("clock_step", {b::name(cell.name), cell.limit});
     }
     if (tables.project().options.whole_states) {
-        for (const CellId cell : tables.frames.root().variables) result.kept.push_back(tables.cells[cell].name);
+        for (const CellId cell : tables.frames.root_frame().variables) result.kept.push_back(tables.cells[cell].name);
         result.read = weights_read(tables);
     }
-    tables.sharing.describe(result);
+    tables.sharing.describe_stack(result);
     return result;
 }
 
@@ -75,12 +75,12 @@ std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
         if (cell.kind == CellKind::clock)  // a clock at its limit no longer changes; a limit that depends on constants
                                            // may be unknown here
             result[cell.name] = cell.limit->kind == cspm::ExprKind::integer ? cell.limit : b::number(0);
-        else if (cell.kind == CellKind::variable && cell.type.valid())
-            result[cell.name] = tables.defaults.of(cell.type);
+        else if (cell.kind == CellKind::variable && cell.type.is_valid())
+            result[cell.name] = tables.defaults.value_of(cell.type);
         else
             result[cell.name] = b::number(0);
     }
-    if (const auto& watch = tables.watch.cell()) result[tables.cells[*watch].name] = b::boolean(false);
+    if (const auto& watch = tables.watch.reset_cell()) result[tables.cells[*watch].name] = b::boolean(false);
     return result;
 }
 
@@ -102,10 +102,10 @@ Parameters parameters_of(const std::vector<Function>& functions) {
 
 /// The definitions of the points and of what they use: memories, return points, sets of events. `needed` lists for each
 /// function what it reads or passes on, as a parameter or through a memory.
-std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Function>& functions,
-                                       const std::vector<Remembered>& remembered, const Parameters& needed) {
+std::vector<cspm::DeclPtr> make_definitions(MachineTables& tables, std::vector<Function>& functions,
+                                            const std::vector<Remembered>& remembered, const Parameters& needed) {
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered, tables.timed());
-    tables.sharing.declare(result);
+    tables.sharing.declare_functions(result);
     std::vector<NamedSet> sets{{"shared_variable_events", b::productions(external_write_events(tables))}};
     gather_alike_branches(functions, tables.context.names, sets);
     for (std::size_t i = 1; i < sets.size(); ++i)
@@ -114,7 +114,7 @@ std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Functi
     for (std::size_t i = 0; i < functions.size(); ++i) {
         const Point& point = tables.points.all()[i];
         const Function& function = functions[i];
-        DefinitionMeaning meaning = meanings.of(point, function);
+        DefinitionMeaning meaning = meanings.meaning_of(point, function);
         for (const Remembered& variable : remembered)
             if (std::ranges::find(needed[i], variable.parameter) != needed[i].end())
                 meaning.remembered.push_back(variable.meaning);
@@ -142,29 +142,29 @@ std::vector<ArgumentParameter> arguments_of(const ir::Machine& machine) {
 ComponentEmission machine_module(MachineContext context, Emitted& emitted) {
     MachineTables tables(std::move(context), emitted.provenance);
     Processes processes(tables);
-    ExprPtr initial = processes.initial();
-    std::vector<Function> functions = processes.all();
+    ExprPtr initial = processes.initial_process();
+    std::vector<Function> functions = processes.make_functions();
     check_initial(find_parameters(functions, initial, tables.family_calls, parameter_candidates(tables)),
                   parameters_with(tables, tables.calls.constants_inside()));
     inline_continuations(functions, tables.points.all().size());
     const std::vector<Remembered> remembered = choose_memories(tables, functions);
     const Parameters needed = parameters_of(functions);
-    remember(functions, initial, tables.family_calls, remembered);
+    move_to_memories(functions, initial, tables.family_calls, remembered);
     fill_unneeded(functions, tables.family_calls, placeholder_values(tables));
-    const std::vector<cspm::DeclPtr> points = definitions(tables, functions, remembered, needed);
+    const std::vector<cspm::DeclPtr> points = make_definitions(tables, functions, remembered, needed);
     std::vector<cspm::DeclPtr> all = tables.defaults.declarations();
     all.insert(all.end(), tables.limits.declarations().begin(), tables.limits.declarations().end());
     all.insert(all.end(), points.begin(), points.end());
 
     ModuleDeclarations declarations(tables, remembered);
     ComponentEmission result;
-    result.module = declarations.module(all, initial);
+    result.module = declarations.make_module(all, initial);
     result.constants = tables.calls.constants();
     result.arguments = arguments_of(tables.machine());
-    result.visible = declarations.visible();
+    result.visible = declarations.visible_channels();
     result.machine = &tables.machine();
     result.definitions = tables.context.definitions;
-    result.reads_of_watched = tables.watch.reads();
+    result.reads_of_watched = tables.watch.read_count();
     result.large = !remembered.empty();
     return emitted.components[tables.context.path] = result;
 }

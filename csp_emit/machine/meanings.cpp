@@ -31,20 +31,20 @@ ParameterKind kind_of(CellKind kind) {
 
 }  // namespace
 
-DefinitionMeaning DefinitionMeanings::of(const Point& point, const Function& function) {
+DefinitionMeaning DefinitionMeanings::meaning_of(const Point& point, const Function& function) {
     DefinitionMeaning meaning;
-    meaning.text = describe(point.config);
+    meaning.text = describe_activation(point.config);
     meaning.component = tables_.context.path;
-    meaning.machine = qualified(tables_.machine().package, tables_.machine().path);
+    meaning.machine = qualified_name(tables_.machine().package, tables_.machine().path);
     add_parameters(function, meaning);
-    const View now = view(point.config);
+    const View now = view_of(point.config);
     meaning.active = active_states(now);
-    meaning.offers = offers(now);
-    const Activation& inner = innermost(point.config);
+    meaning.offers = offers_of(now);
+    const Activation& inner = innermost_activation(point.config);
     const Item* item = running_item(point.config);
     if (item != nullptr && item->stmt != nullptr)
         meaning.origin = item->stmt->origin;
-    else if (inner.at.valid())
+    else if (inner.at.is_valid())
         meaning.origin = tables_.frames[inner.frame].machine->nodes[inner.at.index].origin;
     return meaning;
 }
@@ -52,12 +52,12 @@ DefinitionMeaning DefinitionMeanings::of(const Point& point, const Function& fun
 void DefinitionMeanings::add_parameters(const Function& function, DefinitionMeaning& meaning) const {
     const std::vector<ConstantParameter>& constants = tables_.calls.constants();
     for (const std::string& parameter : function.parameters) {
-        const std::optional<CellId> id = tables_.cells.named(parameter);
+        const std::optional<CellId> id = tables_.cells.find_cell(parameter);
         const Cell* cell = id ? &tables_.cells[*id] : nullptr;
         const auto constant =
             std::ranges::find_if(constants, [&](const ConstantParameter& c) { return c.inside == parameter; });
         const bool known = cell == nullptr && constant != constants.end();
-        const bool watching = id && tables_.watch.cell() == id;
+        const bool watching = id && tables_.watch.reset_cell() == id;
         meaning.parameters.push_back(cell != nullptr ? cell->meaning : known ? constant->constant : "");
         meaning.types.push_back(cell != nullptr ? cell->type : known ? constant->type : ir::TypeId{});
         meaning.deadlines.push_back(cell != nullptr ? cell->deadline : ir::Origin{});
@@ -76,15 +76,15 @@ std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const
         const Activation& activation = *running.activation;
         const auto& nodes = tables_.frames[activation.frame].machine->nodes;
         std::vector<ir::NodeId> active = activation.entered;
-        for (ir::NodeId at = activation.at; at.valid(); at = nodes[at.index].parent) active.push_back(at);
+        for (ir::NodeId at = activation.at; at.is_valid(); at = nodes[at.index].parent) active.push_back(at);
         std::vector<ir::NodeId> around;
         for (const ir::NodeId node : active)
-            for (ir::NodeId at = node; at.valid(); at = nodes[at.index].parent)
+            for (ir::NodeId at = node; at.is_valid(); at = nodes[at.index].parent)
                 if (nodes[at.index].kind == ir::NodeKind::state || nodes[at.index].kind == ir::NodeKind::final)
                     around.push_back(at);
         const auto depth = [&](ir::NodeId node) {
             std::size_t levels = 0;
-            for (ir::NodeId at = node; at.valid(); at = nodes[at.index].parent) ++levels;
+            for (ir::NodeId at = node; at.is_valid(); at = nodes[at.index].parent) ++levels;
             return levels;
         };
         std::ranges::sort(around, [&](ir::NodeId one, ir::NodeId other) {
@@ -96,19 +96,20 @@ std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const
     return result;
 }
 
-std::vector<DefinitionMeanings::Offer> DefinitionMeanings::offers(const View& now) {
+std::vector<DefinitionMeanings::Offer> DefinitionMeanings::offers_of(const View& now) {
     std::vector<Offer> result;
     const auto add = [&](Offer one) {
         if (one) result.push_back(std::move(one));
     };
     for (const RunningMachine& running : now.machines)
-        for (const ir::TransitionId id : candidates(tables_, *running.activation)) add(offer(running, id));
-    for (const RunningThread& running : now.threads) add(offer(running));
+        for (const ir::TransitionId id : outgoing_transitions(tables_, *running.activation))
+            add(make_offer(running, id));
+    for (const RunningThread& running : now.threads) add(make_offer(running));
     return result;
 }
 
 /// The input of a transition with a trigger.
-DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& running, ir::TransitionId id) {
+DefinitionMeanings::Offer DefinitionMeanings::make_offer(const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t frame = running.activation->frame;
     const ir::Machine& owner = *tables_.frames[frame].machine;
     const ir::Transition& transition = owner.transitions[id.index];
@@ -122,7 +123,7 @@ DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& runnin
 }
 
 /// The event of a statement: a communication, a call that leaves the machine, a write.
-DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningThread& running) {
+DefinitionMeanings::Offer DefinitionMeanings::make_offer(const RunningThread& running) {
     const Item& item = running.head();
     const Frame& frame = tables_.frames[running.frame()];
     if (item.stmt == nullptr) return nullptr;
@@ -144,20 +145,20 @@ DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningThread& running
     return known;
 }
 
-std::string DefinitionMeanings::describe(const Activation& config) const {
-    const std::uint32_t frame = innermost(config).frame;
+std::string DefinitionMeanings::describe_activation(const Activation& config) const {
+    const std::uint32_t frame = innermost_activation(config).frame;
     std::string result;
     if (frame != 0) result = "operation " + tables_.frames[frame].machine->name + ": ";
-    const Activation& inner = innermost(config);
+    const Activation& inner = innermost_activation(config);
     if (const Item* item = running_item(config)) {
         result += item->label;
         if (item->kind == ItemKind::waiting) result += ", waiting";
         if (item->kind == ItemKind::stuck) result += ", blocked";
         const bool statement = item->kind == ItemKind::statement || item->kind == ItemKind::frozen;
         const std::string text =
-            statement && item->stmt != nullptr ? tables_.project().text(item->stmt->origin.span) : "";
+            statement && item->stmt != nullptr ? tables_.project().model_text(item->stmt->origin.span) : "";
         if (!text.empty()) result += ", at " + text;
-    } else if (inner.at.valid()) {
+    } else if (inner.at.is_valid()) {
         const ir::Node& node = tables_.frames[inner.frame].machine->nodes[inner.at.index];
         const char* kinds[] = {"in ", "at initial node ", "at junction ", "at probabilistic junction ",
                                "at final state "};

@@ -18,16 +18,16 @@ class DefinitionMeanings {
 public:
     explicit DefinitionMeanings(const MachineTables& tables) : tables_(tables) {}
 
-    [[nodiscard]] DefinitionMeaning of(const Point&, const Function&);
+    [[nodiscard]] DefinitionMeaning meaning_of(const Point&, const Function&);
 
 private:
     using Offer = std::shared_ptr<const OfferMeaning>;
-    std::string describe(const Activation& config) const;
+    std::string describe_activation(const Activation& config) const;
     void add_parameters(const Function&, DefinitionMeaning&) const;
     std::vector<ir::Origin> active_states(const View& now) const;
-    std::vector<Offer> offers(const View& now);
-    Offer offer(const RunningMachine&, ir::TransitionId);
-    Offer offer(const RunningThread&);
+    std::vector<Offer> offers_of(const View& now);
+    Offer make_offer(const RunningMachine&, ir::TransitionId);
+    Offer make_offer(const RunningThread&);
 
     const MachineTables& tables_;
     std::map<std::pair<std::uint32_t, std::string>, Offer> offers_;  ///< by frame

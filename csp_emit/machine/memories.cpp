@@ -24,10 +24,10 @@ double values_of(const MachineTables& tables, const Cell& cell) {
     if (cell.kind == CellKind::clock && cell.limit && cell.limit->kind == cspm::ExprKind::integer)
         return static_cast<double>(cell.limit->number) + 1;
     if (cell.kind != CellKind::variable) return cell.kind == CellKind::frozen ? unknown : bound;
-    if (!cell.type.valid()) return unknown;
+    if (!cell.type.is_valid()) return unknown;
     if (project.system.type(cell.type).kind == ir::TypeKind::given && project.instantiations_replaced()) return many;
     try {
-        return static_cast<double>(ir::carrier(project.system, project.instantiation, cell.type, many).size());
+        return static_cast<double>(ir::carrier_values(project.system, project.instantiation, cell.type, many).size());
     } catch (const std::length_error&) {
         return many;
     }
@@ -35,9 +35,9 @@ double values_of(const MachineTables& tables, const Cell& cell) {
 
 /// An upper bound on the number of states of the machine's process if these variables are in memories, computed from
 /// the sizes of the carriers.
-double estimate(const std::vector<Function>& functions, const Evaluations& evaluations,
-                const std::map<std::string, double>& sizes, const std::vector<Remembered>& remembered) {
-    const auto held = evaluations.held(remembered);
+double estimate_states(const std::vector<Function>& functions, const Evaluations& evaluations,
+                       const std::map<std::string, double>& sizes, const std::vector<Remembered>& remembered) {
+    const auto held = evaluations.held_variables(remembered);
     std::set<std::string> outside;
     for (const Remembered& variable : remembered) outside.insert(variable.parameter);
     double sum = 0;
@@ -57,7 +57,7 @@ double estimate(const std::vector<Function>& functions, const Evaluations& evalu
 std::vector<CellId> by_size(const MachineTables& tables) {
     const ParameterTable& cells = tables.cells;
     std::vector<CellId> result;
-    for (const CellId cell : tables.frames.root().variables)
+    for (const CellId cell : tables.frames.root_frame().variables)
         if (!cells[cell].parameter) result.push_back(cell);
     std::ranges::stable_sort(
         result, [&](CellId a, CellId c) { return values_of(tables, cells[a]) > values_of(tables, cells[c]); });
@@ -67,7 +67,7 @@ std::vector<CellId> by_size(const MachineTables& tables) {
 Remembered memory_of(MachineTables& tables, CellId id) {
     const Cell& cell = tables.cells[id];
     const ir::Machine& machine = tables.machine();
-    const auto& variables = tables.frames.root().variables;
+    const auto& variables = tables.frames.root_frame().variables;
     const auto number = static_cast<std::size_t>(std::ranges::find(variables, id) - variables.begin());
     Remembered result;
     result.parameter = cell.name;
@@ -76,10 +76,12 @@ Remembered memory_of(MachineTables& tables, CellId id) {
     if (cell.shared) result.shared = cell.channel;
     result.type = type_set(tables.project(), cell.type);
     result.initial = initial_value(tables, 0, machine.variables.at(number));
-    result.memory = tables.context.names.unique("Memory_" + cell.channel);
-    tables.mean("get_" + cell.channel, {MeaningKind::memory, "read " + cell.meaning, {cell.type}, machine.origin});
-    tables.mean("setL_" + cell.channel, {MeaningKind::memory, "store " + cell.meaning, {cell.type}, machine.origin});
-    tables.mean("end__", {MeaningKind::step, "the memories of " + machine.name + " end", {}, machine.origin});
+    result.memory = tables.context.names.unique_name("Memory_" + cell.channel);
+    tables.record_meaning("get_" + cell.channel,
+                          {MeaningKind::memory, "read " + cell.meaning, {cell.type}, machine.origin});
+    tables.record_meaning("setL_" + cell.channel,
+                          {MeaningKind::memory, "store " + cell.meaning, {cell.type}, machine.origin});
+    tables.record_meaning("end__", {MeaningKind::step, "the memories of " + machine.name + " end", {}, machine.origin});
     DefinitionMeaning meaning{"the memory of " + cell.meaning, {cell.meaning}, {cell.type}, machine.origin};
     meaning.kinds = {ParameterKind::variable};
     meaning.component = tables.context.path;
@@ -105,7 +107,8 @@ std::vector<Remembered> choose_memories(MachineTables& tables, const std::vector
             if (cell.shared) first[i].shared = cell.channel;
         }
         const Options& options = tables.project().options;
-        return options.whole_states || estimate(functions, evaluations, sizes, first) <= options.states_of_a_process;
+        return options.whole_states ||
+               estimate_states(functions, evaluations, sizes, first) <= options.states_of_a_process;
     };
     // The estimate is monotone: another variable in a memory no longer counts, or counts as before in functions that
     // hold it, and the sets of variables held because of it shrink. This allows a binary search.

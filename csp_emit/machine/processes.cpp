@@ -32,20 +32,20 @@ ExprPtr without_body(const MachineTables& tables) {
 /// Initial values; parameters of a standalone operation keep the values that the caller passes.
 Values initial_values(MachineTables& tables) {
     Values result;
-    const Frame& root = tables.frames.root();
+    const Frame& root = tables.frames.root_frame();
     for (std::size_t i = 0; i < root.machine->variables.size(); ++i) {
         const CellId cell = root.variables[i];
-        result[cell] = tables.cells[cell].parameter ? tables.cells.parameter(cell)
+        result[cell] = tables.cells[cell].parameter ? tables.cells.parameter_name(cell)
                                                     : initial_value(tables, 0, root.machine->variables[i]);
     }
     for (const auto& clock : root.clocks)
         if (clock) result[*clock] = b::number(0);
-    if (const auto& watch = tables.watch.cell()) result[*watch] = b::boolean(false);
+    if (const auto& watch = tables.watch.reset_cell()) result[*watch] = b::boolean(false);
     return result;
 }
 
 /// Whether the branch is an input of the event.
-bool takes(const cspm::Expr& branch, const std::string& event) {
+bool is_input_of(const cspm::Expr& branch, const std::string& event) {
     const cspm::Expr& prefix = branch.kind == cspm::ExprKind::guard ? *branch.args[1] : branch;
     if (prefix.kind != cspm::ExprKind::prefix || prefix.args[0]->kind != cspm::ExprKind::dot) return false;
     const auto& parts = prefix.args[0]->args;
@@ -59,18 +59,18 @@ Processes::Processes(MachineTables& tables) : tables_(tables) {
     Cell cell;
     cell.name = "passed__";
     cell.kind = CellKind::frozen;
-    passed_ = tables.cells.add(std::move(cell));
+    passed_ = tables.cells.add_cell(std::move(cell));
 }
 
-ExprPtr Processes::initial() {
+ExprPtr Processes::initial_process() {
     const ir::Machine& machine = tables_.machine();
-    if (machine.kind == ir::MachineKind::operation && !machine.initial.valid()) return without_body(tables_);
+    if (machine.kind == ir::MachineKind::operation && !machine.initial.is_valid()) return without_body(tables_);
     Activation start;
     start.at = machine.initial;
-    return at(start, initial_values(tables_));
+    return process_at(start, initial_values(tables_));
 }
 
-std::vector<Function> Processes::all() {
+std::vector<Function> Processes::make_functions() {
     const std::vector<Point>& points = tables_.points.all();
     const std::vector<Continuation>& continuations = tables_.sharing.continuations();
     std::vector<Function> behind_calls;
@@ -79,76 +79,76 @@ std::vector<Function> Processes::all() {
         if (functions.size() < points.size()) {
             const Point point = points[functions.size()];  // a copy, because others are added while its body is made
             // if there are too many points, no bodies are made
-            const bool wanted = !point.returns && !tables_.points.overflow();
-            functions.push_back({point.name, {}, wanted ? body(point.config) : point.returns ? nullptr : b::stop()});
+            const bool wanted = !point.returns && !tables_.points.has_overflowed();
+            functions.push_back({point.name, {}, wanted ? body_of(point.config) : point.returns ? nullptr : b::stop()});
         } else {
             const Continuation continuation = continuations[behind_calls.size()];
-            behind_calls.push_back({continuation.name, {}, behind(continuation)});
+            behind_calls.push_back({continuation.name, {}, body_after_call(continuation)});
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (points[i].returns) functions[i].body = tables_.sharing.dispatch(points[i].config.frame);
-    tables_.sharing.settle();
+        if (points[i].returns) functions[i].body = tables_.sharing.select_continuation(points[i].config.frame);
+    tables_.sharing.fill_values();
     tables_.sharing.skip_returns(functions, behind_calls);
     functions.insert(functions.end(), behind_calls.begin(), behind_calls.end());
     return functions;
 }
 
 /// Whether the configuration is the end of a shared operation.
-bool Processes::returns(const Activation& config) const {
+bool Processes::returns_to_caller(const Activation& config) const {
     return config.frame != 0 && is_final(tables_, config);
 }
 
 /// The process in this configuration with these values: executes all steps that need no event, then calls the function
 /// of the resulting point.
-ExprPtr Processes::at(const Activation& config, const Values& values) {
-    if (tables_.points.overflow()) return b::stop();  // reported already
-    if (run_ >= max_run) return point(config, values);
-    if (returns(config)) return tables_.sharing.return_from(config.frame, values, after_tock_);
-    const auto next = silent(tables_, config, values, branching_ > 0);
-    if (!next) return point(config, values);
+ExprPtr Processes::process_at(const Activation& config, const Values& values) {
+    if (tables_.points.has_overflowed()) return b::stop();  // reported already
+    if (run_ >= max_run) return call_point(config, values);
+    if (returns_to_caller(config)) return tables_.sharing.return_from(config.frame, values, after_tock_);
+    const auto next = silent_step(tables_, config, values, branching_ > 0);
+    if (!next) return call_point(config, values);
     ++run_;
-    const ExprPtr result = of(*next);
+    const ExprPtr result = to_process(*next);
     --run_;
     return result;
 }
 
-ExprPtr Processes::point(const Activation& config, const Values& values) {
-    const Point* point = tables_.points.at(config);
+ExprPtr Processes::call_point(const Activation& config, const Values& values) {
+    const Point* point = tables_.points.point_of(config);
     if (point == nullptr) return b::stop();  // too many points, reported already
     Values passed = with_monitors(tables_, config, values);
     if (passed_) passed[*passed_] = b::number(passing_ ? 1 : 0);
     tables_.points.count_call(passed.size());
-    return tables_.family_calls.add(point->name, tables_.cells.arguments(passed), after_tock_);
+    return tables_.family_calls.add_call(point->name, tables_.cells.to_arguments(passed), after_tock_);
 }
 
-ExprPtr Processes::of(const Next& next) {
+ExprPtr Processes::to_process(const Next& next) {
     switch (next.kind) {
         case Next::Kind::configuration:
-            return at(next.config, next.values);
+            return process_at(next.config, next.values);
         case Next::Kind::point:
-            return point(next.config, next.values);
+            return call_point(next.config, next.values);
         case Next::Kind::conditional:
         case Next::Kind::branching: {
             const std::size_t more = next.kind == Next::Kind::branching ? 1 : 0;
             branching_ += more;
-            const ExprPtr then = of(next.parts.at(0));
-            const ExprPtr otherwise = of(next.parts.at(1));
+            const ExprPtr then = to_process(next.parts.at(0));
+            const ExprPtr otherwise = to_process(next.parts.at(1));
             branching_ -= more;
             return b::if_(next.expr, then, otherwise);
         }
         case Next::Kind::wait_over: {
-            const ExprPtr otherwise = of(next.parts.at(1));
-            return b::if_(next.expr, of(next.parts.at(0)), otherwise);
+            const ExprPtr otherwise = to_process(next.parts.at(1));
+            return b::if_(next.expr, to_process(next.parts.at(0)), otherwise);
         }
         case Next::Kind::internal: {
             b::Exprs parts;
-            for (const Next& part : next.parts) parts.push_back(of(part));
+            for (const Next& part : next.parts) parts.push_back(to_process(part));
             return b::internal_choice(parts);
         }
         case Next::Kind::interval: {
             cspm::Expr chosen = *b::replicated(cspm::ExprKind::replicated_internal, {b::generator("d__", next.expr)},
-                                               of(next.parts.at(0)));
+                                               to_process(next.parts.at(0)));
             chosen.span = next.span;  // the place where an empty interval is reported
             return std::make_shared<const cspm::Expr>(std::move(chosen));
         }
@@ -158,54 +158,55 @@ ExprPtr Processes::of(const Next& next) {
     return next.expr;
 }
 
-ExprPtr Processes::of(const Branch& branch) {
+ExprPtr Processes::to_process(const Branch& branch) {
     after_tock_ = branch.tock;
-    const ExprPtr next = of(branch.next);
+    const ExprPtr next = to_process(branch.next);
     after_tock_ = false;
     const ExprPtr event =
         branch.fields.empty() ? b::prefix(branch.event, next) : b::prefix(branch.event, branch.fields, next);
     return branch.guard ? b::guard(branch.guard, event) : event;
 }
 
-void Processes::add(const std::vector<Branch>& branches, std::vector<ExprPtr>& out) {
-    for (const Branch& branch : branches) out.push_back(of(branch));
+void Processes::add_branches(const std::vector<Branch>& branches, std::vector<ExprPtr>& out) {
+    for (const Branch& branch : branches) out.push_back(to_process(branch));
 }
 
 /// The external choice of its branches. If the copy observes when an event is offered (MachineContext::offered), the
 /// point first performs an event that says whether the machine is in the state; its parameter records that it has done
 /// so. The other branches follow only then.
-ExprPtr Processes::choice(const Activation& config) {
-    const b::Exprs all = branches(config);
+ExprPtr Processes::choice_of_branches(const Activation& config) {
+    const b::Exprs all = make_branches(config);
     if (!passed_) return b::choice(all);
     const std::optional<ir::NodeId>& state = tables_.context.within;
     const bool inside = state ? is_in(tables_, config, *state) : !is_final(tables_, config);
     const auto with = [&](std::int64_t value) {
-        return b::binary(cspm::ExprKind::equal, tables_.cells.parameter(*passed_), b::number(value));
+        return b::binary(cspm::ExprKind::equal, tables_.cells.parameter_name(*passed_), b::number(value));
     };
     passing_ = true;
-    const ExprPtr again = point(config, {});
+    const ExprPtr again = call_point(config, {});
     passing_ = false;
     b::Exprs result{b::guard(with(0), b::prefix(b::name(inside ? "inside__" : "outside__"), again))};
     b::Exprs others;
-    for (const ExprPtr& branch : all) (takes(*branch, tables_.context.offered) ? result : others).push_back(branch);
+    for (const ExprPtr& branch : all)
+        (is_input_of(*branch, tables_.context.offered) ? result : others).push_back(branch);
     if (!others.empty()) result.push_back(b::guard(with(1), b::choice(others)));
     return b::choice(result);
 }
 
-ExprPtr Processes::body(const Activation& config) {
+ExprPtr Processes::body_of(const Activation& config) {
     run_ = 0;
     branching_ = 0;
-    if (returns(config)) return tables_.sharing.return_from(config.frame, {}, false);
-    if (const auto next = silent(tables_, config, {}, false)) return of(*next);
+    if (returns_to_caller(config)) return tables_.sharing.return_from(config.frame, {}, false);
+    if (const auto next = silent_step(tables_, config, {}, false)) return to_process(*next);
     const bool ends = is_final(tables_, config) && tables_.machine().kind == ir::MachineKind::operation;
-    return tables_.watch.with_reset(ends ? b::skip() : choice(config));
+    return tables_.watch.with_reset(ends ? b::skip() : choice_of_branches(config));
 }
 
 /// The body of the function that continues after a shared call.
-ExprPtr Processes::behind(const Continuation& continuation) {
+ExprPtr Processes::body_after_call(const Continuation& continuation) {
     run_ = 0;
     branching_ = 0;
-    return at(continuation.config, tables_.sharing.behind(continuation));
+    return process_at(continuation.config, tables_.sharing.stack_after_call(continuation));
 }
 
 /// A clock of the caller is read before any guard is evaluated (clocks_needed).
@@ -213,38 +214,41 @@ std::vector<ExprPtr> Processes::reading_branches(const Activation& config, const
     std::vector<ExprPtr> result;
     Activation next = config;
     ++next.clocks_read;
-    result.push_back(of(Branch{
-        nullptr, b::name(tables_.cells[clock].reading), {b::input("in__")}, go(next, {{clock, b::name("in__")}})}));
+    result.push_back(to_process(Branch{nullptr,
+                                       b::name(tables_.cells[clock].reading),
+                                       {b::input("in__")},
+                                       next_configuration(next, {{clock, b::name("in__")}})}));
     for (const RunningThread& running : now.threads)
-        if (const auto branch = head_branch(tables_, running, false)) result.push_back(of(*branch));
-    add(external_writes(tables_, config, now), result);
+        if (const auto branch = head_branch(tables_, running, false)) result.push_back(to_process(*branch));
+    add_branches(external_writes(tables_, config, now), result);
     const bool alone = now.threads.size() == 1;
     if (std::ranges::none_of(now.threads,
                              [&](const RunningThread& running) { return stops_time(tables_, running, alone); }))
-        result.push_back(of(tock(tables_, config, now)));
+        result.push_back(to_process(tock_branch(tables_, config, now)));
     return result;
 }
 
-std::vector<ExprPtr> Processes::branches(const Activation& settled) {
-    const View asking = view(settled);
+std::vector<ExprPtr> Processes::make_branches(const Activation& settled) {
+    const View asking = view_of(settled);
     const std::vector<CellId> clocks = tables_.timed() ? clocks_needed(tables_, asking) : std::vector<CellId>{};
     if (settled.clocks_read < clocks.size()) return reading_branches(settled, asking, clocks[settled.clocks_read]);
     Activation config = settled;
     config.clocks_read = 0;
-    const View now = view(config);
+    const View now = view_of(config);
     std::vector<ExprPtr> result;
     // Visible termination, then ✓ (semantics 3.9).
     if (is_final(tables_, config)) result.push_back(b::prefix(b::name("terminate"), b::skip()));
     for (const RunningMachine& running : now.machines)
-        for (const ir::TransitionId id : candidates(tables_, *running.activation))
-            result.push_back(of(fire(tables_, running, id)));
+        for (const ir::TransitionId id : outgoing_transitions(tables_, *running.activation))
+            result.push_back(to_process(fire_transition(tables_, running, id)));
     for (const RunningMachine& running : now.machines)
-        for (const ir::TransitionId id : candidates(tables_, *running.activation))
+        for (const ir::TransitionId id : outgoing_transitions(tables_, *running.activation))
             if (const ExprPtr unset = tables_.watch.read_unset(running.activation->frame, id)) result.push_back(unset);
     for (const RunningThread& running : now.threads)
-        if (const auto branch = head_branch(tables_, running, now.threads.size() == 1)) result.push_back(of(*branch));
-    add(external_writes(tables_, config, now), result);
-    if (tables_.timed() && !urgent(tables_, now)) result.push_back(of(tock(tables_, config, now)));
+        if (const auto branch = head_branch(tables_, running, now.threads.size() == 1))
+            result.push_back(to_process(*branch));
+    add_branches(external_writes(tables_, config, now), result);
+    if (tables_.timed() && !is_urgent(tables_, now)) result.push_back(to_process(tock_branch(tables_, config, now)));
     return result;
 }
 

@@ -2,9 +2,9 @@
 // Converts configurations to functions: the rules are applied from the initial configuration. Each configuration that
 // waits for an event gets a function, whose body is the external choice of its branches.
 //
-// Steps that need no event are executed at once by changing arguments (`at`); steps that need one are branches
-// (`branches`). A step gets its own hidden event if something else could happen between it and its neighbours: external
-// writes to required variables, other threads, and transitions that may interrupt a during action.
+// A step that needs no event is executed at once by changing arguments. A step that needs an event is a branch. A step
+// gets its own hidden event if something else could happen between it and its neighbours: an external write to a
+// required variable, a step of another thread, or a transition that interrupts a during action.
 #pragma once
 
 #include <optional>
@@ -21,24 +21,24 @@ public:
     explicit Processes(MachineTables&);
 
     /// The machine's process at its start.
-    [[nodiscard]] cspm::ExprPtr initial();
+    [[nodiscard]] cspm::ExprPtr initial_process();
     /// The functions of all points reachable from the initial one, in order, then the functions that continue after
     /// shared calls. The body of one function may add further points and return points. Calls between the functions are
     /// sparse (liveness.hpp).
-    [[nodiscard]] std::vector<Function> all();
+    [[nodiscard]] std::vector<Function> make_functions();
 
 private:
-    cspm::ExprPtr at(const Activation& config, const Values& values);
-    cspm::ExprPtr point(const Activation& config, const Values& values);
-    cspm::ExprPtr of(const Next&);
-    cspm::ExprPtr of(const Branch&);
-    void add(const std::vector<Branch>& branches, std::vector<cspm::ExprPtr>& out);
-    cspm::ExprPtr body(const Activation& config);
-    cspm::ExprPtr behind(const Continuation&);
-    std::vector<cspm::ExprPtr> branches(const Activation& config);
-    cspm::ExprPtr choice(const Activation& config);
+    cspm::ExprPtr process_at(const Activation& config, const Values& values);
+    cspm::ExprPtr call_point(const Activation& config, const Values& values);
+    cspm::ExprPtr to_process(const Next&);
+    cspm::ExprPtr to_process(const Branch&);
+    void add_branches(const std::vector<Branch>& branches, std::vector<cspm::ExprPtr>& out);
+    cspm::ExprPtr body_of(const Activation& config);
+    cspm::ExprPtr body_after_call(const Continuation&);
+    std::vector<cspm::ExprPtr> make_branches(const Activation& config);
+    cspm::ExprPtr choice_of_branches(const Activation& config);
     std::vector<cspm::ExprPtr> reading_branches(const Activation& config, const View& now, CellId clock);
-    bool returns(const Activation& config) const;
+    bool returns_to_caller(const Activation& config) const;
 
     MachineTables& tables_;
     std::size_t run_ = 0;           ///< number of statements executed since the last function began

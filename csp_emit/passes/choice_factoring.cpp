@@ -15,9 +15,9 @@ using cspm::ExprPtr;
 
 namespace {
 
-bool mentions(const Expr& expr, const std::string& name) {
+bool mentions_name(const Expr& expr, const std::string& name) {
     bool found = expr.kind == ExprKind::name && expr.text == name;
-    for_each_part(expr, [&](const Expr& part) { found = found || mentions(part, name); });
+    for_each_part(expr, [&](const Expr& part) { found = found || mentions_name(part, name); });
     return found;
 }
 
@@ -28,43 +28,43 @@ bool only_event_matters(const Expr& branch) {
     const cspm::Field& field = branch.fields.front();
     const bool plain = branch.fields.size() == 1 && field.kind == cspm::FieldKind::input && !field.value &&
                        field.pattern->kind == cspm::PatternKind::name;
-    return plain && !mentions(*branch.args[1], field.pattern->text);
+    return plain && !mentions_name(*branch.args[1], field.pattern->text);
 }
 
-void operands(const ExprPtr& expr, b::Exprs& out) {
+void collect_operands(const ExprPtr& expr, b::Exprs& out) {
     if (expr->kind != ExprKind::external_choice) return out.push_back(expr);
-    for (const ExprPtr& operand : expr->args) operands(operand, out);
+    for (const ExprPtr& operand : expr->args) collect_operands(operand, out);
 }
 
 class Gatherer {
 public:
     Gatherer(NameManager& names, std::vector<NamedSet>& known)
-        : names_(names), known_(known), event_(names.unique("e__")) {}
+        : names_(names), known_(known), event_(names.unique_name("e__")) {}
 
-    ExprPtr rewritten(const ExprPtr& expr) {
+    ExprPtr rewrite(const ExprPtr& expr) {
         if (!expr) return expr;
-        if (expr->kind == ExprKind::external_choice) return choice(expr);
+        if (expr->kind == ExprKind::external_choice) return rewrite_choice(expr);
         if (expr->kind == ExprKind::apply || expr->args.empty()) return expr;
-        return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part); });
+        return with_parts(expr, [&](const ExprPtr& part) { return rewrite(part); });
     }
 
 private:
-    ExprPtr choice(const ExprPtr& expr) {
+    ExprPtr rewrite_choice(const ExprPtr& expr) {
         b::Exprs branches;
-        operands(expr, branches);
+        collect_operands(expr, branches);
         b::Exprs result;
         for (std::size_t i = 0; i < branches.size(); ++i) {
             if (!branches[i]) continue;  // already merged into another branch
             b::Exprs events;
-            if (only_event_matters(*branches[i])) events = alike(branches, i);
-            const ExprPtr single = rewritten(branches[i]);
-            result.push_back(events.size() < 2 ? single : offer(events, single->args[1]));
+            if (only_event_matters(*branches[i])) events = take_alike_branches(branches, i);
+            const ExprPtr single = rewrite(branches[i]);
+            result.push_back(events.size() < 2 ? single : offer_events(events, single->args[1]));
         }
         return b::choice(result);
     }
 
     /// The events of branch `first` and of later branches with the same continuation. Removes the later branches.
-    static b::Exprs alike(b::Exprs& branches, std::size_t first) {
+    static b::Exprs take_alike_branches(b::Exprs& branches, std::size_t first) {
         const ExprPtr& model = branches[first];
         b::Exprs result{model->args[0]};
         for (std::size_t i = first + 1; i < branches.size(); ++i) {
@@ -76,16 +76,16 @@ private:
         return result;
     }
 
-    ExprPtr offer(const b::Exprs& events, const ExprPtr& next) {
-        return b::replicated(ExprKind::replicated_external, {b::generator(event_, set(b::productions(events)))},
+    ExprPtr offer_events(const b::Exprs& events, const ExprPtr& next) {
+        return b::replicated(ExprKind::replicated_external, {b::generator(event_, named_set(b::productions(events)))},
                              b::prefix(b::name(event_), next));
     }
 
-    ExprPtr set(const ExprPtr& events) {
+    ExprPtr named_set(const ExprPtr& events) {
         const auto same =
             std::ranges::find_if(known_, [&](const NamedSet& each) { return cspm::equal(each.events, events); });
         if (same != known_.end()) return b::name(same->name);
-        known_.push_back({names_.unique("alike__"), events});
+        known_.push_back({names_.unique_name("alike__"), events});
         return b::name(known_.back().name);
     }
 
@@ -98,7 +98,7 @@ private:
 
 void gather_alike_branches(std::vector<Function>& functions, NameManager& names, std::vector<NamedSet>& known) {
     Gatherer gatherer(names, known);
-    for (Function& function : functions) function.body = gatherer.rewritten(function.body);
+    for (Function& function : functions) function.body = gatherer.rewrite(function.body);
 }
 
 }  // namespace robochart::csp_emit

@@ -27,8 +27,8 @@ public:
     Family(const std::vector<Function>& functions, const ExprPtr& initial, const FamilyCalls& sparse,
            const Candidates& candidates);
 
-    std::vector<std::string> parameters(std::size_t function) const;
-    ExprPtr dense(const ExprPtr& expr) const;
+    std::vector<std::string> live_parameters(std::size_t function) const;
+    ExprPtr make_dense(const ExprPtr& expr) const;
 
 private:
     struct Call {
@@ -40,19 +40,19 @@ private:
     /// Parameters by function.
     using Live = std::vector<std::set<std::size_t>>;
 
-    void survey(std::size_t caller, const Expr& expr);
+    void survey_expression(std::size_t caller, const Expr& expr);
     void survey_call(std::size_t caller, const Expr& expr, const SparseCall& sparse);
-    std::vector<std::size_t> behind(const Expr& value) const;
-    void names(const Expr& expr, std::set<std::size_t>& result) const;
-    Names names(const Expr& expr) const;
-    const Expr* ticking(std::size_t parameter) const;
-    const Names& passed(const Call& call, std::size_t parameter, Names& kept) const;
-    void mark(Live& live, std::size_t function, const Names& names);
-    void spread();
-    void spread(const Call& call, std::size_t parameter);
-    bool needed(const Call& call, std::size_t parameter) const;
+    std::vector<std::size_t> continuations_after(const Expr& value) const;
+    void names_in(const Expr& expr, std::set<std::size_t>& result) const;
+    Names names_in(const Expr& expr) const;
+    const Expr* ticking_value(std::size_t parameter) const;
+    const Names& passed_names(const Call& call, std::size_t parameter, Names& kept) const;
+    void mark_live(Live& live, std::size_t function, const Names& names);
+    void spread_liveness();
+    void spread_liveness(const Call& call, std::size_t parameter);
+    bool is_needed(const Call& call, std::size_t parameter) const;
     ExprPtr dense_call(const SparseCall& sparse, const Call& call) const;
-    ExprPtr argument(const SparseCall& sparse, const Call& call, std::size_t parameter) const;
+    ExprPtr argument_of(const SparseCall& sparse, const Call& call, std::size_t parameter) const;
 
     const FamilyCalls& sparse_;
     const Candidates& candidates_;
@@ -87,34 +87,34 @@ Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, c
     for (std::size_t i = 0; i < candidates.read.size(); ++i)
         for (const std::string& name : candidates.read[i]) used_[i].push_back(number_.at(name));
     for (const auto& [value, entry] : candidates.entries) returning_.insert(index_.at(entry.behind));
-    for (std::size_t i = 0; i < functions.size(); ++i) survey(i, *functions[i].body);
-    survey(functions.size(), *initial);
+    for (std::size_t i = 0; i < functions.size(); ++i) survey_expression(i, *functions[i].body);
+    survey_expression(functions.size(), *initial);
     live_.resize(used_.size());
     within_.resize(used_.size());
-    spread();
+    spread_liveness();
 }
 
-void Family::names(const Expr& expr, std::set<std::size_t>& result) const {
+void Family::names_in(const Expr& expr, std::set<std::size_t>& result) const {
     if (expr.kind == ExprKind::name)
         if (const auto found = number_.find(expr.text); found != number_.end()) result.insert(found->second);
-    for_each_part(expr, [&](const Expr& part) { names(part, result); });
+    for_each_part(expr, [&](const Expr& part) { names_in(part, result); });
 }
 
-Names Family::names(const Expr& expr) const {
+Names Family::names_in(const Expr& expr) const {
     std::set<std::size_t> result;
-    names(expr, result);
+    names_in(expr, result);
     return {result.begin(), result.end()};
 }
 
-void Family::survey(std::size_t caller, const Expr& expr) {
-    if (const SparseCall* call = sparse_.find(expr)) return survey_call(caller, expr, *call);
+void Family::survey_expression(std::size_t caller, const Expr& expr) {
+    if (const SparseCall* call = sparse_.find_call(expr)) return survey_call(caller, expr, *call);
     if (expr.kind == ExprKind::name)
         if (const auto found = number_.find(expr.text); found != number_.end()) used_[caller].push_back(found->second);
-    for_each_part(expr, [&](const Expr& part) { survey(caller, part); });
+    for_each_part(expr, [&](const Expr& part) { survey_expression(caller, part); });
 }
 
-/// The functions that continue after the calls whose return addresses a value of the stack contains.
-std::vector<std::size_t> Family::behind(const Expr& value) const {
+/// For a value of the stack, the functions that continue after the calls whose return addresses the value contains.
+std::vector<std::size_t> Family::continuations_after(const Expr& value) const {
     std::vector<std::size_t> result;
     for (auto found = candidates_.entries.find(&value); found != candidates_.entries.end();
          found = candidates_.entries.find(found->second.outer.get()))
@@ -128,8 +128,8 @@ void Family::survey_call(std::size_t caller, const Expr& expr, const SparseCall&
     for (const auto& [name, value] : sparse.changed) {
         const auto found = number_.find(name);
         if (found == number_.end()) continue;
-        call.given[found->second] = names(*value);
-        if (found->first == candidates_.returns) call.behind = behind(*value);
+        call.given[found->second] = names_in(*value);
+        if (found->first == candidates_.returns) call.behind = continuations_after(*value);
     }
     call_of_[&expr] = calls_.size();
     calls_to_[call.target].push_back(calls_.size());
@@ -137,57 +137,57 @@ void Family::survey_call(std::size_t caller, const Expr& expr, const SparseCall&
     calls_.push_back(std::move(call));
 }
 
-const Expr* Family::ticking(std::size_t parameter) const {
+const Expr* Family::ticking_value(std::size_t parameter) const {
     const auto found = candidates_.ticking.find(candidates_.names[parameter]);
     return found == candidates_.ticking.end() ? nullptr : found->second.get();
 }
 
 /// The parameters that the caller must have in order to pass this parameter.
-const Names& Family::passed(const Call& call, std::size_t parameter, Names& kept) const {
+const Names& Family::passed_names(const Call& call, std::size_t parameter, Names& kept) const {
     if (const auto found = call.given.find(parameter); found != call.given.end()) return found->second;
-    const Expr* counting = call.after_tock ? ticking(parameter) : nullptr;
-    kept = counting != nullptr ? names(*counting) : Names{parameter};
+    const Expr* counting = call.after_tock ? ticking_value(parameter) : nullptr;
+    kept = counting != nullptr ? names_in(*counting) : Names{parameter};
     return kept;
 }
 
-void Family::mark(Live& live, std::size_t function, const Names& names) {
+void Family::mark_live(Live& live, std::size_t function, const Names& names) {
     for (const std::size_t name : names)
         if (live[function].insert(name).second) work_.emplace_back(function, name);
 }
 
-void Family::spread() {
+void Family::spread_liveness() {
     for (std::size_t i = 0; i < used_.size(); ++i) {
-        mark(within_, i, used_[i]);
-        mark(live_, i, used_[i]);
+        mark_live(within_, i, used_[i]);
+        mark_live(live_, i, used_[i]);
     }
     while (!work_.empty()) {
         const auto [function, parameter] = work_.back();
         work_.pop_back();
         if (function == calls_to_.size()) continue;  // the initial process is never called
-        for (const std::size_t call : calls_to_[function]) spread(calls_[call], parameter);
-        for (const std::size_t call : calls_over_[function]) spread(calls_[call], parameter);
+        for (const std::size_t call : calls_to_[function]) spread_liveness(calls_[call], parameter);
+        for (const std::size_t call : calls_over_[function]) spread_liveness(calls_[call], parameter);
     }
 }
 
 /// The caller needs the parameters that are live in the called function. It also needs those that are live after the
 /// call and not overwritten before.
-void Family::spread(const Call& call, std::size_t parameter) {
+void Family::spread_liveness(const Call& call, std::size_t parameter) {
     if (live_[call.target].count(parameter) == 0) return;
     const bool returns = returning_.count(call.target) != 0;
     bool within = !returns && within_[call.target].count(parameter) != 0;
     for (const std::size_t function : call.behind) within = within || within_[function].count(parameter) != 0;
-    if (!within && !needed(call, parameter)) return;
+    if (!within && !is_needed(call, parameter)) return;
     Names kept;
-    const Names& names = passed(call, parameter, kept);
-    mark(live_, call.caller, names);
+    const Names& names = passed_names(call, parameter, kept);
+    mark_live(live_, call.caller, names);
     // The caller evaluates an expression for a changed parameter before the operation returns, even if the parameter is
     // read only later.
     const bool given = call.given.count(parameter) != 0;
-    if (within || given) mark(within_, call.caller, names);
+    if (within || given) mark_live(within_, call.caller, names);
 }
 
 /// Whether the parameter is read in the called function, or after this call.
-bool Family::needed(const Call& call, std::size_t parameter) const {
+bool Family::is_needed(const Call& call, std::size_t parameter) const {
     if (call.behind.empty() || within_[call.target].count(parameter) != 0) return true;
     for (const std::size_t function : call.behind) {
         const bool outermost = function == call.behind.back();
@@ -196,31 +196,31 @@ bool Family::needed(const Call& call, std::size_t parameter) const {
     return false;
 }
 
-std::vector<std::string> Family::parameters(std::size_t function) const {
+std::vector<std::string> Family::live_parameters(std::size_t function) const {
     std::vector<std::string> result;
     for (const std::size_t parameter : live_[function]) result.push_back(candidates_.names[parameter]);
     return result;
 }
 
-ExprPtr Family::argument(const SparseCall& sparse, const Call& call, std::size_t parameter) const {
+ExprPtr Family::argument_of(const SparseCall& sparse, const Call& call, std::size_t parameter) const {
     const std::string& name = candidates_.names[parameter];
-    if (name != candidates_.returns && !needed(call, parameter)) return sparse_.unneeded();
+    if (name != candidates_.returns && !is_needed(call, parameter)) return sparse_.unneeded_argument();
     for (const auto& [given, value] : sparse.changed)
         if (given == name) return value;
-    if (call.after_tock && ticking(parameter) != nullptr) return candidates_.ticking.at(name);
+    if (call.after_tock && ticking_value(parameter) != nullptr) return candidates_.ticking.at(name);
     return read_[parameter];
 }
 
 ExprPtr Family::dense_call(const SparseCall& sparse, const Call& call) const {
     b::Exprs arguments;
-    for (const std::size_t parameter : live_[call.target]) arguments.push_back(argument(sparse, call, parameter));
+    for (const std::size_t parameter : live_[call.target]) arguments.push_back(argument_of(sparse, call, parameter));
     return b::call(sparse.function, arguments);
 }
 
-ExprPtr Family::dense(const ExprPtr& expr) const {
+ExprPtr Family::make_dense(const ExprPtr& expr) const {
     if (!expr) return expr;
-    if (const SparseCall* call = sparse_.find(*expr)) return dense_call(*call, calls_[call_of_.at(expr.get())]);
-    return with_parts(expr, [&](const ExprPtr& part) { return dense(part); });
+    if (const SparseCall* call = sparse_.find_call(*expr)) return dense_call(*call, calls_[call_of_.at(expr.get())]);
+    return with_parts(expr, [&](const ExprPtr& part) { return make_dense(part); });
 }
 
 }  // namespace
@@ -231,59 +231,59 @@ FamilyIndex index_of(const std::vector<Function>& functions) {
     return result;
 }
 
-const std::size_t* called(const FamilyIndex& index, const Expr& expr) {
+const std::size_t* called_function(const FamilyIndex& index, const Expr& expr) {
     const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
     if (!applied && expr.kind != ExprKind::name) return nullptr;
     const auto found = index.find(applied ? expr.args[0]->text : expr.text);
     return found == index.end() ? nullptr : &found->second;
 }
 
-ExprPtr FamilyCalls::add(std::string function, Arguments changed, bool after_tock) {
+ExprPtr FamilyCalls::add_call(std::string function, Arguments changed, bool after_tock) {
     ExprPtr node = b::name(function);
     calls_[node.get()] = {node, {std::move(function), std::move(changed), after_tock}};
     return node;
 }
 
-const SparseCall* FamilyCalls::find(const Expr& expr) const {
+const SparseCall* FamilyCalls::find_call(const Expr& expr) const {
     const auto found = calls_.find(&expr);
     return found == calls_.end() ? nullptr : &found->second.call;
 }
 
 const std::string* FamilyCalls::only_calls(const Expr& expr) const {
-    const SparseCall* call = find(expr);
+    const SparseCall* call = find_call(expr);
     if (call == nullptr || call->after_tock) return nullptr;
     for (const auto& [parameter, value] : call->changed)
         if (value->kind != ExprKind::name || value->text != parameter) return nullptr;
     return &call->function;
 }
 
-void FamilyCalls::redirect(const Expr& call, const std::string& function) {
+void FamilyCalls::redirect_call(const Expr& call, const std::string& function) {
     calls_.at(&call).call.function = function;
 }
 
 std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprPtr& initial, const FamilyCalls& calls,
                                          const Candidates& candidates) {
     const Family family(functions, initial, calls, candidates);
-    initial = family.dense(initial);
+    initial = family.make_dense(initial);
     for (std::size_t i = 0; i < functions.size(); ++i) {
-        functions[i].body = family.dense(functions[i].body);
-        functions[i].parameters = family.parameters(i);
+        functions[i].body = family.make_dense(functions[i].body);
+        functions[i].parameters = family.live_parameters(i);
     }
-    return family.parameters(functions.size());
+    return family.live_parameters(functions.size());
 }
 
 namespace {
 
-ExprPtr filled(const ExprPtr& expr, const std::vector<Function>& functions, const FamilyIndex& index,
-               const FamilyCalls& calls, const std::map<std::string, ExprPtr>& values) {
+ExprPtr fill_arguments(const ExprPtr& expr, const std::vector<Function>& functions, const FamilyIndex& index,
+                       const FamilyCalls& calls, const std::map<std::string, ExprPtr>& values) {
     if (!expr) return expr;
-    const std::size_t* target = called(index, *expr);
+    const std::size_t* target = called_function(index, *expr);
     std::size_t place = 0;
     return with_parts(expr, [&](const ExprPtr& part) {
         const std::size_t i = place++;
         return target != nullptr && i > 0 && calls.is_unneeded(part)
                    ? values.at(functions[*target].parameters.at(i - 1))
-                   : filled(part, functions, index, calls, values);
+                   : fill_arguments(part, functions, index, calls, values);
     });
 }
 
@@ -292,7 +292,7 @@ ExprPtr filled(const ExprPtr& expr, const std::vector<Function>& functions, cons
 void fill_unneeded(std::vector<Function>& functions, const FamilyCalls& calls,
                    const std::map<std::string, ExprPtr>& values) {
     const FamilyIndex index = index_of(functions);
-    for (Function& function : functions) function.body = filled(function.body, functions, index, calls, values);
+    for (Function& function : functions) function.body = fill_arguments(function.body, functions, index, calls, values);
 }
 
 }  // namespace robochart::csp_emit

@@ -28,7 +28,7 @@ struct Function {
 using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // never iterated
 [[nodiscard]] FamilyIndex index_of(const std::vector<Function>& functions);
 /// The function that an expression calls, with or without arguments, if it belongs to the family; otherwise null.
-[[nodiscard]] const std::size_t* called(const FamilyIndex& index, const cspm::Expr& expr);
+[[nodiscard]] const std::size_t* called_function(const FamilyIndex& index, const cspm::Expr& expr);
 /// Calls `visit` on the direct parts of an expression.
 template <class Visit>
 void for_each_part(const cspm::Expr& expr, const Visit& visit) {
@@ -67,16 +67,16 @@ struct SparseCall {
 class FamilyCalls {
 public:
     /// Records a call and returns its node.
-    [[nodiscard]] cspm::ExprPtr add(std::string function, Arguments changed = {}, bool after_tock = false);
+    [[nodiscard]] cspm::ExprPtr add_call(std::string function, Arguments changed = {}, bool after_tock = false);
     /// The call that the node represents; null for other nodes.
-    [[nodiscard]] const SparseCall* find(const cspm::Expr&) const;
+    [[nodiscard]] const SparseCall* find_call(const cspm::Expr&) const;
     /// The called function if the expression is a call that changes no parameter; otherwise null.
     [[nodiscard]] const std::string* only_calls(const cspm::Expr&) const;
     /// Changes the target of a call.
-    void redirect(const cspm::Expr& call, const std::string& function);
+    void redirect_call(const cspm::Expr& call, const std::string& function);
 
     /// The argument for a parameter that is not read after this call returns.
-    [[nodiscard]] const cspm::ExprPtr& unneeded() const { return unneeded_; }
+    [[nodiscard]] const cspm::ExprPtr& unneeded_argument() const { return unneeded_; }
     [[nodiscard]] bool is_unneeded(const cspm::ExprPtr& argument) const { return argument == unneeded_; }
 
 private:

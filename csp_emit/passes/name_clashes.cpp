@@ -18,7 +18,7 @@ cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<Decl
     cspm::NewNames result;
     if (theirs.constructors.empty()) return result;
     for (const std::string& name : cspm::bound_names(generated))
-        if (theirs.constructors.contains(name)) result.try_emplace(name, names.unique(name));
+        if (theirs.constructors.contains(name)) result.try_emplace(name, names.unique_name(name));
     return result;
 }
 
@@ -30,12 +30,12 @@ bool is_shared(const std::string& name) {
 }
 
 /// Whether a block's declaration with this name would hide a declaration of CSPM or of the library.
-bool means_ours(const std::string& name) {
+bool hides_generated(const std::string& name) {
     return is_predefined(name) || (library_names().contains(name) && !is_shared(name));
 }
 
 /// Whether the instantiations define an element of the model with this name.
-bool defines(const std::set<std::string>& given, const std::string& name) {
+bool defines_element(const std::set<std::string>& given, const std::string& name) {
     return given.contains(name) && !is_shared(name);
 }
 
@@ -69,8 +69,8 @@ public:
         for (const std::string& name : own.all) {
             if (given_.contains(name)) continue;
             result.plain.erase(name);
-            if (means_ours(name) || values_.contains(name) || files_that_declare_[name] > 1)
-                result.plain[name] = names_.unique(name);
+            if (hides_generated(name) || values_.contains(name) || files_that_declare_[name] > 1)
+                result.plain[name] = names_.unique_name(name);
         }
         return result;
     }
@@ -80,10 +80,10 @@ private:
     /// instantiations.
     void choose_common() {
         for (const auto& [before, after] : of_model_.data)
-            if (defines(given_, before) || !is_reserved(before)) common_.emplace(before, after);
+            if (defines_element(given_, before) || !is_reserved(before)) common_.emplace(before, after);
         for (const std::string& name : given_)
-            if (!common_.contains(name) && (means_ours(name) || values_.contains(name)))
-                common_[name] = names_.unique(name);
+            if (!common_.contains(name) && (hides_generated(name) || values_.contains(name)))
+                common_[name] = names_.unique_name(name);
     }
 
     const NamesForBlocks& of_model_;
@@ -103,11 +103,11 @@ public:
 
     /// Visits the declarations at the top of the script. Predefined names are forbidden there; the names of the library
     /// are declared there.
-    void top(const std::vector<DeclPtr>& decls) {
+    void visit_top(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& each : decls) {
             for (const std::string& name : names_of(*each))
                 if (is_predefined(name)) found.insert(name);
-            decl(*each);
+            visit_declaration(*each);
         }
     }
 
@@ -139,18 +139,18 @@ private:
         }
         Around(const Around&) = delete;
         Around& operator=(const Around&) = delete;
-        void add(const std::string& name) {
-            if (!means_ours(name)) return;
+        void add_names(const std::string& name) {
+            if (!hides_generated(name)) return;
             names_.insert(name);
             added_.push_back(name);
         }
-        void add(const std::vector<std::string>& names) {
-            for (const std::string& name : names) add(name);
+        void add_names(const std::vector<std::string>& names) {
+            for (const std::string& name : names) add_names(name);
         }
-        void add(const cspm::PatternPtr& pattern) {
+        void add_names(const cspm::PatternPtr& pattern) {
             std::vector<std::string> names;
             names_of(pattern, names);
-            add(names);
+            add_names(names);
         }
 
     private:
@@ -158,41 +158,41 @@ private:
         std::vector<std::string> added_;
     };
 
-    void decl(const cspm::Decl& decl) {
+    void visit_declaration(const cspm::Decl& decl) {
         Around around(around_);
-        around.add(decl.parameters);
+        around.add_names(decl.parameters);
         for (const auto* parts : {&decl.decls, &decl.exports})
             for (const DeclPtr& each : *parts)
-                if (decl.kind == DeclKind::module) around.add(names_of(*each));
+                if (decl.kind == DeclKind::module) around.add_names(names_of(*each));
         for (const auto& group : decl.patterns)
-            for (const auto& pattern : group) around.add(pattern);
+            for (const auto& pattern : group) around.add_names(pattern);
         for (const auto* parts : {&decl.decls, &decl.exports})
-            for (const DeclPtr& each : *parts) this->decl(*each);
-        expr(decl.body);
-        for (const cspm::Constructor& each : decl.constructors) expr(each.fields);
-        for (const cspm::ExprPtr& each : decl.arguments) expr(each);
+            for (const DeclPtr& each : *parts) this->visit_declaration(*each);
+        visit_expression(decl.body);
+        for (const cspm::Constructor& each : decl.constructors) visit_expression(each.fields);
+        for (const cspm::ExprPtr& each : decl.arguments) visit_expression(each);
     }
 
-    void expr(const cspm::ExprPtr& expr) {
+    void visit_expression(const cspm::ExprPtr& expr) {
         if (!expr) return;
         Around around(around_);
-        for (const cspm::Field& each : expr->fields) around.add(each.pattern);
-        for (const cspm::Clause& each : expr->clauses) around.add(each.pattern);
-        for (const cspm::PatternPtr& each : expr->patterns) around.add(each);
-        for (const DeclPtr& each : expr->decls) around.add(names_of(*each));
+        for (const cspm::Field& each : expr->fields) around.add_names(each.pattern);
+        for (const cspm::Clause& each : expr->clauses) around.add_names(each.pattern);
+        for (const cspm::PatternPtr& each : expr->patterns) around.add_names(each);
+        for (const DeclPtr& each : expr->decls) around.add_names(names_of(*each));
         if (expr->kind == cspm::ExprKind::apply && expr->args.front()->kind == cspm::ExprKind::name &&
             around_.contains(expr->args.front()->text))
             found.insert(expr->args.front()->text);
         if (expr->kind == cspm::ExprKind::name && around_.contains(expr->text) && is_value(expr->text))
             found.insert(expr->text);
-        for (const cspm::ExprPtr& each : expr->args) this->expr(each);
-        for (const cspm::Field& each : expr->fields) this->expr(each.value);
-        for (const cspm::Clause& each : expr->clauses) this->expr(each.value);
+        for (const cspm::ExprPtr& each : expr->args) this->visit_expression(each);
+        for (const cspm::Field& each : expr->fields) this->visit_expression(each.value);
+        for (const cspm::Clause& each : expr->clauses) this->visit_expression(each.value);
         for (const cspm::Link& each : expr->links) {
-            this->expr(each.from);
-            this->expr(each.to);
+            this->visit_expression(each.from);
+            this->visit_expression(each.to);
         }
-        for (const DeclPtr& each : expr->decls) decl(*each);
+        for (const DeclPtr& each : expr->decls) visit_declaration(*each);
     }
 
     std::multiset<std::string> around_;  ///< predefined and library names that surrounding declarations or bindings
@@ -215,13 +215,13 @@ std::set<std::string> given_names(const std::vector<FileBlocks>& files, const Na
     for (const FileBlocks& file : files) given.merge(user_names(file.instantiations).all);
     std::set<std::string> result = given;
     for (const auto& [before, after] : of_model.data)
-        if (defines(given, before)) result.insert(after);
+        if (defines_element(given, before)) result.insert(after);
     return result;
 }
 
-std::set<std::string> captured(const std::vector<DeclPtr>& generated) {
+std::set<std::string> captured_names(const std::vector<DeclPtr>& generated) {
     Capture capture;
-    capture.top(generated);
+    capture.visit_top(generated);
     return std::move(capture.found);
 }
 

@@ -41,6 +41,6 @@ struct FileBlocks {
 
 /// Predefined and library names that the declarations call although a declaration or binding around the call hides
 /// them. For generated code the result is empty; anything else is an internal error.
-[[nodiscard]] std::set<std::string> captured(const std::vector<cspm::DeclPtr>& generated);
+[[nodiscard]] std::set<std::string> captured_names(const std::vector<cspm::DeclPtr>& generated);
 
 }  // namespace robochart::csp_emit

@@ -35,35 +35,36 @@ class Elements {
 public:
     explicit Elements(const Visit& visit) : visit_(visit) {}
 
-    void system(const ir::System& system) {
-        for (const ir::Machine& machine : system.machines) this->machine(machine);
+    void visit_system(const ir::System& system) {
+        for (const ir::Machine& machine : system.machines) visit_machine(machine);
         for (const ir::Controller& controller : system.controllers) {
-            top(controller.package, controller.name, controller.origin.span);
-            members(controller);
+            visit_component(controller.package, controller.name, controller.origin.span);
+            visit_members(controller);
             for (const auto& part : controller.machines) visit_(Bearer::part, part.name, false, part.origin.span);
         }
         for (const ir::Module& module : system.modules) {
-            top(module.package, module.name, module.origin.span);
-            members(module.platform);
+            visit_component(module.package, module.name, module.origin.span);
+            visit_members(module.platform);
             for (const auto& part : module.controllers) visit_(Bearer::part, part.name, false, part.origin.span);
         }
     }
 
 private:
     /// A component in a package is a module inside the package's module.
-    void top(const std::string& package, const std::string& name, diagnostics::Span span) {
+    void visit_component(const std::string& package, const std::string& name, diagnostics::Span span) {
         visit_(Bearer::component, name, package.empty(), span);
-        if (!package.empty()) visit_(Bearer::package, flatten(package), true, span);
+        if (!package.empty()) visit_(Bearer::package, flatten_name(package), true, span);
     }
     template <class Component>
-    void members(const Component& component) {
+    void visit_members(const Component& component) {
         for (const ir::Event& event : component.events) visit_(Bearer::event, event.name, false, event.origin.span);
         for (const ir::OperationSignature& operation : component.operations)
             visit_(Bearer::operation, operation.name, false, operation.origin.span);
     }
-    void machine(const ir::Machine& machine) {
-        if (machine.kind == ir::MachineKind::state_machine) top(machine.package, machine.name, machine.origin.span);
-        members(machine);
+    void visit_machine(const ir::Machine& machine) {
+        if (machine.kind == ir::MachineKind::state_machine)
+            visit_component(machine.package, machine.name, machine.origin.span);
+        visit_members(machine);
         for (const ir::Node& node : machine.nodes)
             if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final)
                 visit_(Bearer::state, node.name, false, node.origin.span);
@@ -74,7 +75,7 @@ private:
 
 template <class Visit>
 void visit_elements(const ir::System& system, const Visit& visit) {
-    Elements<Visit>(visit).system(system);
+    Elements<Visit>(visit).visit_system(system);
 }
 
 /// The channels other than those of events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
@@ -120,10 +121,10 @@ std::vector<std::string> names_of(const ir::Function& function) {
     return {function_name(function), "pre_" + function_name(function)};
 }
 
-bool named(const ir::Type& type) {
+bool is_named(const ir::Type& type) {
     return type.kind == ir::TypeKind::enumeration || type.kind == ir::TypeKind::given;
 }
-bool named(const ir::Function&) {
+bool is_named(const ir::Function&) {
     return true;
 }
 
@@ -142,25 +143,25 @@ public:
         for (const ir::NamedConstant& constant : ir::named_constants(system)) taken_.insert(constant.name);
         constants_ = taken_;
         for (const auto& type : system.types)
-            if (named(type)) take(type);
-        for (const auto& function : system.functions) take(function);
+            if (is_named(type)) take_names(type);
+        for (const auto& function : system.functions) take_names(function);
     }
 
-    NewNames choose(const ir::System& system) {
+    NewNames choose_names(const ir::System& system) {
         choose_data(with_labels(with_packages(system.types)), names_.types);
         choose_data(with_packages(system.functions), names_.functions);
         visit_elements(system, [&](Bearer bearer, const std::string& name, bool top, diagnostics::Span span) {
             if (bearer == Bearer::operation) {
-                if (!is_identifier(name)) rename(names_.operations, name, span, rules::reserved_name);
+                if (!is_identifier(name)) choose_new_name(names_.operations, name, span, rules::reserved_name);
                 return;
             }
             if ((bearer == Bearer::state || bearer == Bearer::part) &&
                 (events_.contains(name) || channels_.contains(name)))
-                rename(names_.states, name, span, rules::name_of_another);
+                choose_new_name(names_.states, name, span, rules::name_of_another);
             else if (top ? is_reserved(name) : is_reserved_inside(name))
-                rename(names_.all, name, span, rules::reserved_name);
+                choose_new_name(names_.all, name, span, rules::reserved_name);
             else if (bearer == Bearer::event && channels_.contains(name))
-                rename(names_.all, name, span, rules::name_of_another);
+                choose_new_name(names_.all, name, span, rules::name_of_another);
         });
         choose_machines(system);
         tell_blocks(system);
@@ -172,9 +173,9 @@ private:
     template <class Data>
     std::vector<Data> with_packages(std::vector<Data> all) {
         for (Data& data : all) {
-            const std::string package = flatten(data.package);
-            if (!named(data) || package.empty()) continue;
-            if (!is_identifier(package)) rename(names_.all, package, data.origin.span, rules::reserved_name);
+            const std::string package = flatten_name(data.package);
+            if (!is_named(data) || package.empty()) continue;
+            if (!is_identifier(package)) choose_new_name(names_.all, package, data.origin.span, rules::reserved_name);
             const auto found = names_.all.find(package);
             if (found != names_.all.end()) data.package = found->second;
         }
@@ -188,7 +189,7 @@ private:
             if (type.kind != ir::TypeKind::enumeration) continue;
             const std::vector<std::string> before = names_of(type);
             for (std::size_t i = 0; i < type.labels.size(); ++i) {
-                if (!ends_as_ours(literal_name(type, i))) continue;
+                if (!has_generated_suffix(literal_name(type, i))) continue;
                 const std::string label = type.labels[i];
                 for (int number = 1; type.labels[i] == label || taken_.contains(literal_name(type, i)); ++number)
                     type.labels[i] = label + "_" + std::to_string(number);
@@ -202,15 +203,15 @@ private:
     }
 
     template <class Data>
-    void take(const Data& data) {
-        if (!data.package.empty()) taken_.insert(flatten(data.package));
+    void take_names(const Data& data) {
+        if (!data.package.empty()) taken_.insert(flatten_name(data.package));
         for (const std::string& name : names_of(data)) taken_.insert(name);
     }
 
     /// The rule against this name for a type or function, which has another meaning in the script; null if there is
     /// none.
     template <class Data>
-    [[nodiscard]] const diagnostics::Rule* clash(const Data& data) const {
+    [[nodiscard]] const diagnostics::Rule* find_clash(const Data& data) const {
         const auto names = names_of(data);
         if (is_reserved(names.front())) return &rules::reserved_name;
         const auto another = [&](const std::string& name) {
@@ -223,13 +224,13 @@ private:
     void choose_data(const std::vector<Data>& all, std::vector<std::string>& chosen) {
         for (const Data& data : all) {
             chosen.emplace_back();
-            if (!named(data)) continue;
+            if (!is_named(data)) continue;
             Data renamed = data;
-            if (const diagnostics::Rule* rule = clash(data)) {
-                for (int number = 1; clash(renamed) != nullptr || taken_by_another(renamed, data); ++number)
+            if (const diagnostics::Rule* rule = find_clash(data)) {
+                for (int number = 1; find_clash(renamed) != nullptr || taken_by_another(renamed, data); ++number)
                     renamed.name = stem(data.name) + "_" + std::to_string(number);
                 chosen.back() = renamed.name;
-                take(renamed);
+                take_names(renamed);
                 diagnostics_.report(*rule, data.origin.span, {names_of(data).front(), names_of(renamed).front()});
                 const auto before = names_of(data), after = names_of(renamed);
                 for (std::size_t i = 0; i < before.size(); ++i)
@@ -249,7 +250,7 @@ private:
             if (machine.kind != ir::MachineKind::state_machine || machine.path != machine.name) continue;
             if (known.insert(machine.package + "::" + machine.name).second) continue;
             std::map<std::string, std::string> name;
-            rename(name, machine.name, machine.origin.span, rules::name_of_another);
+            choose_new_name(name, machine.name, machine.origin.span, rules::name_of_another);
             names_.machines.back() = name.at(machine.name);
         }
     }
@@ -275,8 +276,8 @@ private:
         for (const auto& [before, after] : names_.operations) recorded.last[before + "Call"] = after + "Call";
     }
 
-    void rename(std::map<std::string, std::string>& names, const std::string& name, diagnostics::Span span,
-                const diagnostics::Rule& rule) {
+    void choose_new_name(std::map<std::string, std::string>& names, const std::string& name, diagnostics::Span span,
+                         const diagnostics::Rule& rule) {
         if (names.contains(name)) return;
         std::string& chosen = names[name];
         int number = 0;
@@ -308,98 +309,98 @@ public:
             for (const auto& [before, after] : names_.operations) (*paths)["OP_" + before] = "OP_" + after;
     }
 
-    void system(ir::System& system) const {
+    void rename_system(ir::System& system) const {
         for (std::size_t i = 0; i < system.types.size(); ++i) {
-            if (!named(system.types[i])) continue;
-            package(system.types[i].package);
+            if (!is_named(system.types[i])) continue;
+            rename_package(system.types[i].package);
             if (!names_.types[i].empty()) system.types[i].name = names_.types[i];
             if (!names_.labels[i].empty()) system.types[i].labels = names_.labels[i];
         }
         for (std::size_t i = 0; i < system.functions.size(); ++i) {
-            package(system.functions[i].package);
+            rename_package(system.functions[i].package);
             if (!names_.functions[i].empty()) system.functions[i].name = names_.functions[i];
         }
         for (std::size_t i = 0; i < system.machines.size(); ++i) {
-            machine(system.machines[i]);
+            rename_machine(system.machines[i]);
             if (!names_.machines[i].empty()) system.machines[i].name = system.machines[i].path = names_.machines[i];
         }
-        for (ir::Controller& controller : system.controllers) this->controller(controller);
-        for (ir::Module& module : system.modules) this->module(module);
+        for (ir::Controller& controller : system.controllers) this->rename_controller(controller);
+        for (ir::Module& module : system.modules) this->rename_module(module);
         for (ir::Property& property : system.properties) {
-            reference(property.subject);
-            reference(property.other);
-            if (property.kind == ir::PropertyKind::reachable) path(property.state, states_, states_);
+            rename_reference(property.subject);
+            rename_reference(property.other);
+            if (property.kind == ir::PropertyKind::reachable) rename_path(property.state, states_, states_);
         }
         for (ir::CspBlock& block : system.csp_blocks)
-            for (ir::ComponentRef& associated : block.associated) reference(associated);
+            for (ir::ComponentRef& associated : block.associated) rename_reference(associated);
     }
 
 private:
     using Names = std::map<std::string, std::string>;
-    void name(std::string& text) const { name(text, names_.all); }
-    static void name(std::string& text, const Names& names) {
+    void rename_name(std::string& text) const { rename_name(text, names_.all); }
+    static void rename_name(std::string& text, const Names& names) {
         const auto found = names.find(text);
         if (found != names.end()) text = found->second;
     }
-    void package(std::string& text) const {
-        const auto found = names_.all.find(flatten(text));
+    void rename_package(std::string& text) const {
+        const auto found = names_.all.find(flatten_name(text));
         if (!text.empty() && found != names_.all.end()) text = found->second;
     }
     /// Renames `A::B::C`, segment by segment.
-    static void path(std::string& text, const Names& first, const Names& behind) {
+    static void rename_path(std::string& text, const Names& first, const Names& behind) {
         std::string result;
         for (std::size_t at = 0; at <= text.size();) {
             const std::size_t end = std::min(text.find("::", at), text.size());
             std::string segment = text.substr(at, end - at);
-            name(segment, at == 0 ? first : behind);
+            rename_name(segment, at == 0 ? first : behind);
             result += (at > 0 ? "::" : "") + segment;
             at = end + 2;
         }
         text = result;
     }
     template <class Component>
-    void members(Component& component) const {
-        for (ir::Event& event : component.events) name(event.name);
-        for (ir::OperationSignature& operation : component.operations) name(operation.name, names_.operations);
+    void rename_members(Component& component) const {
+        for (ir::Event& event : component.events) rename_name(event.name);
+        for (ir::OperationSignature& operation : component.operations) rename_name(operation.name, names_.operations);
     }
-    void connections(std::vector<ir::Connection>& connections) const {
+    void rename_connections(std::vector<ir::Connection>& connections) const {
         for (ir::Connection& connection : connections) {
-            name(connection.from.event);
-            name(connection.to.event);
+            rename_name(connection.from.event);
+            rename_name(connection.to.event);
         }
     }
-    void machine(ir::Machine& machine) const {
-        package(machine.package);
+    void rename_machine(ir::Machine& machine) const {
+        rename_package(machine.package);
         const bool operation = machine.kind == ir::MachineKind::operation;
         const std::string above = machine.path.substr(0, machine.path.size() - machine.name.size());
-        name(machine.name, operation ? names_.operations : names_.all);
+        rename_name(machine.name, operation ? names_.operations : names_.all);
         machine.path = above;
-        path(machine.path, names_.all, names_.all);
+        rename_path(machine.path, names_.all, names_.all);
         machine.path += machine.name;
-        members(machine);
+        rename_members(machine);
         for (ir::Node& node : machine.nodes) {
-            name(node.name, states_);
-            path(node.path, states_, states_);
+            rename_name(node.name, states_);
+            rename_path(node.path, states_, states_);
         }
     }
-    void controller(ir::Controller& controller) const {
-        package(controller.package);
-        name(controller.name);
-        path(controller.path, names_.all, names_.all);
-        members(controller);
-        for (auto& part : controller.machines) name(part.name, states_);
-        connections(controller.connections);
+    void rename_controller(ir::Controller& controller) const {
+        rename_package(controller.package);
+        rename_name(controller.name);
+        rename_path(controller.path, names_.all, names_.all);
+        rename_members(controller);
+        for (auto& part : controller.machines) rename_name(part.name, states_);
+        rename_connections(controller.connections);
     }
-    void module(ir::Module& module) const {
-        package(module.package);
-        name(module.name);
-        members(module.platform);
-        for (auto& part : module.controllers) name(part.name, states_);
-        connections(module.connections);
+    void rename_module(ir::Module& module) const {
+        rename_package(module.package);
+        rename_name(module.name);
+        rename_members(module.platform);
+        for (auto& part : module.controllers) rename_name(part.name, states_);
+        rename_connections(module.connections);
     }
-    void reference(ir::ComponentRef& reference) const {
-        package(reference.package);
-        if (reference.kind != ir::ComponentKind::process) path(reference.path, tops_, states_);
+    void rename_reference(ir::ComponentRef& reference) const {
+        rename_package(reference.package);
+        if (reference.kind != ir::ComponentKind::process) rename_path(reference.path, tops_, states_);
         const bool machine = reference.kind == ir::ComponentKind::machine &&
                              reference.definition < names_.machines.size() &&
                              reference.path.find("::") == std::string::npos;
@@ -417,39 +418,42 @@ class Doubles {
 public:
     explicit Doubles(diagnostics::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-    void find(const ir::System& system) {
+    void find_doubles(const ir::System& system) {
         for (const ir::Machine& machine : system.machines) {
-            if (machine.path == machine.name) component(machine.package, module_name(machine), machine.origin);
-            constants(machine.package, machine.path, machine.constants);
+            if (machine.path == machine.name) check_component(machine.package, module_name(machine), machine.origin);
+            check_constants(machine.package, machine.path, machine.constants);
         }
         for (const ir::Controller& controller : system.controllers) {
-            if (controller.path == controller.name) component(controller.package, controller.name, controller.origin);
-            constants(controller.package, controller.path, controller.constants);
+            if (controller.path == controller.name)
+                check_component(controller.package, controller.name, controller.origin);
+            check_constants(controller.package, controller.path, controller.constants);
             for (const auto& part : controller.machines)
-                constants(controller.package, controller.path + "::" + part.name,
-                          system.machine(part.machine).constants);
+                check_constants(controller.package, controller.path + "::" + part.name,
+                                system.machine(part.machine).constants);
         }
         for (const ir::Module& module : system.modules) {
-            component(module.package, module.name, module.origin);
-            constants(module.package, module.name, module.platform.constants);
+            check_component(module.package, module.name, module.origin);
+            check_constants(module.package, module.name, module.platform.constants);
         }
-        for (const auto& [package, origin] : packages_) check(package, "package " + package, origin);
+        for (const auto& [package, origin] : packages_) check_name(package, "package " + package, origin);
     }
 
 private:
-    void component(const std::string& package, const std::string& name, const ir::Origin& origin) {
+    void check_component(const std::string& package, const std::string& name, const ir::Origin& origin) {
         std::string element = "component " + (package.empty() ? name : package + "::" + name);
         const auto [known, added] = elements_.try_emplace(element, origin.span);
         if (!added) element = "another " + element;  // declared twice with the same full name
-        check(qualified(package, name), element, origin);
-        if (!package.empty()) packages_.emplace(flatten(package), origin);
+        check_name(qualified_name(package, name), element, origin);
+        if (!package.empty()) packages_.emplace(flatten_name(package), origin);
     }
-    void constants(const std::string& package, const std::string& path, const std::vector<ir::Constant>& constants) {
+    void check_constants(const std::string& package, const std::string& path,
+                         const std::vector<ir::Constant>& constants) {
         for (const ir::Constant& constant : constants)
-            check(ir::constant_name(package, path, constant.name),
-                  "constant " + (package.empty() ? "" : package + "::") + path + "::" + constant.name, constant.origin);
+            check_name(ir::constant_name(package, path, constant.name),
+                       "constant " + (package.empty() ? "" : package + "::") + path + "::" + constant.name,
+                       constant.origin);
     }
-    void check(const std::string& name, const std::string& element, const ir::Origin& origin) {
+    void check_name(const std::string& name, const std::string& element, const ir::Origin& origin) {
         const auto [known, added] = names_.try_emplace(name, Named{element, origin.span});
         if (added || known->second.element == element) return;
         diagnostics_.report(rules::one_name_for_two, origin.span, {element, known->second.element, name})
@@ -490,19 +494,19 @@ void rename_constants(const ir::System& before, SafeNames& after) {
 
 SafeNames safe_names(const ir::System& system, const ir::Instantiation& instantiation,
                      diagnostics::Diagnostics& diagnostics) {
-    const NewNames names = Choice(system, diagnostics).choose(system);
+    const NewNames names = Choice(system, diagnostics).choose_names(system);
     SafeNames result;
     if (names.empty()) {
-        Doubles(diagnostics).find(system);
+        Doubles(diagnostics).find_doubles(system);
         return result;
     }
     result.changed = true;
     result.system = system;
     result.instantiation = instantiation;
     result.for_blocks = names.for_blocks;
-    Renaming(names).system(result.system);
+    Renaming(names).rename_system(result.system);
     rename_constants(system, result);
-    Doubles(diagnostics).find(result.system);
+    Doubles(diagnostics).find_doubles(result.system);
     return result;
 }
 

@@ -72,9 +72,9 @@ std::set<std::string> names_inside(const Decl& module) {
 class Sharer {
 public:
     Sharer(std::vector<DeclPtr> decls, NameManager names)
-        : decls_(std::move(decls)), names_(std::move(names)), parameter_(names_.unique("u__")) {}
+        : decls_(std::move(decls)), names_(std::move(names)), parameter_(names_.unique_name("u__")) {}
 
-    std::vector<DeclPtr> run() {
+    std::vector<DeclPtr> share_all() {
         while (share_most()) {
         }
         return decls_;
@@ -86,25 +86,26 @@ private:
         std::size_t size = 0;
         std::vector<Place> places;
 
-        [[nodiscard]] std::size_t saved() const { return size * (places.size() - 1); }
+        [[nodiscard]] std::size_t saved_size() const { return size * (places.size() - 1); }
     };
 
     bool share_most() {
         std::vector<Group> groups;
         std::map<std::uint64_t, std::vector<std::size_t>> by_hash;
-        collect(decls_, {}, {}, groups, by_hash);
+        collect_modules(decls_, {}, {}, groups, by_hash);
         std::erase_if(groups,
                       [](const Group& group) { return group.places.size() < 2 || group.size <= worth_sharing; });
-        std::ranges::stable_sort(groups, [](const Group& a, const Group& b) { return a.saved() > b.saved(); });
-        const auto best = std::ranges::find_if(groups, [](const Group& group) { return movable(group.places); });
+        std::ranges::stable_sort(groups,
+                                 [](const Group& a, const Group& b) { return a.saved_size() > b.saved_size(); });
+        const auto best = std::ranges::find_if(groups, [](const Group& group) { return is_movable(group.places); });
         if (best == groups.end()) return false;
-        share(best->places);
+        share_module(best->places);
         return true;
     }
 
     /// Collects modules that may be shared; returns whether the declarations contain an instance, at any depth.
-    bool collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
-                 std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
+    bool collect_modules(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
+                         std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
         bool instances = false;
         for (std::size_t i = 0; i < decls.size(); ++i) {
             const Decl& decl = *decls[i];
@@ -114,7 +115,7 @@ private:
             here.push_back(i);
             std::vector<const Decl*> inside = around;
             inside.push_back(&decl);
-            if (collect(decl.exports, here, inside, groups, by_hash))
+            if (collect_modules(decl.exports, here, inside, groups, by_hash))
                 instances = true;
             else
                 group_of(decls[i], groups, by_hash).places.push_back({here, decls[i], around});
@@ -149,7 +150,7 @@ private:
     }
 
     /// Whether all names have the same meaning at the place of the shared module.
-    static bool movable(const std::vector<Place>& places) {
+    static bool is_movable(const std::vector<Place>& places) {
         std::set<std::string> outside;
         used_names(*places.front().module, outside);
         for (const std::string& own : names_inside(*places.front().module)) outside.erase(own);
@@ -160,42 +161,42 @@ private:
         return true;
     }
 
-    void share(const std::vector<Place>& places) {
-        const std::string name = names_.unique(places.front().module->names.front() + "__");
+    void share_module(const std::vector<Place>& places) {
+        const std::string name = names_.unique_name(places.front().module->names.front() + "__");
         const DeclPtr shared =
             b::module_(name, {parameter_}, {}, places.front().module->exports, places.front().module->comment);
         const Path scope(places.front().path.begin(),
                          places.front().path.begin() + static_cast<std::ptrdiff_t>(common_depth(places)));
         for (const Place& place : places) {
             Decl instance = *b::instance(place.module->names.front(), name, {b::number(0)});
-            decls_ = replaced(decls_, place.path, 0, std::make_shared<const Decl>(std::move(instance)));
+            decls_ = replace_at(decls_, place.path, 0, std::make_shared<const Decl>(std::move(instance)));
         }
         Path before = scope;
         before.push_back(places.front().path[scope.size()]);
         for (const Place& place : places) before.back() = std::min(before.back(), place.path[scope.size()]);
-        decls_ = inserted(decls_, before, 0, shared);
+        decls_ = insert_at(decls_, before, 0, shared);
     }
 
     /// Applies `change` to the list that contains the declaration at the path.
     template <class Change>
-    static std::vector<DeclPtr> changed(std::vector<DeclPtr> decls, const Path& path, std::size_t depth,
-                                        const Change& change) {
+    static std::vector<DeclPtr> change_at(std::vector<DeclPtr> decls, const Path& path, std::size_t depth,
+                                          const Change& change) {
         if (depth + 1 == path.size()) {
             change(decls, decls.begin() + static_cast<std::ptrdiff_t>(path[depth]));
             return decls;
         }
         Decl outer = *decls[path[depth]];
-        outer.exports = changed(outer.exports, path, depth + 1, change);
+        outer.exports = change_at(outer.exports, path, depth + 1, change);
         decls[path[depth]] = std::make_shared<const Decl>(std::move(outer));
         return decls;
     }
-    static std::vector<DeclPtr> replaced(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
-                                         const DeclPtr& by) {
-        return changed(decls, path, depth, [&](std::vector<DeclPtr>&, auto at) { *at = by; });
+    static std::vector<DeclPtr> replace_at(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
+                                           const DeclPtr& by) {
+        return change_at(decls, path, depth, [&](std::vector<DeclPtr>&, auto at) { *at = by; });
     }
-    static std::vector<DeclPtr> inserted(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
-                                         const DeclPtr& decl) {
-        return changed(decls, path, depth, [&](std::vector<DeclPtr>& list, auto at) { list.insert(at, decl); });
+    static std::vector<DeclPtr> insert_at(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
+                                          const DeclPtr& decl) {
+        return change_at(decls, path, depth, [&](std::vector<DeclPtr>& list, auto at) { list.insert(at, decl); });
     }
 
     std::vector<DeclPtr> decls_;
@@ -207,7 +208,7 @@ private:
 }  // namespace
 
 std::vector<DeclPtr> share_modules(std::vector<DeclPtr> decls, NameManager names) {
-    return Sharer(std::move(decls), std::move(names)).run();
+    return Sharer(std::move(decls), std::move(names)).share_all();
 }
 
 }  // namespace robochart::csp_emit

@@ -41,9 +41,9 @@ public:
         std::set<std::string> held;
         bool start = false;
     };
-    ExprPtr rewritten(const ExprPtr& expr, const Place& place) const;
-    const std::set<std::string>& held(std::size_t function) const { return held_[function]; }
-    bool remembers(const std::string& parameter) const { return variables_.count(parameter) != 0; }
+    ExprPtr rewrite(const ExprPtr& expr, const Place& place) const;
+    const std::set<std::string>& held_by(std::size_t function) const { return held_[function]; }
+    bool is_remembered(const std::string& parameter) const { return variables_.count(parameter) != 0; }
 
 private:
     ExprPtr rewritten_call(const Expr& expr, std::size_t target, const Place& place) const;
@@ -66,7 +66,7 @@ Memories::Memories(const std::vector<Function>& functions, const FamilyCalls& ca
                    const std::vector<Remembered>& variables)
     : functions_(functions), calls_(calls), index_(index_of(functions)) {
     for (const Remembered& variable : variables) variables_[variable.parameter] = &variable;
-    held_ = Evaluations(functions, parameters_of(variables)).held(variables);
+    held_ = Evaluations(functions, parameters_of(variables)).held_variables(variables);
     for (std::size_t i = 0; i < functions.size(); ++i) {
         std::vector<Parameter>& parameters = parameters_.emplace_back();
         for (const std::string& name : functions[i].parameters) {
@@ -76,11 +76,11 @@ Memories::Memories(const std::vector<Function>& functions, const FamilyCalls& ca
     }
 }
 
-ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
+ExprPtr Memories::rewrite(const ExprPtr& expr, const Place& place) const {
     if (!expr) return expr;
-    if (const std::size_t* target = called(index_, *expr)) return rewritten_call(*expr, *target, place);
+    if (const std::size_t* target = called_function(index_, *expr)) return rewritten_call(*expr, *target, place);
     if (expr->kind == ExprKind::name && expr->text == "SKIP") return b::prefix(b::name(end_event), expr);
-    return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part, place); });
+    return with_parts(expr, [&](const ExprPtr& part) { return rewrite(part, place); });
 }
 
 /// Returns the writes, followed by the reads, followed by the call.
@@ -133,18 +133,18 @@ Evaluations::Evaluations(const std::vector<Function>& functions, const std::set<
         std::vector<bool>& asked = asked_.emplace_back();
         for (const std::string& parameter : function.parameters) asked.push_back(parameters.count(parameter) != 0);
     }
-    for (std::size_t i = 0; i < functions.size(); ++i) survey(*functions[i].body, uses_[i]);
+    for (std::size_t i = 0; i < functions.size(); ++i) survey_expression(*functions[i].body, uses_[i]);
 }
 
-void Evaluations::mention(const Expr& expr, std::set<std::string>& found) const {
+void Evaluations::collect_mentions(const Expr& expr, std::set<std::string>& found) const {
     if (expr.kind == ExprKind::name && parameters_.count(expr.text) != 0) found.insert(expr.text);
-    for_each_part(expr, [&](const Expr& part) { mention(part, found); });
+    for_each_part(expr, [&](const Expr& part) { collect_mentions(part, found); });
 }
 
-void Evaluations::survey(const Expr& expr, Use& use) const {
-    if (const std::size_t* target = called(index_, expr)) return survey_call(expr, *target, use);
+void Evaluations::survey_expression(const Expr& expr, Use& use) const {
+    if (const std::size_t* target = called_function(index_, expr)) return survey_call(expr, *target, use);
     if (expr.kind == ExprKind::name && parameters_.count(expr.text) != 0) use.names.insert(expr.text);
-    for_each_part(expr, [&](const Expr& part) { survey(part, use); });
+    for_each_part(expr, [&](const Expr& part) { survey_expression(part, use); });
 }
 
 void Evaluations::survey_call(const Expr& expr, std::size_t target, Use& use) const {
@@ -152,12 +152,12 @@ void Evaluations::survey_call(const Expr& expr, std::size_t target, Use& use) co
         const std::string& parameter = functions_[target].parameters[i - 1];
         if (asked_[target][i - 1] && passes_on(*expr.args[i], parameter)) continue;
         Changed changed{target, parameter, {}};
-        mention(*expr.args[i], changed.names);
+        collect_mentions(*expr.args[i], changed.names);
         if (!changed.names.empty()) use.changed.push_back(std::move(changed));
     }
 }
 
-std::vector<std::set<std::string>> Evaluations::held(const std::vector<Remembered>& variables) const {
+std::vector<std::set<std::string>> Evaluations::held_variables(const std::vector<Remembered>& variables) const {
     const std::set<std::string> remembered = parameters_of(variables);
     std::set<std::string> shared;
     for (const Remembered& variable : variables)
@@ -181,18 +181,18 @@ std::vector<std::set<std::string>> Evaluations::held(const std::vector<Remembere
     return result;
 }
 
-void remember(std::vector<Function>& functions, ExprPtr& initial, const FamilyCalls& calls,
-              const std::vector<Remembered>& variables) {
+void move_to_memories(std::vector<Function>& functions, ExprPtr& initial, const FamilyCalls& calls,
+                      const std::vector<Remembered>& variables) {
     if (variables.empty()) return;
     const Memories memories(functions, calls, variables);
     std::vector<ExprPtr> bodies;
     for (std::size_t i = 0; i < functions.size(); ++i)
-        bodies.push_back(memories.rewritten(functions[i].body, {memories.held(i)}));
-    initial = memories.rewritten(initial, {{}, true});
+        bodies.push_back(memories.rewrite(functions[i].body, {memories.held_by(i)}));
+    initial = memories.rewrite(initial, {{}, true});
     for (std::size_t i = 0; i < functions.size(); ++i) {
         functions[i].body = bodies[i];
         std::erase_if(functions[i].parameters, [&](const std::string& parameter) {
-            return memories.remembers(parameter) && memories.held(i).count(parameter) == 0;
+            return memories.is_remembered(parameter) && memories.held_by(i).count(parameter) == 0;
         });
     }
 }

@@ -35,7 +35,7 @@ public:
     Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters);
     /// For each function, the remembered variables that it holds. The sets are the least ones: a call that changes a
     /// shared variable needs further variables only if the called function holds the shared variable.
-    [[nodiscard]] std::vector<std::set<std::string>> held(const std::vector<Remembered>& variables) const;
+    [[nodiscard]] std::vector<std::set<std::string>> held_variables(const std::vector<Remembered>& variables) const;
 
 private:
     /// An argument for a parameter of the called function that is not the parameter itself.
@@ -48,9 +48,9 @@ private:
         std::set<std::string> names;  ///< outside calls of the family
         std::vector<Changed> changed;
     };
-    void survey(const cspm::Expr& expr, Use& use) const;
+    void survey_expression(const cspm::Expr& expr, Use& use) const;
     void survey_call(const cspm::Expr& expr, std::size_t target, Use& use) const;
-    void mention(const cspm::Expr& expr, std::set<std::string>& found) const;
+    void collect_mentions(const cspm::Expr& expr, std::set<std::string>& found) const;
 
     const std::vector<Function>& functions_;
     const std::set<std::string>& parameters_;
@@ -62,8 +62,8 @@ private:
 /// Removes the remembered variables from the parameters of the functions, except for functions that evaluate them.
 /// Termination becomes `end__ -> SKIP`, which also ends the memories. Precondition: no parameter is dead
 /// (drop_dead_parameters), and a shared variable changes only by its events.
-void remember(std::vector<Function>& functions, cspm::ExprPtr& initial, const FamilyCalls& calls,
-              const std::vector<Remembered>& variables);
+void move_to_memories(std::vector<Function>& functions, cspm::ExprPtr& initial, const FamilyCalls& calls,
+                      const std::vector<Remembered>& variables);
 
 /// Returns the definitions of the memories: `M_x(v) = get_x!v -> M_x(v) [] setL_x?v -> M_x(v) [] ... [] end__ -> SKIP`.
 [[nodiscard]] std::vector<cspm::DeclPtr> memory_definitions(const std::vector<Remembered>& variables, bool timed);

@@ -9,12 +9,12 @@
 #include <memory>
 #include <set>
 
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/swarm/conditions.hpp"
 #include "csp_emit/swarm/rules.hpp"
-#include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/spelling.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
@@ -70,26 +70,26 @@ public:
           diagnostics_(diagnostics) {}
 
     /// Returns the module's text; "" with a diagnostic if an element of the swarm does not match the component.
-    std::string text() {
+    std::string module_text() {
         component_ = component_named(emission_, swarm_.component.text);
         if (component_ == nullptr) {
             std::vector<std::string> known;
             for (const ComponentProcesses& each : emission_.components) known.push_back(each.path);
-            unknown("the model", "component", swarm_.component, known);
+            report_unknown("the model", "component", swarm_.component, known);
             return "";
         }
         if (swarm_.grid && !timed_) {
-            unfit(swarm_.name, "robots move where time passes: a grid has no untimed semantics");
+            report_unfit(swarm_.name, "robots move where time passes: a grid has no untimed semantics");
             return "";
         }
         ports_ = ports_of(emission_.provenance, component_->path);
-        bind();
+        bind_ports();
         if (!diagnostics_.ok()) return "";
-        return whole();
+        return write_module();
     }
 
     /// Describes how to find the robot that performs an event of the module.
-    [[nodiscard]] CopiesMeaning copies() const {
+    [[nodiscard]] CopiesMeaning meaning_of_copies() const {
         CopiesMeaning result{swarm_.robots, "robot", {}};
         const auto add = [&](const std::string& channel, const std::string& words) {
             result.channels["Swarm__::" + channel] = words;
@@ -109,28 +109,30 @@ public:
 private:
     // ------------------------------------------------------------ bindings
 
-    void unknown(const std::string& where, const std::string& what, const Word& word,
-                 const std::vector<std::string>& known) {
-        const std::string meant = diagnostics::nearest(word.text, known);
+    void report_unknown(const std::string& where, const std::string& what, const Word& word,
+                        const std::vector<std::string>& known) {
+        const std::string meant = diagnostics::nearest_spelling(word.text, known);
         diagnostics_.report(swarm_rules::unknown_name, word.span,
                             {where, what, word.text, meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)});
     }
-    void unfit(const Word& word, const std::string& why) { diagnostics_.report(swarm_rules::no_fit, word.span, {why}); }
+    void report_unfit(const Word& word, const std::string& why) {
+        diagnostics_.report(swarm_rules::no_fit, word.span, {why});
+    }
 
     /// The port with this name whose channel ends in `ending`; null with a diagnostic if there is none.
-    const Port* port(const Word& word, const std::string& ending, const char* what) {
+    const Port* find_port(const Word& word, const std::string& ending, const char* what) {
         if (const auto found = ports_.find(word.text + ending); found != ports_.end()) return &found->second;
         std::vector<std::string> known;
         for (const auto& [name, each] : ports_)
             if (name.ends_with(ending)) known.push_back(name.substr(0, name.size() - ending.size()));
-        unknown(swarm_.component.text, what, word, known);
+        report_unknown(swarm_.component.text, what, word, known);
         return nullptr;
     }
     /// The channel for an operation, which all uses of the operation in the swarm share.
-    std::string operation(const Word& word) {
+    std::string operation_channel(const Word& word) {
         const auto known = operations_.find(word.text);
         if (known != operations_.end()) return known->second;
-        const Port* const call = port(word, "Call", "operation");
+        const Port* const call = find_port(word, "Call", "operation");
         if (call == nullptr) return "";
         const std::string channel = fmt::format("operation_{}", operations_.size() + 1);
         const bool turns = std::ranges::any_of(swarm_.drives, [&](const SwarmDrive& each) {
@@ -138,8 +140,9 @@ private:
         });
         channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
         const std::int64_t scale = turns ? scale_of(*call) : 1;
-        if (scale == 0) unfit(word, fmt::format("'{}' has not one number as its argument to turn by", word.text));
-        rename(*call, channel + ".i__" + (turns ? fmt::format(".steps(a__,{})", scale) : ""));
+        if (scale == 0)
+            report_unfit(word, fmt::format("'{}' has not one number as its argument to turn by", word.text));
+        add_renaming(*call, channel + ".i__" + (turns ? fmt::format(".steps(a__,{})", scale) : ""));
         operations_[word.text] = channel;
         own_.push_back(channel);
         return channel;
@@ -152,49 +155,49 @@ private:
         return kind == ir::TypeKind::real ? instantiation_.scale : 0;
     }
     /// Renames all events of the port to `target`, in which a__ is their value.
-    void rename(const Port& port, const std::string& target) {
+    void add_renaming(const Port& port, const std::string& target) {
         used_.insert(port.channel);
         renamings_ += port.types.empty()
                           ? fmt::format("\n[[ {} <- {} ]]", port.channel, target)
                           : fmt::format("\n[[ {0}.a__ <- {1} | a__ <- extensions({0}) ]]", port.channel, target);
     }
 
-    void bind() {
+    void bind_ports() {
         for (const SwarmDrive& drive : swarm_.drives) {
-            if (!swarm_.grid) unfit(drive.operation, "without a grid nothing drives");
-            const std::string channel = operation(drive.operation);
+            if (!swarm_.grid) report_unfit(drive.operation, "without a grid nothing drives");
+            const std::string channel = operation_channel(drive.operation);
             if (!channel.empty() && !driven_.emplace(channel, drive.motion).second)
-                unfit(drive.operation, fmt::format("'{}' drives twice", drive.operation.text));
+                report_unfit(drive.operation, fmt::format("'{}' drives twice", drive.operation.text));
         }
-        for (const SwarmFeed& feed : swarm_.feeds) bind(feed);
-        for (const SwarmConnection& connection : swarm_.connections) bind(connection);
+        for (const SwarmFeed& feed : swarm_.feeds) bind_ports(feed);
+        for (const SwarmConnection& connection : swarm_.connections) bind_ports(connection);
         for (const SwarmConstant& constant : swarm_.constants)
-            if (constant.value.empty()) number(constant);
-        rest();
+            if (constant.value.empty()) set_robot_number(constant);
+        bind_remaining();
     }
 
-    bool once(const Word& word, const Port& port) {
+    bool check_unused(const Word& word, const Port& port) {
         if (!used_.contains(port.channel)) return true;
-        unfit(word, fmt::format("'{}' is fed or connected twice", word.text));
+        report_unfit(word, fmt::format("'{}' is fed or connected twice", word.text));
         return false;
     }
 
-    void bind(const SwarmFeed& feed) {
-        const Port* const event = port(feed.event, ".in", "event that it receives");
-        if (event == nullptr || !once(feed.event, *event)) return;
+    void bind_ports(const SwarmFeed& feed) {
+        const Port* const event = find_port(feed.event, ".in", "event that it receives");
+        if (event == nullptr || !check_unused(feed.event, *event)) return;
         const std::string channel = fmt::format("feed_{}", ++feeds_);
         const bool near = feed.reading == SwarmReading::count || feed.reading == SwarmReading::near;
         if (near)
-            sense(feed, *event, channel);
+            add_sensing(feed, *event, channel);
         else
-            signal(feed, *event, channel);
+            add_signal(feed, *event, channel);
         own_.push_back(channel);
         if (near && swarm_.grid) sensed_.push_back({channel, feed.distance});
         if (!feed.on) return;
-        const std::string asked = operation(*feed.on);
+        const std::string asked = operation_channel(*feed.on);
         if (!asked.empty()) answers_.push_back({asked, channel});
     }
-    void sense(const SwarmFeed& feed, const Port& event, const std::string& channel) {
+    void add_sensing(const SwarmFeed& feed, const Port& event, const std::string& channel) {
         channels_ += fmt::format("channel {} : Robots.Set(Robots)\n", channel);
         used_.insert(event.channel);
         std::string value;
@@ -202,46 +205,49 @@ private:
         const ir::TypeKind kind = event.types.size() == 1 ? system_.type(event.types.front()).kind : ir::TypeKind::unit;
         if (feed.reading == SwarmReading::count) {
             if (kind != ir::TypeKind::nat && kind != ir::TypeKind::integer)
-                return unfit(feed.event, fmt::format("'{}' carries no whole number", feed.event.text));
+                return report_unfit(feed.event, fmt::format("'{}' carries no whole number", feed.event.text));
             const auto& carrier = kind == ir::TypeKind::nat ? instantiation_.nat : instantiation_.integer;
             if (carrier.empty() || carrier.back() + 1 < swarm_.robots)
-                return unfit(feed.event,
-                             fmt::format("{} robots hear up to {}, and the model calculates up to {}: give "
-                                         "it more with `range`, or with --range",
-                                         swarm_.robots, swarm_.robots - 1, carrier.empty() ? 0 : carrier.back()));
+                return report_unfit(
+                    feed.event, fmt::format("{} robots hear up to {}, and the model calculates up to {}: give "
+                                            "it more with `range`, or with --range",
+                                            swarm_.robots, swarm_.robots - 1, carrier.empty() ? 0 : carrier.back()));
             value = ".card(s__)";
         } else if (kind == ir::TypeKind::boolean) {
             value = ".not empty(s__)";
         } else if (event.types.empty()) {
             condition = ", not empty(s__)";
         } else {
-            return unfit(feed.event, fmt::format("'{}' carries more than whether somebody is near", feed.event.text));
+            return report_unfit(feed.event,
+                                fmt::format("'{}' carries more than whether somebody is near", feed.event.text));
         }
         if (value == ".not empty(s__)") value = ".(not empty(s__))";
         renamings_ += fmt::format("\n[[ {}{} <- {}.i__.s__ | s__ <- Set(others(i__)){} ]]", event.channel, value,
                                   channel, condition);
     }
-    void signal(const SwarmFeed& feed, const Port& event, const std::string& channel) {
+    void add_signal(const SwarmFeed& feed, const Port& event, const std::string& channel) {
         channels_ += fmt::format("channel {} : Robots\n", channel);
         if (feed.reading == SwarmReading::turned) {
-            if (!event.types.empty()) unfit(feed.event, fmt::format("'{}' carries a value", feed.event.text));
-            if (!swarm_.grid) unfit(feed.event, "without a grid nothing turns");
+            if (!event.types.empty()) report_unfit(feed.event, fmt::format("'{}' carries a value", feed.event.text));
+            if (!swarm_.grid) report_unfit(feed.event, "without a grid nothing turns");
             settled_.push_back(channel);
         } else {
             lazy_.push_back(channel);
         }
-        rename(event, channel + ".i__");
+        add_renaming(event, channel + ".i__");
     }
 
-    void bind(const SwarmConnection& connection) {
-        const Port* const from = port(connection.from, ".out", "event that it sends");
-        const Port* const to = port(connection.to, ".in", "event that it receives");
-        if (from == nullptr || to == nullptr || !once(connection.from, *from) || !once(connection.to, *to)) return;
+    void bind_ports(const SwarmConnection& connection) {
+        const Port* const from = find_port(connection.from, ".out", "event that it sends");
+        const Port* const to = find_port(connection.to, ".in", "event that it receives");
+        if (from == nullptr || to == nullptr || !check_unused(connection.from, *from) ||
+            !check_unused(connection.to, *to))
+            return;
         if (from->types.size() != to->types.size() || from->types.size() > 1 ||
             (!from->types.empty() && from->types.front().index != to->types.front().index))
-            return unfit(connection.to, "what is sent is not what is received");
+            return report_unfit(connection.to, "what is sent is not what is received");
         if (connection.distance > 0 && !swarm_.grid)
-            return unfit(connection.from, "how far others are is known on a grid alone");
+            return report_unfit(connection.from, "how far others are is known on a grid alone");
         used_.insert(from->channel);
         used_.insert(to->channel);
         const std::string channel = fmt::format("message_{}", messages_.size() + 1);
@@ -258,7 +264,7 @@ private:
     }
 
     /// The constants that the component's process takes as parameters, by their names in the model.
-    [[nodiscard]] std::vector<ir::NamedConstant> taken() const {
+    [[nodiscard]] std::vector<ir::NamedConstant> parameter_constants() const {
         std::set<std::string> arguments;
         for (const cspm::ExprPtr& each : component_->compressed->args)
             if (each->kind == cspm::ExprKind::name) arguments.insert(each->text);
@@ -267,29 +273,32 @@ private:
         return result;
     }
     /// Sets the constant to the robot's number in the arguments of the process.
-    void number(const SwarmConstant& constant) {
+    void set_robot_number(const SwarmConstant& constant) {
         const std::string& wanted = constant.name.text;
-        const std::vector<ir::NamedConstant> all = taken();
+        const std::vector<ir::NamedConstant> all = parameter_constants();
         std::vector<ir::NamedConstant> meant;
         std::vector<std::string> known;
         for (const ir::NamedConstant& each : all) {
             if (each.path == wanted || each.path.ends_with("::" + wanted)) meant.push_back(each);
             if (!each.has_value) known.push_back(each.path.substr(each.path.rfind(':') + 1));
         }
-        if (meant.empty()) return unknown(swarm_.component.text, "constant that is open", constant.name, known);
+        if (meant.empty()) return report_unknown(swarm_.component.text, "constant that is open", constant.name, known);
         if (meant.size() > 1) {
             std::vector<std::string> paths;
             for (const ir::NamedConstant& each : meant) paths.push_back(each.path);
-            return unfit(constant.name, fmt::format("'{}' may be each of {}: write more of the path of the one that is "
-                                                    "meant",
-                                                    wanted, fmt::join(paths, ", ")));
+            return report_unfit(constant.name,
+                                fmt::format("'{}' may be each of {}: write more of the path of the one that is "
+                                            "meant",
+                                            wanted, fmt::join(paths, ", ")));
         }
-        if (meant.front().has_value) return unfit(constant.name, fmt::format("the model gives '{}' a value", wanted));
+        if (meant.front().has_value)
+            return report_unfit(constant.name, fmt::format("the model gives '{}' a value", wanted));
         const std::string value = own_number(meant.front().type);
         if (value.empty())
-            return unfit(constant.name, fmt::format("'{}' is of a type that has no numbers from 0 to {}: give it more "
-                                                    "values with `range`, or with --range",
-                                                    wanted, swarm_.robots - 1));
+            return report_unfit(constant.name,
+                                fmt::format("'{}' is of a type that has no numbers from 0 to {}: give it more "
+                                            "values with `range`, or with --range",
+                                            wanted, swarm_.robots - 1));
         numbered_[meant.front().name] = value;
     }
     /// The number of robot i__ as a value of this type; "" if the type does not have a value for each robot.
@@ -309,21 +318,21 @@ private:
     }
 
     /// Handles ports that are not bound: outputs and calls are possible at any time, inputs never arrive.
-    void rest() {
+    void bind_remaining() {
         std::vector<std::string> never;
         for (const auto& [name, port] : ports_) {
             if (used_.contains(port.channel)) continue;
             if (port.kind == MeaningKind::trigger || port.kind == MeaningKind::external_write)
                 never.push_back(port.channel);
             else
-                rename(port, "acts.i__");
+                add_renaming(port, "acts.i__");
         }
         if (!never.empty()) blocked_ = fmt::format("\n[| {{| {} |}} |] STOP", fmt::join(never, ", "));
     }
 
     // ------------------------------------------------------------ the text
 
-    [[nodiscard]] std::string process() const {
+    [[nodiscard]] std::string robot_process() const {
         std::vector<std::string> arguments;
         const cspm::Expr& call = *component_->compressed;
         std::string function;
@@ -338,7 +347,7 @@ private:
         return arguments.empty() ? function : fmt::format("{}({})", function, fmt::join(arguments, ", "));
     }
 
-    static std::string productions(const std::vector<std::string>& channels) {
+    static std::string productions_of(const std::vector<std::string>& channels) {
         return channels.empty() ? "{}" : fmt::format("{{| {} |}}", fmt::join(channels, ", "));
     }
     static std::vector<std::string> of_robot(const std::vector<std::string>& channels, const char* robot) {
@@ -347,7 +356,7 @@ private:
         return result;
     }
 
-    std::string whole() {
+    std::string write_module() {
         std::string text = "module Swarm__\nexports\n";
         text += fmt::format("Robots = {{0..{}}}\nHeadings = {{0..{}}}\n", swarm_.robots - 1, swarm_.headings - 1);
         text +=
@@ -357,18 +366,18 @@ private:
             "joined(a__,s__) =\n"
             "let more__ = union(a__, union({j__ | (i__,j__) <- s__, member(i__,a__)}, {i__ | (i__,j__) <- s__, "
             "member(j__,a__)}))\nwithin if more__ == a__ then a__ == Robots else joined(more__,s__)\n";
-        text += channels_ + turns() + robots();
+        text += channels_ + turns_text() + robots_text();
         for (std::size_t k = 0; k < swarm_.claims.size(); ++k)
             if (swarm_.claims[k].question != SwarmQuestion::deadlock_free)
                 observations_.emplace_back(swarm_.claims[k].condition, fmt::format("observe_{}", k + 1));
         for (const Observation& each : observations_) text += each.channel_declaration();
-        text += world();
-        text += processes();
+        text += world_text();
+        text += processes_text();
         return text + "endmodule\n";
     }
 
     /// The heading that is nearest to an angle in units of 1/s__ of a degree.
-    [[nodiscard]] std::string turns() const {
+    [[nodiscard]] std::string turns_text() const {
         if (!swarm_.grid) return "";
         return fmt::format(
             "steps(a__,s__) = let step__ = {0} * s__\nround__ = {1} * step__\n"
@@ -376,21 +385,22 @@ private:
             360 / swarm_.headings, swarm_.headings);
     }
 
-    [[nodiscard]] std::string robots() const {
+    [[nodiscard]] std::string robots_text() const {
         std::vector<std::string> alphabet = of_robot(own_, "i__");
         alphabet.push_back("acts.i__");
         if (timed_) alphabet.push_back("tock");
-        std::string events = productions(alphabet);
+        std::string events = productions_of(alphabet);
         for (const Sensed& each : messages_)
             events = fmt::format(
                 "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
                 "member(i__,s__) |}}))",
                 events, each.channel);
-        // In the timed semantics these stay visible, because `activity` observes them.
+        // in the timed semantics these stay visible, because the observer of activity needs them
         std::vector<std::string> own{"acts.i__"};
         for (const std::string& each : lazy_) own.push_back(each + ".i__");
         return fmt::format("Robot(i__) = dbisim((({}{}){}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
-                           process(), blocked_, renamings_, timed_ ? std::string() : " \\ " + productions(own), events);
+                           robot_process(), blocked_, renamings_, timed_ ? std::string() : " \\ " + productions_of(own),
+                           events);
     }
 
     // A part of the world with the events on which it synchronises.
@@ -399,27 +409,29 @@ private:
         std::string alphabet;
     };
 
-    std::string world() {
+    std::string world_text() {
         std::string text;
         std::vector<WorldPart> parts;
         if (swarm_.grid) {
-            text += grid();
+            text += grid_text();
             parts.push_back({"Bodies", bodies_alphabet()});
             if (swarm_.robots > 1) parts.push_back({"AllPairs", pairs_alphabet()});
             parts.push_back({"Still", phase_alphabet()});
-            if (away()) parts.push_back({fmt::format("Way({},{})", place(0).x, place(0).y), way_alphabet()});
+            if (observes_away())
+                parts.push_back({fmt::format("Way({},{})", place_of(0).x, place_of(0).y), way_alphabet()});
         }
         for (std::size_t k = 0; k < answers_.size(); ++k) {
             const auto& [asked, answer] = answers_[k];
             text += fmt::format(
                 "Asked_{0}(i__) = {1} -> Answer_{0}(i__)\n"
                 "Answer_{0}(i__) = {2} -> Asked_{0}(i__) [] {1} -> Answer_{0}(i__)\n",
-                k + 1, asked + ".i__" + pattern(asked), answer_event(answer));
-            parts.push_back({fmt::format("(||| i__ : Robots @ Asked_{}(i__))", k + 1), productions({asked, answer})});
+                k + 1, asked + ".i__" + input_pattern(asked), answer_event(answer));
+            parts.push_back(
+                {fmt::format("(||| i__ : Robots @ Asked_{}(i__))", k + 1), productions_of({asked, answer})});
         }
         // A single robot has no receivers, so its messages are blocked.
         if (swarm_.robots == 1)
-            for (const Sensed& each : messages_) parts.push_back({"STOP", productions({each.channel})});
+            for (const Sensed& each : messages_) parts.push_back({"STOP", productions_of({each.channel})});
         if (parts.empty()) return text + "World = SKIP\nshared = {}\n";
         std::string together = parts.front().process;
         std::string alphabet = parts.front().alphabet;
@@ -427,11 +439,11 @@ private:
             together = fmt::format("({} [ {} || {} ] {})", together, alphabet, parts[k].alphabet, parts[k].process);
             alphabet = fmt::format("union({}, {})", alphabet, parts[k].alphabet);
         }
-        return text +
-               fmt::format("World = {}\nshared = diff({}, {})\n", together, alphabet,
-                           productions(swarm_.grid ? with_observations({"go", "stay"}) : std::vector<std::string>{}));
+        return text + fmt::format(
+                          "World = {}\nshared = diff({}, {})\n", together, alphabet,
+                          productions_of(swarm_.grid ? with_observations({"go", "stay"}) : std::vector<std::string>{}));
     }
-    [[nodiscard]] std::string pattern(const std::string& channel) const {
+    [[nodiscard]] std::string input_pattern(const std::string& channel) const {
         const auto found = driven_.find(channel);
         return found != driven_.end() && found->second == SwarmMotion::turn ? "?h__" : "";
     }
@@ -444,9 +456,9 @@ private:
         return channels;
     }
 
-    [[nodiscard]] bool away() const {
+    [[nodiscard]] bool observes_away() const {
         return std::ranges::any_of(observations_,
-                                   [](const Observation& each) { return each.asks(SwarmCondition::Kind::away); });
+                                   [](const Observation& each) { return each.has_atom(SwarmCondition::Kind::away); });
     }
 
     [[nodiscard]] std::vector<std::string> driving_channels() const {
@@ -457,7 +469,7 @@ private:
     [[nodiscard]] std::string bodies_alphabet() const {
         std::vector<std::string> channels = driving_channels();
         channels.insert(channels.end(), {"go", "stay", "tock"});
-        return productions(channels);
+        return productions_of(channels);
     }
     [[nodiscard]] std::string pairs_alphabet() const {
         std::vector<std::string> channels{"go"};
@@ -466,7 +478,7 @@ private:
             if (each.distance > 0) channels.push_back(each.channel);
         for (const Observation& each : observations_)
             if (each.asks_pairs()) channels.push_back(each.channel());
-        return productions(channels);
+        return productions_of(channels);
     }
     [[nodiscard]] std::vector<std::string> phase_channels() const {
         std::vector<std::string> channels = driving_channels();
@@ -477,25 +489,25 @@ private:
     [[nodiscard]] std::string phase_alphabet() const {
         std::vector<std::string> channels = phase_channels();
         channels.insert(channels.end(), {"go", "stay", "tock"});
-        return productions(channels);
+        return productions_of(channels);
     }
     [[nodiscard]] std::string way_alphabet() const {
         std::vector<std::string> channels{"go.0"};
         for (const Observation& each : observations_)
-            if (each.asks(SwarmCondition::Kind::away)) channels.push_back(each.channel());
-        return productions(channels);
+            if (each.has_atom(SwarmCondition::Kind::away)) channels.push_back(each.channel());
+        return productions_of(channels);
     }
 
-    [[nodiscard]] SwarmPlace place(std::size_t robot) const {
+    [[nodiscard]] SwarmPlace place_of(std::size_t robot) const {
         SwarmPlace result;
         if (!swarm_.places.empty()) result = swarm_.places[std::min(robot, swarm_.places.size() - 1)];
-        result.x = around(result.x, swarm_.grid->width);
-        result.y = around(result.y, swarm_.grid->height);
+        result.x = wrap_around(result.x, swarm_.grid->width);
+        result.y = wrap_around(result.y, swarm_.grid->height);
         return result;
     }
-    static std::int64_t around(std::int64_t value, std::int64_t size) { return ((value % size) + size) % size; }
+    static std::int64_t wrap_around(std::int64_t value, std::int64_t size) { return ((value % size) + size) % size; }
 
-    [[nodiscard]] std::string grid() const {
+    [[nodiscard]] std::string grid_text() const {
         const bool four = swarm_.headings == 4;
         std::string text = fmt::format("columns = {}\nrows = {}\n", swarm_.grid->width, swarm_.grid->height);
         text += fmt::format("along_x = <{}>\nalong_y = <{}>\n", four ? "1,0,-1,0" : "1,1,0,-1,-1,-1,0,1",
@@ -506,11 +518,11 @@ private:
             "shorter(x__,m__) = if x__ + x__ > m__ then m__ - x__ else x__\n"
             "near(x__,y__,d__) = shorter(x__,columns) <= d__ and shorter(y__,rows) <= d__\n"
             "channel go : Robots.Headings\nchannel stay : Robots\n";
-        return text + bodies() + pairs() + phases() + (away() ? way() : "");
+        return text + bodies_text() + pairs_text() + phases_text() + (observes_away() ? way_text() : "");
     }
 
     /// The process of a robot's body. m__: 0 standing, 1 driving, 2 turning until the next time unit has passed.
-    [[nodiscard]] std::string bodies() const {
+    [[nodiscard]] std::string bodies_text() const {
         std::string text = "Body(i__,h__,m__) =\n";
         for (const auto& [channel, motion] : driven_) {
             if (motion == SwarmMotion::turn)
@@ -524,13 +536,13 @@ private:
             "m__ == 1 & go.i__.h__ -> Body(i__,h__,m__)\n[] m__ != 1 & stay.i__ -> Body(i__,h__,0)\n"
             "[] tock -> Body(i__,h__,m__)\n";
         for (std::uint32_t robot = 0; robot < swarm_.robots; ++robot) {
-            const SwarmPlace at = place(robot);
+            const SwarmPlace at = place_of(robot);
             if (at.degrees)
                 text += fmt::format("Start({0}) = Body({0},steps({1},1),0)\n", robot, *at.degrees);
             else
                 text += fmt::format("Start({0}) = |~| h__ : Headings @ Body({0},h__,0)\n", robot);
         }
-        const std::string alphabet = productions([&] {
+        const std::string alphabet = productions_of([&] {
             std::vector<std::string> channels = of_robot(driving_channels(), "i__");
             channels.insert(channels.end(), {"go.i__", "stay.i__", "tock"});
             return channels;
@@ -539,7 +551,7 @@ private:
     }
 
     /// The process for robots i__ < j__ that stores the position of j__ relative to i__.
-    [[nodiscard]] std::string pairs() const {
+    [[nodiscard]] std::string pairs_text() const {
         if (swarm_.robots == 1) return "";
         std::string text =
             "Pair(i__,j__,x__,y__) =\n"
@@ -571,14 +583,14 @@ private:
             text += "[] " + each.seen_by_pair() + " -> Pair(i__,j__,x__,y__)\n";
             alphabet.push_back(each.channel());
         }
-        text += fmt::format("pair_events(i__,j__) = {}\n", productions(alphabet));
+        text += fmt::format("pair_events(i__,j__) = {}\n", productions_of(alphabet));
         std::string together;
         std::string events;
         for (std::uint32_t i = 0; i < swarm_.robots; ++i)
             for (std::uint32_t j = i + 1; j < swarm_.robots; ++j) {
-                const std::string one =
-                    fmt::format("Pair({},{},{},{})", i, j, around(place(j).x - place(i).x, swarm_.grid->width),
-                                around(place(j).y - place(i).y, swarm_.grid->height));
+                const std::string one = fmt::format("Pair({},{},{},{})", i, j,
+                                                    wrap_around(place_of(j).x - place_of(i).x, swarm_.grid->width),
+                                                    wrap_around(place_of(j).y - place_of(i).y, swarm_.grid->height));
                 const std::string own = fmt::format("pair_events({},{})", i, j);
                 together = together.empty() ? one : fmt::format("({} [ {} || {} ] {})", together, events, own, one);
                 events = events.empty() ? own : fmt::format("union({}, {})", events, own);
@@ -587,27 +599,27 @@ private:
     }
 
     /// After each tock all robots move; nothing else happens meanwhile.
-    [[nodiscard]] std::string phases() const {
+    [[nodiscard]] std::string phases_text() const {
         const std::vector<std::string> channels = phase_channels();
         std::string text = "Still = tock -> Moving(0)";
-        if (!channels.empty()) text += fmt::format(" [] ([] e__ : {} @ e__ -> Still)", productions(channels));
+        if (!channels.empty()) text += fmt::format(" [] ([] e__ : {} @ e__ -> Still)", productions_of(channels));
         return text +
                "\nMoving(i__) = if member(i__,Robots) then (go.i__?h__ -> Moving(i__+1) [] stay.i__ -> Moving(i__+1)) "
                "else Still\n";
     }
 
     /// The process that stores the position of robot 0.
-    [[nodiscard]] std::string way() const {
+    [[nodiscard]] std::string way_text() const {
         std::string text =
             "Way(x__,y__) = go.0?h__ -> Way(column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
-        const SwarmPlace from = place(0);
+        const SwarmPlace from = place_of(0);
         for (const Observation& each : observations_)
-            if (each.asks(SwarmCondition::Kind::away))
+            if (each.has_atom(SwarmCondition::Kind::away))
                 text += "[] " + each.seen_on_way(from.x, from.y) + " -> Way(x__,y__)\n";
         return text;
     }
 
-    [[nodiscard]] std::string processes() const {
+    [[nodiscard]] std::string processes_text() const {
         std::vector<std::string> hidden = own_;
         std::erase_if(hidden, [&](const std::string& each) { return std::ranges::find(lazy_, each) != lazy_.end(); });
         for (const Sensed& each : messages_) hidden.push_back(each.channel);
@@ -619,27 +631,28 @@ private:
             for (const Observation& each : observations_)
                 if (each.channel() != kept) others.push_back(each.channel());
             return others.empty() ? std::string("Together")
-                                  : fmt::format("(Together [| {} |] STOP)", productions(others));
+                                  : fmt::format("(Together [| {} |] STOP)", productions_of(others));
         };
         hidden.push_back("acts");
         if (!timed_)
-            text += fmt::format("Acting = ({} \\ {}) \\ {}\n", without(""), productions(hidden), productions(lazy_));
-        if (timed_) text += activity(without(""), hidden, moves);
+            text +=
+                fmt::format("Acting = ({} \\ {}) \\ {}\n", without(""), productions_of(hidden), productions_of(lazy_));
+        if (timed_) text += activity_text(without(""), hidden, moves);
         hidden.insert(hidden.end(), moves.begin(), moves.end());
         if (timed_)
             text += fmt::format("Alone = prioritise({} \\ {}, <{{}}, {{tock}}>)\nPassing = Alone \\ {}\n", without(""),
-                                productions(hidden), productions(lazy_));
+                                productions_of(hidden), productions_of(lazy_));
         for (const Observation& each : observations_) {
             text += fmt::format("Seen_{0} = prioritise({1} \\ {2}, <{{}}, {{tock}}>) \\ {3}\n", each.channel(),
-                                without(each.channel()), productions(hidden), productions(lazy_));
-            text += each.meaning();
+                                without(each.channel()), productions_of(hidden), productions_of(lazy_));
+            text += each.define_meaning();
         }
         return text;
     }
 
     /// Shows with the event `active` whether a robot has acted since the last tock.
-    [[nodiscard]] std::string activity(const std::string& together, std::vector<std::string> done,
-                                       const std::vector<std::string>& moves) const {
+    [[nodiscard]] std::string activity_text(const std::string& together, std::vector<std::string> done,
+                                            const std::vector<std::string>& moves) const {
         std::vector<std::string> hidden = done;
         hidden.insert(hidden.end(), moves.begin(), moves.end());
         done.insert(done.end(), lazy_.begin(), lazy_.end());
@@ -648,7 +661,7 @@ private:
             "Quiet = tock -> Quiet [] ([] e__ : {0} @ e__ -> Busy)\n"
             "Busy = tock -> Quiet [] active -> Busy [] ([] e__ : {0} @ e__ -> Busy)\n"
             "Watched = prioritise(({1} [| union({0}, {{tock}}) |] Quiet) \\ {2}, <{{}}, {{tock}}>) \\ {3}\n",
-            productions(done), together, productions(hidden), productions(lazy_));
+            productions_of(done), together, productions_of(hidden), productions_of(lazy_));
     }
 
     struct Sensed {
@@ -713,7 +726,7 @@ std::shared_ptr<const Premise> time_can_pass(std::vector<cspm::DeclPtr> waits) {
                 "time can always pass", "time can stop", "from here on no time passes"});
 }
 
-bool premised(const SwarmClaim& claim) {
+bool has_premise(const SwarmClaim& claim) {
     return claim.question != SwarmQuestion::possible;
 }
 
@@ -749,9 +762,9 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
 }
 
 /// The assertion with the claim as a comment above it, as reports print it.
-cspm::DeclPtr named(const cspm::DeclPtr& assertion, const std::string& title) {
+cspm::DeclPtr with_title(const cspm::DeclPtr& assertion, const std::string& title) {
     cspm::Decl result = *assertion;
-    result.comment = diagnostics::shown(title);
+    result.comment = diagnostics::escape_for_display(title);
     return std::make_shared<const cspm::Decl>(std::move(result));
 }
 
@@ -761,20 +774,20 @@ void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::Sys
                 const ir::Instantiation& instantiation, diagnostics::SourceManager& sources,
                 diagnostics::Diagnostics& diagnostics) {
     SwarmModule composed(emission, swarm, time, system, instantiation, diagnostics);
-    const std::string module = composed.text();
+    const std::string module = composed.module_text();
     emission.script = emission.definitions;
     emission.obligations.clear();
     if (module.empty()) return;
-    emission.provenance.copies = composed.copies();
+    emission.provenance.copies = composed.meaning_of_copies();
     const auto read = [&](const std::string& name, const std::string& text, const std::string& title = "") {
         cspm::Script script = cspm::read(sources, sources.add(name, text), diagnostics);
         if (!title.empty())
-            for (cspm::DeclPtr& each : script.decls) each = named(each, title);
+            for (cspm::DeclPtr& each : script.decls) each = with_title(each, title);
         emission.script.decls.insert(emission.script.decls.end(), script.decls.begin(), script.decls.end());
         return script.decls;
     };
     (void)read("the swarm's CSP", module);
-    const bool premise = time == Time::timed && std::ranges::any_of(swarm.claims, premised);
+    const bool premise = time == Time::timed && std::ranges::any_of(swarm.claims, has_premise);
     const bool waits =
         std::ranges::any_of(swarm.feeds, [](const SwarmFeed& each) { return each.reading == SwarmReading::any; });
     std::shared_ptr<const Premise> passing;
@@ -789,7 +802,7 @@ void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::Sys
             emission.provenance.events[fmt::format("Swarm__::observe_{}", k + 1)].text =
                 "where the robots are is looked at";
         }
-        if (premised(swarm.claims[k])) one.premise = passing;
+        if (has_premise(swarm.claims[k])) one.premise = passing;
         const std::string text = assertion_text(swarm.claims[k], k + 1, time == Time::timed);
         if (!text.empty()) one.assertions = read("the swarm's claims", text, one.title);
         emission.obligations.push_back(std::move(one));

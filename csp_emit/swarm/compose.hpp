@@ -13,9 +13,9 @@
 // observations that decide conditions work in the same way.
 #pragma once
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "csp_emit/base/emission.hpp"
 #include "csp_emit/swarm/swarm.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -11,27 +11,27 @@ using Kind = SwarmCondition::Kind;
 
 Observation::Observation(const SwarmCondition& condition, std::string channel)
     : channel_(std::move(channel)), condition_(condition) {
-    collect(condition_);
+    collect_atoms(condition_);
 }
 
-void Observation::collect(const SwarmCondition& condition) {
-    for (const SwarmCondition& part : condition.parts) collect(part);
-    if (condition.parts.empty() && place(condition) == atoms_.size())
+void Observation::collect_atoms(const SwarmCondition& condition) {
+    for (const SwarmCondition& part : condition.parts) collect_atoms(part);
+    if (condition.parts.empty() && atom_index(condition) == atoms_.size())
         atoms_.push_back({condition.kind, condition.distance});
 }
 
-std::size_t Observation::place(const SwarmCondition& condition) const {
+std::size_t Observation::atom_index(const SwarmCondition& condition) const {
     const auto found = std::ranges::find_if(
         atoms_, [&](const Atom& each) { return each.kind == condition.kind && each.distance == condition.distance; });
     return static_cast<std::size_t>(found - atoms_.begin());
 }
 
-bool Observation::asks(Kind kind) const {
+bool Observation::has_atom(Kind kind) const {
     return std::ranges::any_of(atoms_, [&](const Atom& each) { return each.kind == kind; });
 }
 
 bool Observation::asks_pairs() const {
-    return asks(Kind::linked) || asks(Kind::apart);
+    return has_atom(Kind::linked) || has_atom(Kind::apart);
 }
 
 std::string Observation::channel_declaration() const {
@@ -60,8 +60,8 @@ std::string Observation::seen_on_way(std::int64_t x, std::int64_t y) const {
     return event;
 }
 
-std::string Observation::text(const SwarmCondition& condition) const {
-    const auto field = [&] { return fmt::format("a{}__", place(condition)); };
+std::string Observation::condition_text(const SwarmCondition& condition) const {
+    const auto field = [&] { return fmt::format("a{}__", atom_index(condition)); };
     switch (condition.kind) {
         case Kind::linked:
             return fmt::format("joined({{0}},{})", field());
@@ -70,23 +70,23 @@ std::string Observation::text(const SwarmCondition& condition) const {
         case Kind::away:
             return field();
         case Kind::negation:
-            return fmt::format("not ({})", text(condition.parts.front()));
+            return fmt::format("not ({})", condition_text(condition.parts.front()));
         case Kind::both:
-            return chain(condition.parts, "and");
+            return chain_text(condition.parts, "and");
         case Kind::either:
-            return chain(condition.parts, "or");
+            return chain_text(condition.parts, "or");
     }
     return "";
 }
 
 /// Splits the parts in halves, so that the depth of the expression grows with the logarithm of the number of parts.
-std::string Observation::chain(std::span<const SwarmCondition> parts, const char* word) const {
-    if (parts.size() == 1) return text(parts.front());
+std::string Observation::chain_text(std::span<const SwarmCondition> parts, const char* word) const {
+    if (parts.size() == 1) return condition_text(parts.front());
     const std::size_t half = parts.size() / 2;
-    return fmt::format("({} {} {})", chain(parts.first(half), word), word, chain(parts.subspan(half), word));
+    return fmt::format("({} {} {})", chain_text(parts.first(half), word), word, chain_text(parts.subspan(half), word));
 }
 
-std::string Observation::meaning() const {
+std::string Observation::define_meaning() const {
     std::string event = channel_;
     std::string sets;
     for (std::size_t k = 0; k < atoms_.size(); ++k) {
@@ -94,7 +94,7 @@ std::string Observation::meaning() const {
         sets +=
             fmt::format("{}a{}__ <- {}", k == 0 ? "" : ", ", k, atoms_[k].kind == Kind::away ? "Bool" : "Set(Pairs)");
     }
-    const std::string holds = text(condition_);
+    const std::string holds = condition_text(condition_);
     return fmt::format("holds_{0} = {{{1} | {2}, {3}}}\nfails_{0} = {{{1} | {2}, not ({3})}}\n", channel_, event, sets,
                        holds);
 }

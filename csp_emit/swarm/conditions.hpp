@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions of a swarm's claims as events that observe all robots at once.
+// Represents conditions of a swarm's claims as events that observe all robots at once.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] const std::string& channel() const { return channel_; }
     /// Whether the condition has an atom of this kind.
-    [[nodiscard]] bool asks(SwarmCondition::Kind kind) const;
+    [[nodiscard]] bool has_atom(SwarmCondition::Kind kind) const;
     /// Whether the condition has an atom about pairs of robots.
     [[nodiscard]] bool asks_pairs() const;
     [[nodiscard]] std::string channel_declaration() const;
@@ -28,7 +28,7 @@ public:
     /// The event while robot 0, which began at x, y, is at x__, y__.
     [[nodiscard]] std::string seen_on_way(std::int64_t x, std::int64_t y) const;
     /// Definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events for which the condition holds, and the others.
-    [[nodiscard]] std::string meaning() const;
+    [[nodiscard]] std::string define_meaning() const;
 
 private:
     /// A part of a condition that has no parts itself.
@@ -37,10 +37,10 @@ private:
         std::uint32_t distance;
     };
 
-    void collect(const SwarmCondition& condition);
-    [[nodiscard]] std::string text(const SwarmCondition& condition) const;
-    [[nodiscard]] std::string chain(std::span<const SwarmCondition> parts, const char* word) const;
-    [[nodiscard]] std::size_t place(const SwarmCondition& condition) const;
+    void collect_atoms(const SwarmCondition& condition);
+    [[nodiscard]] std::string condition_text(const SwarmCondition& condition) const;
+    [[nodiscard]] std::string chain_text(std::span<const SwarmCondition> parts, const char* word) const;
+    [[nodiscard]] std::size_t atom_index(const SwarmCondition& condition) const;
 
     std::string channel_;
     SwarmCondition condition_;

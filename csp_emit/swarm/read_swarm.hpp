@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a swarm.
+// Reads the text of a swarm.
 #pragma once
 
 #include "csp_emit/swarm/swarm.hpp"
@@ -12,7 +12,8 @@ struct SwarmSize {
     std::optional<SwarmGrid> grid;  ///< no value: as in the text
 };
 
-/// Reports errors of syntax and of consistency. Names of the component are checked when the swarm is composed.
+/// Reads a swarm and reports errors of syntax and of consistency. Names of the component are checked when the swarm is
+/// composed.
 [[nodiscard]] Swarm read_swarm(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&,
                                const SwarmSize& size = {});
 

@@ -19,7 +19,7 @@ struct SwarmGrid {
     std::uint32_t height = 0;
 };
 
-/// `place at (X, Y) heading 90 deg`, or `heading any`. Robots without a place begin where the last one does.
+/// A line `place at (X, Y) heading 90 deg`, or `heading any`. Robots without a place begin where the last one does.
 struct SwarmPlace {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -34,7 +34,7 @@ enum class SwarmReading {
     any,     ///< any value at any time, or nothing: the environment decides
 };
 
-/// `feed EVENT with count(1) on OPERATION`.
+/// A line `feed EVENT with count(1) on OPERATION`.
 struct SwarmFeed {
     frontend::Word event;
     SwarmReading reading = SwarmReading::any;
@@ -44,26 +44,26 @@ struct SwarmFeed {
 
 enum class SwarmMotion { forward, turn, stop };
 
-/// `drive by forward on OPERATION`.
+/// A line `drive by forward on OPERATION`.
 struct SwarmDrive {
     frontend::Word operation;
     SwarmMotion motion = SwarmMotion::stop;
 };
 
-/// `connect EVENT to EVENT within 1`: messages that a robot sends reach others.
+/// A line `connect EVENT to EVENT within 1`: messages that a robot sends reach others.
 struct SwarmConnection {
     frontend::Word from;
     frontend::Word to;
     std::uint32_t distance = 0;  ///< 0: any distance
 };
 
-/// `const NAME = VALUE` or `const NAME = robot`, the number of the robot, counted from 0.
+/// A line `const NAME = VALUE` or `const NAME = robot`, the number of the robot, counted from 0.
 struct SwarmConstant {
     frontend::Word name;
     std::string value;  ///< "" for the number of the robot
 };
 
-/// `range nat = 0 to 4`.
+/// A line `range nat = 0 to 4`.
 struct SwarmRange {
     frontend::Word type;
     std::int64_t low = 0;
@@ -92,7 +92,7 @@ enum class SwarmQuestion {
     recurrent,      ///< from every reachable state, some run reaches a state in which the condition holds
 };
 
-/// `accept recurrent linked(1)`.
+/// A line `accept recurrent linked(1)`.
 struct SwarmClaim {
     SwarmQuestion question = SwarmQuestion::always;
     SwarmCondition condition;

@@ -25,13 +25,13 @@ struct Arrival {
 /// The messages from the reader thread.
 class Inbox {
 public:
-    void put(Arrival arrival) {
+    void put_arrival(Arrival arrival) {
         const std::lock_guard lock(mutex_);
         arrivals_.push_back(std::move(arrival));
         filled_.notify_one();
     }
     /// Takes all available items; with `wait`, waits until there is one.
-    std::deque<Arrival> take(bool wait) {
+    std::deque<Arrival> take_arrivals(bool wait) {
         std::unique_lock lock(mutex_);
         if (wait) filled_.wait(lock, [this] { return !arrivals_.empty(); });
         return std::exchange(arrivals_, {});
@@ -54,19 +54,19 @@ Arrival arrival_of(Frame frame) {
 /// `exit` is the last message; reading after it could block forever.
 bool is_exit(const Arrival& arrival) {
     const View message = arrival.message;
-    return arrival.fault.empty() && message["method"].text() == "exit" && !message.has("id");
+    return arrival.fault.empty() && message["method"].text() == "exit" && !message.has_key("id");
 }
 
 void read_all(std::istream& in, Inbox& inbox, Interruption& interruption) {
     FrameReader reader(in);
     while (true) {
-        Arrival arrival = arrival_of(reader.next());
+        Arrival arrival = arrival_of(reader.next_frame());
         if (arrival.end)
             interruption.input_ended();
         else if (arrival.fault.empty())
-            interruption.arrived(arrival.message);
+            interruption.note_arrival(arrival.message);
         const bool last = arrival.end || is_exit(arrival);
-        inbox.put(std::move(arrival));
+        inbox.put_arrival(std::move(arrival));
         if (last) return;
     }
 }
@@ -84,22 +84,22 @@ int serve(std::istream& in, std::ostream& out) {
             failure = std::current_exception();
             Arrival end;
             end.end = true;
-            inbox.put(std::move(end));
+            inbox.put_arrival(std::move(end));
         }
     });
     bool ended = false;
     const auto receive = [&](bool wait) {
-        for (Arrival& arrival : inbox.take(wait)) {
+        for (Arrival& arrival : inbox.take_arrivals(wait)) {
             ended = ended || arrival.end;
-            if (!arrival.end) server.receive(std::move(arrival.message), std::move(arrival.fault));
+            if (!arrival.end) server.receive_message(std::move(arrival.message), std::move(arrival.fault));
         }
     };
     while (!server.exit_code() && (!ended || server.has_work())) {
         receive(!server.has_work() && !ended);
-        if (server.has_work()) server.step();
+        if (server.has_work()) server.handle_next();
         // More messages may have arrived; diagnostics of an outdated text are useless.
         receive(false);
-        if (!server.has_work() && !ended) server.idle();
+        if (!server.has_work() && !ended) server.use_idle_time();
     }
     reader.join();
     if (failure) std::rethrow_exception(failure);

@@ -33,23 +33,23 @@ struct NotificationRow {
 constexpr std::array requests = {
     RequestRow{"callHierarchy/incomingCalls", incoming_calls},
     RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
-    RequestRow{diagram_request, diagram},
+    RequestRow{diagram_request, component_diagram},
     RequestRow{"textDocument/codeAction", code_actions},
     RequestRow{"textDocument/codeLens", code_lenses},
-    RequestRow{"textDocument/completion", completion},
-    RequestRow{"textDocument/declaration", definition},
-    RequestRow{"textDocument/definition", definition},
+    RequestRow{"textDocument/completion", completion_items},
+    RequestRow{"textDocument/declaration", definition_locations},
+    RequestRow{"textDocument/definition", definition_locations},
     RequestRow{"textDocument/diagnostic", document_diagnostic},
-    RequestRow{"textDocument/documentHighlight", highlights},
+    RequestRow{"textDocument/documentHighlight", name_highlights},
     RequestRow{"textDocument/documentSymbol", document_symbols},
     RequestRow{"textDocument/foldingRange", folding_ranges},
-    RequestRow{"textDocument/formatting", formatting},
-    RequestRow{"textDocument/hover", hover},
+    RequestRow{"textDocument/formatting", formatting_edits},
+    RequestRow{"textDocument/hover", hover_text},
     RequestRow{"textDocument/inlayHint", inlay_hints},
     RequestRow{"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     RequestRow{"textDocument/prepareRename", prepare_rename},
-    RequestRow{"textDocument/references", references},
-    RequestRow{"textDocument/rename", rename},
+    RequestRow{"textDocument/references", reference_locations},
+    RequestRow{"textDocument/rename", rename_edits},
     RequestRow{"textDocument/selectionRange", selection_ranges},
     RequestRow{"textDocument/semanticTokens/full", semantic_tokens},
     RequestRow{"textDocument/signatureHelp", signature_help},
@@ -78,7 +78,7 @@ bool is_id(View id) {
 diagnostics::Limits limits_of(const Interruption& interruption) {
     diagnostics::Limits limits;
     limits.memory_bytes = std::numeric_limits<std::uint64_t>::max();
-    limits.interrupted = [&interruption] { return interruption.reason() != Interruption::Reason::none; };
+    limits.interrupted = [&interruption] { return interruption.current_reason() != Interruption::Reason::none; };
     return limits;
 }
 
@@ -90,47 +90,48 @@ Server::Server(std::function<void(const std::string&)> send)
     session_.send = [send = std::move(send)](const Json& message) { send(json_text(message)); };
 }
 
-void Server::receive(const std::string& text) {
+void Server::receive_message(const std::string& text) {
     std::string fault;
     Json message = read_json(text, fault);
-    receive(std::move(message), std::move(fault));
+    receive_message(std::move(message), std::move(fault));
 }
 
-void Server::receive(Json message, std::string fault) {
+void Server::receive_message(Json message, std::string fault) {
     queue_.push_back({std::move(message), std::move(fault)});
 }
 
-void Server::step() {
+void Server::handle_next() {
     const Message message = std::move(queue_.front());
     queue_.pop_front();
     if (exit_code_) return;
-    if (!message.fault.empty()) return fail(nullptr, ErrorCode::parse_error, message.fault);
-    interruption_.handled(message.json);
-    handle(message.json);
+    if (!message.fault.empty()) return send_error(nullptr, ErrorCode::parse_error, message.fault);
+    interruption_.note_handled(message.json);
+    handle_message(message.json);
 }
 
-void Server::idle() {
+void Server::use_idle_time() {
     if (phase_ != Phase::running || exit_code_) return;
     const Interruption::Work work(interruption_, nullptr);
     try {
-        publish(session_);
+        publish_diagnostics(session_);
         publish_scripts(session_, scripts_);
         publish_rules(session_, rules_);
         publish_plain(session_, plain_);
     } catch (const diagnostics::LimitReached&) {
         // Newer messages are handled first; then this is tried again.
     } catch (const std::exception& error) {
-        log("diagnostics", error.what());
+        log_message("diagnostics", error.what());
     }
 }
 
-void Server::handle(View message) {
-    if (!message.is_object()) return fail(nullptr, ErrorCode::invalid_request, "a message must be an object");
-    const bool is_response = !message.has("method") && message.has("id");
+void Server::handle_message(View message) {
+    if (!message.is_object()) return send_error(nullptr, ErrorCode::invalid_request, "a message must be an object");
+    const bool is_response = !message.has_key("method") && message.has_key("id");
     if (is_response) return;
-    if (!message["method"].is_text()) return fail(nullptr, ErrorCode::invalid_request, "a message without a method");
-    if (message.has("id")) return request(message);
-    notification(message["method"].text(), message["params"]);
+    if (!message["method"].is_text())
+        return send_error(nullptr, ErrorCode::invalid_request, "a message without a method");
+    if (message.has_key("id")) return handle_request(message);
+    handle_notification(message["method"].text(), message["params"]);
 }
 
 bool Server::is_cancelled(const Json& id) const {
@@ -140,31 +141,31 @@ bool Server::is_cancelled(const Json& id) const {
            });
 }
 
-void Server::request(View message) {
+void Server::handle_request(View message) {
     const Json& id = message["id"].json();
-    if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
+    if (!is_id(id)) return send_error(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
     // `shutdown` is always handled.
     if (message["method"].text() != "shutdown" && is_cancelled(id))
-        return fail(id, ErrorCode::request_cancelled, "cancelled");
+        return send_error(id, ErrorCode::request_cancelled, "cancelled");
     const Interruption::Work work(interruption_, id);
     try {
-        respond(id, answer(message["method"].text(), message["params"]));
+        send_response(id, answer_request(message["method"].text(), message["params"]));
     } catch (const diagnostics::LimitReached&) {
         ended_early(id);
     } catch (const Refusal& refusal) {
-        fail(id, refusal.code(), refusal.what());
+        send_error(id, refusal.error_code(), refusal.what());
     } catch (const std::exception& error) {
-        fail(id, ErrorCode::internal_error, fmt::format("internal error: {}", error.what()));
+        send_error(id, ErrorCode::internal_error, fmt::format("internal error: {}", error.what()));
     }
 }
 
 void Server::ended_early(const Json& id) {
-    if (interruption_.reason() == Interruption::Reason::modified)
-        return fail(id, ErrorCode::content_modified, "the text has changed meanwhile");
-    fail(id, ErrorCode::request_cancelled, "cancelled");
+    if (interruption_.current_reason() == Interruption::Reason::modified)
+        return send_error(id, ErrorCode::content_modified, "the text has changed meanwhile");
+    send_error(id, ErrorCode::request_cancelled, "cancelled");
 }
 
-Json Server::answer(const std::string& method, View params) {
+Json Server::answer_request(const std::string& method, View params) {
     if (method == "initialize") return initialize(params);
     if (phase_ == Phase::fresh) throw Refusal(ErrorCode::not_initialized, "the first request must be `initialize`");
     if (phase_ == Phase::shut_down) throw Refusal(ErrorCode::invalid_request, "after `shutdown` only `exit` may come");
@@ -189,7 +190,7 @@ Json Server::initialize(View params) {
 }
 
 /// Notifications have no answer, so their errors only go to the editor's log.
-void Server::notification(const std::string& method, View params) {
+void Server::handle_notification(const std::string& method, View params) {
     if (method == "exit") {
         exit_code_ = phase_ == Phase::shut_down ? 0 : 1;
         return;
@@ -201,21 +202,21 @@ void Server::notification(const std::string& method, View params) {
             !notify_plain(session_, plain_, method, params))
             row->handle(session_, params);
     } catch (const std::exception& error) {
-        log(method, error.what());
+        log_message(method, error.what());
     }
 }
 
-void Server::log(const std::string& where, const char* what) {
+void Server::log_message(const std::string& where, const char* what) {
     constexpr int error_type = 1;
     const Json params = Json::object({{"type", error_type}, {"message", fmt::format("{}: {}", where, what)}});
     session_.send(Json::object({{"jsonrpc", "2.0"}, {"method", "window/logMessage"}, {"params", params}}));
 }
 
-void Server::respond(const Json& id, Json result) {
+void Server::send_response(const Json& id, Json result) {
     session_.send(Json::object({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}));
 }
 
-void Server::fail(const Json& id, ErrorCode code, const std::string& why) {
+void Server::send_error(const Json& id, ErrorCode code, const std::string& why) {
     session_.send(Json::object({{"jsonrpc", "2.0"},
                                 {"id", id},
                                 {"error", Json::object({{"code", static_cast<int>(code)}, {"message", why}})}}));

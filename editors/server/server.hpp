@@ -26,15 +26,15 @@ public:
     /// The interruption that the reader thread uses to report messages while the server works.
     [[nodiscard]] Interruption& interruption() { return interruption_; }
     /// Adds a message to the queue.
-    void receive(const std::string& text);
+    void receive_message(const std::string& text);
     /// Adds a message that is already parsed. If `fault` is not empty there is no message, and the server answers with
     /// a parse error.
-    void receive(Json message, std::string fault);
+    void receive_message(Json message, std::string fault);
     /// Handles the first message of the queue. A request is not started if the queue contains its cancellation.
-    void step();
+    void handle_next();
     [[nodiscard]] bool has_work() const { return !queue_.empty(); }
     /// Sends diagnostics that changed. Called when no message is queued.
-    void idle();
+    void use_idle_time();
 
     /// The exit code of the process, if the editor has sent `exit`.
     [[nodiscard]] std::optional<int> exit_code() const { return exit_code_; }
@@ -46,16 +46,16 @@ private:
     };
     enum class Phase { fresh, running, shut_down };
 
-    void handle(View message);
-    void request(View message);
-    void notification(const std::string& method, View params);
-    [[nodiscard]] Json answer(const std::string& method, View params);
+    void handle_message(View message);
+    void handle_request(View message);
+    void handle_notification(const std::string& method, View params);
+    [[nodiscard]] Json answer_request(const std::string& method, View params);
     [[nodiscard]] Json initialize(View params);
     [[nodiscard]] bool is_cancelled(const Json& id) const;
     void ended_early(const Json& id);
-    void log(const std::string& where, const char* what);
-    void respond(const Json& id, Json result);
-    void fail(const Json& id, ErrorCode code, const std::string& why);
+    void log_message(const std::string& where, const char* what);
+    void send_response(const Json& id, Json result);
+    void send_error(const Json& id, ErrorCode code, const std::string& why);
 
     Interruption interruption_;
     diagnostics::Budget budget_;  ///< ends work when `interruption_` has a reason

@@ -98,7 +98,7 @@ void check_controller(const Component& controller, Diagnostics& out) {
     if (!has_machine) out.report(rules::c1, controller.name_span, {controller.name});
     std::map<std::string_view, const Declaration*> defined;
     for (const Declaration* part : controller.order) {
-        const Declaration* behind = follow(part);
+        const Declaration* behind = follow_reference(part);
         if (behind == nullptr || behind->kind != DeclKind::operation) continue;
         const auto [first, fresh] = defined.emplace(behind->name, part);
         if (!fresh)
@@ -113,7 +113,7 @@ void report_platforms(const Component& module, std::size_t platforms, Diagnostic
         out.report(rules::m1, module.name_span, {module.name, platforms == 0 ? "no" : std::to_string(platforms)});
     std::size_t seen = 0;
     for (const Declaration* part : module.order) {
-        const Declaration* behind = follow(part);
+        const Declaration* behind = follow_reference(part);
         if (behind != nullptr && behind->kind == DeclKind::platform && ++seen > 1)
             finding.notes.push_back({part->name_span, "another platform"});
     }

@@ -14,7 +14,7 @@ namespace robochart::frontend {
 
 namespace {
 
-std::string carries(const Event& event) {
+std::string describe_values(const Event& event) {
     return event.type_expr ? "values of type " + to_string(event.type) : "no value";
 }
 
@@ -26,8 +26,8 @@ void check_broadcast(const Connection& connection, const Event& from, const Even
             .notes.push_back({plain.name_span, fmt::format("`{}` is declared here without `_broadcast`", plain.name)});
         return;
     }
-    const Declaration* a = follow(connection.from.node_target);
-    const Declaration* b = follow(connection.to.node_target);
+    const Declaration* a = follow_reference(connection.from.node_target);
+    const Declaration* b = follow_reference(connection.to.node_target);
     const bool parts =
         a != nullptr && b != nullptr && a->kind == b->kind && connection.from.node_target != connection.to.node_target;
     if (from.broadcast && parts) out.report(rules::cn4_levels, connection.span, {std::string(to_text(a->kind))});
@@ -37,15 +37,16 @@ void check_events(const Connection& connection, const Event& from, const Event& 
     check_broadcast(connection, from, to, out);
     const bool both_typed = from.type_expr && to.type_expr;
     const bool none_typed = !from.type_expr && !to.type_expr;
-    const bool fit = none_typed || (both_typed && (!from.type || !to.type || compatible(from.type, to.type)));
+    const bool fit = none_typed || (both_typed && (!from.type || !to.type || is_compatible(from.type, to.type)));
     if (fit) return;
-    auto& finding = out.report(rules::cn_types, connection.span, {from.name, carries(from), to.name, carries(to)});
+    auto& finding =
+        out.report(rules::cn_types, connection.span, {from.name, describe_values(from), to.name, describe_values(to)});
     finding.notes.push_back({from.name_span, fmt::format("`{}` is declared here", from.name)});
     finding.notes.push_back({to.name_span, fmt::format("`{}` is declared here", to.name)});
 }
 
 bool is_kind(const Connection::End& end, DeclKind kind) {
-    const Declaration* behind = follow(end.node_target);
+    const Declaration* behind = follow_reference(end.node_target);
     return behind != nullptr && behind->kind == kind;
 }
 

@@ -43,17 +43,17 @@ public:
 private:
     void add(const Machine& machine, const std::string& via) {
         if (!seen_.insert(&machine).second) return;
-        walk(machine, [&](const NodeContainer& container) {
+        walk_tree(machine, [&](const NodeContainer& container) {
             for (const auto& transition : container.transitions)
                 if (transition->trigger && transition->trigger->event_target != nullptr)
                     traffic_.receives.emplace(transition->trigger->event_target->name, via);
         });
         for_actions(machine, [&](const Stmt& action) {
-            walk(action, [&](const Stmt& statement) { this->statement(statement, via); });
+            walk_tree(action, [&](const Stmt& statement) { this->read_statement(statement, via); });
         });
     }
 
-    void statement(const Stmt& statement, const std::string& via) {
+    void read_statement(const Stmt& statement, const std::string& via) {
         if (statement.kind == StmtKind::communication && statement.communication->event_target != nullptr) {
             const bool input = statement.communication->kind == CommKind::input;
             (input ? traffic_.receives : traffic_.sends).emplace(statement.communication->event_target->name, via);
@@ -74,7 +74,7 @@ private:
 /// Cn8, Cn9: the direction of a one-way connection is that in which the machine communicates.
 void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
                        Diagnostics& out) {
-    const auto* machine = followed<Machine>(end.node_target);
+    const auto* machine = follow_to<Machine>(end.node_target);
     if (machine == nullptr || end.event_target == nullptr || connection.multiple) return;
     const Traffic& traffic = reader.read(*machine);
     const auto& wrong = beginning ? traffic.receives : traffic.sends;
@@ -95,7 +95,7 @@ struct Inside {
 /// The connections inside the controllers of a module; each controller is read once.
 class Insides {
 public:
-    Inside of(const Component& controller, const std::string& event) {
+    Inside connections_inside(const Component& controller, const std::string& event) {
         const auto [known, fresh] = controllers_.try_emplace(&controller);
         if (fresh)
             for (const auto& connection : controller.connections) {
@@ -121,9 +121,9 @@ private:
 /// Cn5 to Cn7: a connection of a module to a controller continues inside the controller in the same direction.
 void check_controller_end(Insides& insides, const Connection& connection, const Connection::End& end, bool beginning,
                           Diagnostics& out) {
-    const auto* controller = followed<Component>(end.node_target);
+    const auto* controller = follow_to<Component>(end.node_target);
     if (controller == nullptr || controller->kind != DeclKind::controller || end.event_target == nullptr) return;
-    const Inside found = insides.of(*controller, end.event.text());
+    const Inside found = insides.connections_inside(*controller, end.event.text());
     const bool connected = found.from != nullptr || found.to != nullptr || found.both != nullptr;
     const auto report = [&](const Rule& rule, const Connection& other) {
         out.report(rule, end.event.span, {end.event.text(), end.node.text()})

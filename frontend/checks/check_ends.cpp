@@ -23,31 +23,31 @@ class EndCheck {
 public:
     EndCheck(const Names& names, Diagnostics& out) : names_(names), out_(out) {}
 
-    void component(const Component& component) {
+    void check_ends_in(const Component& component) {
         out_.poll();
         for (const auto& connection : component.connections) {
             end(connection->from);
             end(connection->to);
         }
-        for (const auto& controller : component.controllers) this->component(*controller);
+        for (const auto& controller : component.controllers) this->check_ends_in(*controller);
     }
 
 private:
     void end(const Connection::End& end) {
         if (end.node_target == nullptr || end.event_target != nullptr) return;
-        const auto* behind = followed<Context>(end.node_target);
+        const auto* behind = follow_to<Context>(end.node_target);
         if (behind == nullptr || behind->broken || names_.is_lost(end.event) || has_unknown_interface(*behind)) return;
         const std::string event = end.event.text();
         const Context* const interface = names_.interface_with(event, DeclKind::event);
         if (is_reported(*behind, event, interface)) return;
         auto& finding = out_.report(rules::cn10, end.event.span, {end.node.text(), event});
-        if (out_.errors() > Diagnostics::max_kept) return;
+        if (out_.error_count() > Diagnostics::max_kept) return;
         std::vector<std::string> events;
         for (const auto& [name, each] : scope_of(*behind).events) events.emplace_back(name);
-        const std::string meant = diagnostics::nearest(event, events);
+        const std::string meant = diagnostics::nearest_spelling(event, events);
         if (!meant.empty())
             finding.fixes.push_back(
-                {end.event.span, meant, diagnostics::suggested(diagnostics::is_certain(event, meant, events))});
+                {end.event.span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(event, meant, events))});
         if (interface != nullptr)
             finding.notes.push_back(
                 {interface->name_span, fmt::format("interface `{}` declares `{}`; `uses {}` in `{}` makes all that it "
@@ -75,12 +75,12 @@ private:
         const auto add = [&](const Communication& communication) {
             if (communication.event_target == nullptr) found.insert(communication.event.parts.back());
         };
-        walk(*machine, [&](const NodeContainer& container) {
+        walk_tree(*machine, [&](const NodeContainer& container) {
             for (const auto& transition : container.transitions)
                 if (transition->trigger) add(*transition->trigger);
         });
         for_actions(*machine, [&](const Stmt& action) {
-            walk(action, [&](const Stmt& statement) {
+            walk_tree(action, [&](const Stmt& statement) {
                 if (statement.kind == StmtKind::communication) add(*statement.communication);
             });
         });
@@ -99,7 +99,8 @@ void check_ends(const Model& model, const Names& names, Diagnostics& out) {
     EndCheck check(names, out);
     for (const auto& file : model.files)
         for (const auto& declaration : file->declarations)
-            if (const auto* component = dynamic_cast<const Component*>(declaration.get())) check.component(*component);
+            if (const auto* component = dynamic_cast<const Component*>(declaration.get()))
+                check.check_ends_in(*component);
 }
 
 }  // namespace robochart::frontend

@@ -14,21 +14,21 @@ namespace robochart::frontend {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& parts, std::size_t count) {
+std::string join_parts(const std::vector<std::string>& parts, std::size_t count) {
     return fmt::format("{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count), "::"));
 }
 
 class Imports {
 public:
     Imports(const Names& names, Diagnostics& out) : names_(names), out_(out), packages_(names.packages()) {
-        for (const Toolkit& toolkit : toolkits()) packages_.emplace_back(toolkit.package);
+        for (const Toolkit& toolkit : all_toolkits()) packages_.emplace_back(toolkit.package);
     }
 
     void check(const Import& import) {
         const std::string full = import.name.text();
         if (import.name.empty() || names_.is_lost(import.name)) return;
-        if (!names_.all(full).empty() || names_.leads_to_package(full)) return;
-        const std::string owner = joined(import.name.parts, import.name.parts.size() - 1);
+        if (!names_.declarations_of(full).empty() || names_.leads_to_package(full)) return;
+        const std::string owner = join_parts(import.name.parts, import.name.parts.size() - 1);
         if (!import.wildcard && !owner.empty() && names_.has_package(owner)) return unknown_member(import, owner);
         unknown_package(import, import.wildcard || owner.empty() ? full : owner);
     }
@@ -44,22 +44,22 @@ private:
                 members.push_back(entry->first.substr(inside.size()));
         auto& finding = out_.report(rules::unknown_import, import.name.span,
                                     {import.name.text(), fmt::format("no `{}` in package `{}`", member, package)});
-        const std::string meant = diagnostics::nearest(member, members);
+        const std::string meant = diagnostics::nearest_spelling(member, members);
         if (!meant.empty())
             finding.fixes.push_back({import.name.spans.back(), meant,
-                                     diagnostics::suggested(diagnostics::is_certain(member, meant, members))});
+                                     diagnostics::suggestion_verb(diagnostics::is_certain(member, meant, members))});
     }
 
     void unknown_package(const Import& import, const std::string& package) {
         auto& finding = out_.report(rules::unknown_import, import.name.span,
                                     {import.name.text(), fmt::format("no package `{}`", package)});
-        const std::string meant = diagnostics::nearest(package, packages_);
+        const std::string meant = diagnostics::nearest_spelling(package, packages_);
         if (meant.empty()) return;
         const Span& last = import.name.spans.at(static_cast<std::size_t>(std::ranges::count(package, ':')) / 2);
         const Span& first = import.name.spans.front();
         finding.fixes.push_back({{first.source, first.begin, last.end},
                                  meant,
-                                 diagnostics::suggested(diagnostics::is_certain(package, meant, packages_))});
+                                 diagnostics::suggestion_verb(diagnostics::is_certain(package, meant, packages_))});
     }
 
     const Names& names_;

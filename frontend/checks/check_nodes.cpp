@@ -34,7 +34,7 @@ struct Ways {
     std::set<const State*> in;
 };
 
-std::vector<const Transition*> outgoing(const Ways& ways, const State& node) {
+std::vector<const Transition*> transitions_from(const Ways& ways, const State& node) {
     const auto found = ways.out.find(&node);
     return found != ways.out.end() ? found->second : std::vector<const Transition*>();
 }
@@ -122,12 +122,12 @@ using Product = std::vector<const Declaration*>;
 /// A polynomial: each product with its coefficient. The empty product is the constant term.
 using Polynomial = std::map<Product, double>;
 
-Polynomial sum(Polynomial left, const Polynomial& right, double factor) {
+Polynomial add_polynomials(Polynomial left, const Polynomial& right, double factor) {
     for (const auto& [product, value] : right) left[product] += factor * value;
     return left;
 }
 
-std::optional<Polynomial> product(const Polynomial& left, const Polynomial& right) {
+std::optional<Polynomial> multiply_polynomials(const Polynomial& left, const Polynomial& right) {
     constexpr std::size_t most = 64;  // more terms than any real junction has
     if (left.size() * right.size() > most) return std::nullopt;
     Polynomial result;
@@ -144,8 +144,8 @@ std::optional<Polynomial> product(const Polynomial& left, const Polynomial& righ
 /// Reads an expression of names, numbers, `+`, `-`, `*` and division by numbers as a polynomial over the names without
 /// a value in the model. All names are read at the same instant. At most `constants` nested definitions are followed,
 /// because the size can double with each of them.
-std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
-    const auto arg = [&](std::size_t i) { return polynomial(*expr.args[i], constants); };
+std::optional<Polynomial> read_polynomial(const Expr& expr, int constants = 6) {
+    const auto arg = [&](std::size_t i) { return read_polynomial(*expr.args[i], constants); };
     if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real)
         return Polynomial{{{}, std::strtod(expr.text.c_str(), nullptr)}};
     if (expr.kind == ExprKind::parenthesised) return arg(0);
@@ -153,26 +153,26 @@ std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
         const auto* named = dynamic_cast<const Variable*>(expr.target);
         if (named == nullptr) return std::nullopt;
         const bool given = named->kind == DeclKind::constant && named->initial;
-        if (given) return constants > 0 ? polynomial(*named->initial, constants - 1) : std::nullopt;
+        if (given) return constants > 0 ? read_polynomial(*named->initial, constants - 1) : std::nullopt;
         return Polynomial{{{named}, 1}};
     }
     const bool negation = expr.kind == ExprKind::unary && *expr.unary == UnaryOp::negate;
     if (!negation && expr.kind != ExprKind::binary) return std::nullopt;
     auto left = arg(0);
     if (!left) return std::nullopt;
-    if (negation) return sum({}, *left, -1);
+    if (negation) return add_polynomials({}, *left, -1);
     const auto right = arg(1);
     if (!right) return std::nullopt;
     switch (*expr.binary) {
         case BinaryOp::plus:
-            return sum(std::move(*left), *right, 1);
+            return add_polynomials(std::move(*left), *right, 1);
         case BinaryOp::minus:
-            return sum(std::move(*left), *right, -1);
+            return add_polynomials(std::move(*left), *right, -1);
         case BinaryOp::times:
-            return product(*left, *right);
+            return multiply_polynomials(*left, *right);
         case BinaryOp::divide: {
             const bool number = right->size() == 1 && right->begin()->first.empty() && right->begin()->second != 0;
-            return number ? std::optional(sum({}, *left, 1 / right->begin()->second)) : std::nullopt;
+            return number ? std::optional(add_polynomials({}, *left, 1 / right->begin()->second)) : std::nullopt;
         }
         default:
             return std::nullopt;
@@ -183,11 +183,11 @@ std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
 /// A constant sum other than 1 is an error.
 void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
     std::optional<Polynomial> total = Polynomial{};
-    for (const Transition* transition : outgoing(ways, node)) {
+    for (const Transition* transition : transitions_from(ways, node)) {
         if (!transition->probability) return;  // PJ1 reports it
         const auto number = constant_value(*transition->probability);
-        const auto way = number ? std::optional(Polynomial{{{}, *number}}) : polynomial(*transition->probability);
-        total = total && way ? std::optional(sum(std::move(*total), *way, 1)) : std::nullopt;
+        const auto way = number ? std::optional(Polynomial{{{}, *number}}) : read_polynomial(*transition->probability);
+        total = total && way ? std::optional(add_polynomials(std::move(*total), *way, 1)) : std::nullopt;
     }
     constexpr double tolerance = 1e-9;
     const auto open = [](const auto& term) { return !term.first.empty() && std::abs(term.second) > tolerance; };
@@ -203,7 +203,7 @@ void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out
 // ---------------------------------------------------------------- nodes and transitions
 
 void check_node(const Ways& ways, const State& node, Diagnostics& out) {
-    const std::size_t count = outgoing(ways, node).size();
+    const std::size_t count = transitions_from(ways, node).size();
     switch (node.kind) {
         case DeclKind::initial:
             if (count != 1)
@@ -281,7 +281,7 @@ void check_top(const Machine& machine, Diagnostics& out) {
 
 void check_nodes(const Machine& machine, Diagnostics& out) {
     check_top(machine, out);
-    walk(machine, [&](const NodeContainer& container) {
+    walk_tree(machine, [&](const NodeContainer& container) {
         const Ways ways(container);
         for (const auto& node : container.nodes) {
             check_node(ways, *node, out);

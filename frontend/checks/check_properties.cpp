@@ -29,7 +29,8 @@ bool is_number(const Expr& expr) {
             return is_arithmetic(*expr.binary);
         case ExprKind::name: {
             const auto* variable = dynamic_cast<const Variable*>(expr.target);
-            return variable != nullptr && variable->type && !compatible(variable->type, make_type(TypeForm::boolean));
+            return variable != nullptr && variable->type &&
+                   !is_compatible(variable->type, make_type(TypeForm::boolean));
         }
         default:
             return false;
@@ -38,7 +39,7 @@ bool is_number(const Expr& expr) {
 
 /// The path formula that is not inside a quantifier; null if there is none.
 const Expr* bare_path(const Expr& expr) {
-    const Expr& bare = strip(expr);
+    const Expr& bare = strip_parentheses(expr);
     if (bare.kind == ExprKind::path) return &bare;
     if (bare.kind != ExprKind::unary && bare.kind != ExprKind::binary && bare.kind != ExprKind::if_then_else)
         return nullptr;
@@ -50,10 +51,10 @@ const Expr* bare_path(const Expr& expr) {
 }  // namespace
 
 void check_property(const Expr& property, Diagnostics& out) {
-    if (is_number(strip(property)))
-        out.report(rules::not_a_property, property.span, {shorten(to_text(property))});
+    if (is_number(strip_parentheses(property)))
+        out.report(rules::not_a_property, property.span, {shorten_token(to_text(property))});
     else if (const Expr* path = bare_path(property))
-        out.report(rules::path_property, path->span, {shorten(to_text(*path))});
+        out.report(rules::path_property, path->span, {shorten_token(to_text(*path))});
 }
 
 }  // namespace robochart::frontend

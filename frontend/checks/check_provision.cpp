@@ -29,17 +29,17 @@ public:
     }
     void add(const Item& item) { items_.emplace(item.name, &item); }
     template <class Fits>
-    [[nodiscard]] bool any(std::string_view name, Fits fits) const {
+    [[nodiscard]] bool any_fits(std::string_view name, Fits fits) const {
         const auto [begin, end] = items_.equal_range(name);
         return std::any_of(begin, end, [&](const auto& entry) { return fits(*entry.second); });
     }
     template <class Use>
-    void each(std::string_view name, Use use) const {
+    void for_each_named(std::string_view name, Use use) const {
         const auto [begin, end] = items_.equal_range(name);
         for (auto at = begin; at != end; ++at) use(*at->second);
     }
     /// The first declaration of this name; null if there is none.
-    [[nodiscard]] const Item* first(std::string_view name) const {
+    [[nodiscard]] const Item* find_first(std::string_view name) const {
         const auto found = items_.lower_bound(name);
         return found == items_.end() || found->first != name ? nullptr : found->second;
     }
@@ -51,20 +51,20 @@ private:
 using Variables = Named<Variable>;
 
 /// True if the name is the same and the types fit the direction of writing: compat(required, provided).
-bool provides(const Variables& provided, const Variable& wanted, bool same_kind) {
-    return provided.any(wanted.name, [&](const Variable& v) {
-        return (!same_kind || v.kind == wanted.kind) && compatible(wanted.type, v.type);
+bool provides_variable(const Variables& provided, const Variable& wanted, bool same_kind) {
+    return provided.any_fits(wanted.name, [&](const Variable& v) {
+        return (!same_kind || v.kind == wanted.kind) && is_compatible(wanted.type, v.type);
     });
 }
 
 using Missing = std::vector<const Declaration*>;
 
-std::string list(const Missing& missing) {
+std::string list_names(const Missing& missing) {
     std::string names;
     for (const Declaration* declaration : missing) names += (names.empty() ? "`" : ", `") + declaration->name + "`";
     return names;
 }
-std::string s(const Missing& missing) {
+std::string plural_suffix(const Missing& missing) {
     return missing.size() == 1 ? "" : "s";
 }
 
@@ -72,7 +72,7 @@ std::string s(const Missing& missing) {
 void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const Variables& provided = {}) {
     for (const Declaration* wanted : missing) {
         finding.notes.push_back({wanted->name_span, fmt::format("`{}` is required here", wanted->name)});
-        provided.each(wanted->name, [&](const Variable& other) {
+        provided.for_each_named(wanted->name, [&](const Variable& other) {
             finding.notes.push_back({other.name_span, fmt::format("this {} has the name but does not fit: {}",
                                                                   to_text(other.kind), to_string(other.type))});
         });
@@ -83,14 +83,14 @@ Missing missing_variables(const std::vector<const Variable*>& wanted, const Vari
                           bool same_kind = false) {
     Missing missing;
     for (const Variable* variable : wanted)
-        if (!provides(provided, *variable, same_kind)) missing.push_back(variable);
+        if (!provides_variable(provided, *variable, same_kind)) missing.push_back(variable);
     return missing;
 }
 
 /// True if the parameters are compatible pairwise. Their names may differ.
 bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<VariablePtr>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VariablePtr& x, const VariablePtr& y) {
-        return compatible(x->type, y->type) || compatible(y->type, x->type);
+        return is_compatible(x->type, y->type) || is_compatible(y->type, x->type);
     });
 }
 
@@ -99,9 +99,9 @@ struct Offer {
     Named<Machine> definitions;
     Named<OperationSignature> signatures;
 
-    [[nodiscard]] bool has(const OperationSignature& wanted) const {
+    [[nodiscard]] bool offers_operation(const OperationSignature& wanted) const {
         const auto fits = [&](const auto& offered) { return same_parameters(offered.parameters, wanted.parameters); };
-        return definitions.any(wanted.name, fits) || signatures.any(wanted.name, fits);
+        return definitions.any_fits(wanted.name, fits) || signatures.any_fits(wanted.name, fits);
     }
 };
 
@@ -114,7 +114,7 @@ Offer offer_of(const Component& controller) {
 Missing missing_operations(const Context& part, const Offer& offer) {
     Missing missing;
     for (const OperationSignature* wanted : required_operations(part))
-        if (!offer.has(*wanted)) missing.push_back(wanted);
+        if (!offer.offers_operation(*wanted)) missing.push_back(wanted);
     return missing;
 }
 
@@ -148,8 +148,8 @@ struct Caller {
     const Scope scope;
 
     /// The controller's definition of a called operation; null if the platform performs it.
-    [[nodiscard]] const Machine* definition(std::string_view name) const {
-        return surroundings.offer.definitions.first(name);
+    [[nodiscard]] const Machine* find_definition(std::string_view name) const {
+        return surroundings.offer.definitions.find_first(name);
     }
 
     /// Adds a note with the reference that brings the machine here, if the machine is defined elsewhere.
@@ -165,7 +165,7 @@ struct Caller {
 /// caller.
 bool event_fits(const Event& inner, const Event& outer) {
     const bool typed = inner.type_expr != nullptr;
-    return (outer.type_expr != nullptr) == typed && (!typed || compatible(inner.type, outer.type));
+    return (outer.type_expr != nullptr) == typed && (!typed || is_compatible(inner.type, outer.type));
 }
 
 /// The members that an operation takes from its caller and that the caller does not have.
@@ -196,8 +196,8 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     const std::string& name = caller.machine.name;
     const Lack lack = lack_of(caller, operation);
     if (!lack.variables.empty()) {
-        auto& finding =
-            out.report(rules::stm8, call.span, {name, operation.name, s(lack.variables), list(lack.variables)});
+        auto& finding = out.report(rules::stm8, call.span,
+                                   {name, operation.name, plural_suffix(lack.variables), list_names(lack.variables)});
         add_notes(finding, lack.variables, caller.variables);
         caller.add_context(finding);
     }
@@ -228,7 +228,7 @@ void check_required(const Caller& caller, const OperationSignature& wanted, cons
     all.insert(all.end(), lack.clocks.begin(), lack.clocks.end());
     if (all.empty()) return;
     auto& finding =
-        out.report(rules::stm8_required, caller.part.name_span, {caller.machine.name, operation.name, list(all)});
+        out.report(rules::stm8_required, caller.part.name_span, {caller.machine.name, operation.name, list_names(all)});
     finding.notes.push_back({wanted.name_span, "the operation is required through this signature"});
 }
 
@@ -236,15 +236,15 @@ void check_calls(const Caller& caller, Diagnostics& out) {
     if (has_unknown_interface(caller.machine)) return;
     std::set<std::string_view> seen;
     for_actions(caller.machine, [&](const Stmt& action) {
-        walk(action, [&](const Stmt& statement) {
+        walk_tree(action, [&](const Stmt& statement) {
             if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
             if (!seen.insert(statement.declaration->name).second) return;
-            if (const Machine* defined = caller.definition(statement.declaration->name))
+            if (const Machine* defined = caller.find_definition(statement.declaration->name))
                 check_call(caller, statement, *defined, out);
         });
     });
     for (const OperationSignature* wanted : required_operations(caller.machine))
-        if (const Machine* defined = caller.definition(wanted->name);
+        if (const Machine* defined = caller.find_definition(wanted->name);
             defined != nullptr && seen.insert(wanted->name).second)
             check_required(caller, *wanted, *defined, out);
 }
@@ -257,20 +257,20 @@ void check_part(const Caller& caller, bool first, Diagnostics& out) {
     const auto& visible = caller.surroundings.variables;
     const Missing variables = missing_variables(required_variables(machine), visible);
     if (!variables.empty())
-        add_notes(
-            out.report(rules::c3, caller.part.name_span, {controller, s(variables), machine.name, list(variables)}),
-            variables, visible);
+        add_notes(out.report(rules::c3, caller.part.name_span,
+                             {controller, plural_suffix(variables), machine.name, list_names(variables)}),
+                  variables, visible);
     const Missing operations = missing_operations(machine, caller.surroundings.offer);
     if (!operations.empty())
-        add_notes(
-            out.report(rules::c4, caller.part.name_span, {controller, s(operations), machine.name, list(operations)}),
-            operations);
+        add_notes(out.report(rules::c4, caller.part.name_span,
+                             {controller, plural_suffix(operations), machine.name, list_names(operations)}),
+                  operations);
     if (first) check_calls(caller, out);
 }
 
 void check_operation(const Caller& caller, bool first, Diagnostics& out) {
     for (const OperationSignature* wanted : required_operations(caller.machine))
-        if (!caller.surroundings.offer.has(*wanted))
+        if (!caller.surroundings.offer.offers_operation(*wanted))
             out.report(rules::c4_operation, caller.part.name_span,
                        {caller.machine.name, wanted->name, caller.controller.name})
                 .notes.push_back({wanted->name_span, "it is required through this signature"});
@@ -282,7 +282,7 @@ void check_controller_provision(const Component& controller, Diagnostics& out) {
     const Surroundings surroundings(controller);
     std::set<const Machine*> seen;  // a machine has the same calls for every reference to it
     for (const Declaration* part : controller.order) {
-        const auto* machine = followed<Machine>(part);
+        const auto* machine = follow_to<Machine>(part);
         if (machine == nullptr) continue;
         const bool first = seen.insert(machine).second;
         out.poll();
@@ -295,7 +295,7 @@ void check_module_provision(const Component& module, Diagnostics& out) {
     const Context* platform = nullptr;
     std::size_t platforms = 0;
     for (const Declaration* part : module.order)
-        if (const auto* found = followed<Context>(part); found != nullptr && found->kind == DeclKind::platform) {
+        if (const auto* found = follow_to<Context>(part); found != nullptr && found->kind == DeclKind::platform) {
             platform = found;
             ++platforms;
         }
@@ -303,17 +303,17 @@ void check_module_provision(const Component& module, Diagnostics& out) {
     const Offer offer{{}, Named(provided_operations(*platform))};
     const Variables visible(offered_variables(*platform));
     for (const Declaration* part : module.order) {
-        const auto* controller = followed<Component>(part);
+        const auto* controller = follow_to<Component>(part);
         if (controller == nullptr || controller->kind != DeclKind::controller) continue;
         const Missing variables = missing_variables(required_variables(*controller), visible);
         if (!variables.empty())
             add_notes(out.report(rules::m2_variables, part->name_span,
-                                 {module.name, s(variables), controller->name, list(variables)}),
+                                 {module.name, plural_suffix(variables), controller->name, list_names(variables)}),
                       variables, visible);
         const Missing operations = missing_operations(*controller, offer);
         if (!operations.empty())
             add_notes(out.report(rules::m2_operations, part->name_span,
-                                 {module.name, s(operations), controller->name, list(operations)}),
+                                 {module.name, plural_suffix(operations), controller->name, list_names(operations)}),
                       operations);
     }
 }

@@ -17,13 +17,13 @@ bool is_timed(const Expr& expr) {
     return expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
 }
 
-const Expr& inner(const Expr& expr) {
+const Expr& inner_expression(const Expr& expr) {
     const Expr* at = &expr;
     while (at->kind == ExprKind::parenthesised) at = at->args[0].get();
     return *at;
 }
 
-bool compares(const Expr& expr) {
+bool is_comparison(const Expr& expr) {
     if (expr.kind != ExprKind::binary) return false;
     switch (*expr.binary) {
         case BinaryOp::less:
@@ -39,8 +39,8 @@ bool compares(const Expr& expr) {
 
 /// CE2: a clock is compared with a number.
 void check_other_side(const Expr& other, Diagnostics& out) {
-    const TypePtr type = simplify(other.type);
-    if (type && !compatible(type, make_type(TypeForm::real)))
+    const TypePtr type = simplify_type(other.type);
+    if (type && !is_compatible(type, make_type(TypeForm::real)))
         out.report(rules::te4_type, other.span, {to_string(type)});
 }
 
@@ -50,9 +50,9 @@ void check_condition(const Expr& expr, Diagnostics& out) {
         out.report(rules::te4, expr.span, {to_text(expr)});
         return;
     }
-    if (!compares(expr)) return for_children(expr, [&](const Expr& child) { check_condition(child, out); });
+    if (!is_comparison(expr)) return for_children(expr, [&](const Expr& child) { check_condition(child, out); });
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-        if (is_timed(inner(*expr.args[side])))
+        if (is_timed(inner_expression(*expr.args[side])))
             check_other_side(*expr.args[1 - side], out);
         else
             check_condition(*expr.args[side], out);
@@ -61,13 +61,13 @@ void check_condition(const Expr& expr, Diagnostics& out) {
 
 bool mentions_time(const Expr& expr) {
     bool found = false;
-    walk(expr, [&](const Expr& part) { found = found || is_timed(part); });
+    walk_tree(expr, [&](const Expr& part) { found = found || is_timed(part); });
     return found;
 }
 
 /// TE5: sinceEntry names a state of the same container as the transition.
 void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics& out) {
-    walk(expr, [&](const Expr& part) {
+    walk_tree(expr, [&](const Expr& part) {
         if (part.kind != ExprKind::since_entry || part.target == nullptr) return;
         const bool beside =
             std::ranges::any_of(container.nodes, [&](const auto& node) { return node.get() == part.target; });
@@ -78,7 +78,7 @@ void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics
 /// TE1: only the condition of a transition may read clocks.
 void check_untimed(const ExprPtr& expr, const std::string& what, Diagnostics& out) {
     if (!expr) return;
-    walk(*expr, [&](const Expr& part) {
+    walk_tree(*expr, [&](const Expr& part) {
         if (is_timed(part)) out.report(rules::te1_elsewhere, part.span, {to_text(part), what});
     });
 }
@@ -96,9 +96,9 @@ void check_transition(const NodeContainer& container, const Transition& transiti
 
 /// TE1: actions do not read clocks.
 void check_action(const Stmt& action, Diagnostics& out) {
-    walk(action, [&](const Stmt& statement) {
+    walk_tree(action, [&](const Stmt& statement) {
         for_expressions(statement, [&](const Expr& expr) {
-            walk(expr, [&](const Expr& part) {
+            walk_tree(expr, [&](const Expr& part) {
                 if (is_timed(part)) out.report(rules::te1, part.span, {to_text(part)});
             });
         });
@@ -115,7 +115,7 @@ void check_declarations(const Machine& machine, Diagnostics& out) {
 
 void check_time(const Machine& machine, Diagnostics& out) {
     const Expr* first_timed = nullptr;
-    walk(machine, [&](const NodeContainer& container) {
+    walk_tree(machine, [&](const NodeContainer& container) {
         for (const auto& transition : container.transitions) {
             check_transition(container, *transition, out);
             if (first_timed == nullptr && transition->condition && mentions_time(*transition->condition))

@@ -63,7 +63,7 @@ void check_unique_members(const Context& context, Diagnostics& out) {
 }
 
 void check_node_names(const NodeContainer& machine, Diagnostics& out) {
-    walk(machine, [&](const NodeContainer& container) {
+    walk_tree(machine, [&](const NodeContainer& container) {
         Seen nodes(out);
         Seen transitions(out);
         for (const auto& node : container.nodes) nodes.add(*node);
@@ -77,7 +77,7 @@ bool is_type(DeclKind kind) {
 
 /// True if two declarations may not share a name, because they have the same kind. Literals and functions may share
 /// names with components.
-bool clash(const Declaration& a, const Declaration& b) {
+bool names_clash(const Declaration& a, const Declaration& b) {
     if (a.kind == DeclKind::enum_literal || b.kind == DeclKind::enum_literal)
         return a.kind == b.kind && a.parent == b.parent;
     return a.kind == b.kind || (is_type(a.kind) && is_type(b.kind));
@@ -111,7 +111,8 @@ void check_entry(const Names& names, const std::string& full, const std::vector<
         // A literal is entered a second time, under its full name, if its enumeration has a name.
         if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
         if (!entered.insert(declaration).second) continue;
-        const auto group = std::ranges::find_if(groups, [&](const auto& g) { return clash(*g.front(), *declaration); });
+        const auto group =
+            std::ranges::find_if(groups, [&](const auto& g) { return names_clash(*g.front(), *declaration); });
         if (group == groups.end())
             groups.push_back({declaration});
         else

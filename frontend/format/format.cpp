@@ -19,7 +19,7 @@ struct Words {
     std::string_view text;
     const TokenStream& stream;
 
-    [[nodiscard]] std::string_view at(diagnostics::Span span) const {
+    [[nodiscard]] std::string_view text_at(diagnostics::Span span) const {
         return text.substr(span.begin, span.end - span.begin);
     }
 };
@@ -39,7 +39,7 @@ struct CommentReader {
 
     static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
     /// The next character; 0 at the end.
-    char next() {
+    char next_character() {
         if (at >= text.size()) return '\0';
         if (at < plain_until || !is_blank(text[at])) return text[at++];
         const std::size_t end = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
@@ -58,8 +58,8 @@ bool same_comment(std::string_view a, std::string_view b) {
     CommentReader left{a};
     CommentReader right{b};
     for (;;) {
-        const char c = left.next();
-        if (c != right.next()) return false;
+        const char c = left.next_character();
+        if (c != right.next_character()) return false;
         if (c == '\0') return true;
     }
 }
@@ -76,11 +76,13 @@ std::string_view line_end(std::string_view text) {
     return crlf > 0 ? "\r\n" : "\n";
 }
 
-bool same(const Words& a, const Words& b) {
+bool same_tokens(const Words& a, const Words& b) {
     const auto same_token = [&](const Token& x, const Token& y) {
-        return x.kind == y.kind && x.escaped == y.escaped && a.at(x.span) == b.at(y.span);
+        return x.kind == y.kind && x.escaped == y.escaped && a.text_at(x.span) == b.text_at(y.span);
     };
-    const auto same_comments = [&](diagnostics::Span x, diagnostics::Span y) { return same_comment(a.at(x), b.at(y)); };
+    const auto same_comments = [&](diagnostics::Span x, diagnostics::Span y) {
+        return same_comment(a.text_at(x), b.text_at(y));
+    };
     const auto& [tokens, comments] = a.stream;
     const auto& [other_tokens, other_comments] = b.stream;
     return std::equal(tokens.begin(), tokens.end(), other_tokens.begin(), other_tokens.end(), same_token) &&
@@ -88,11 +90,11 @@ bool same(const Words& a, const Words& b) {
 }
 
 /// True if `other`, which is tokenized here, has the same tokens and comments.
-bool same(const Words& words, const std::string& other, bool is_assertions) {
+bool same_tokens(const Words& words, const std::string& other, bool is_assertions) {
     diagnostics::SourceManager sources;
     const auto source = sources.add("", other);
     const TokenStream stream = words_of(sources, source, is_assertions);
-    return same(words, {sources.text(source), stream});
+    return same_tokens(words, {sources.source_text(source), stream});
 }
 
 /// The spans of the parts of an assertion file that are kept as text; no value if there are syntax errors.
@@ -112,18 +114,18 @@ bool same_words(const std::string& a, const std::string& b, bool is_assertions) 
     diagnostics::SourceManager sources;
     const auto source = sources.add("", a);
     const TokenStream stream = words_of(sources, source, is_assertions);
-    return same({sources.text(source), stream}, b, is_assertions);
+    return same_tokens({sources.source_text(source), stream}, b, is_assertions);
 }
 
 std::optional<std::string> format(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                                   bool is_assertions, diagnostics::Diagnostics& out) {
     auto kept = kept_parts(sources, source, is_assertions, out);
     if (!kept) return std::nullopt;
-    const std::string_view text = sources.text(source);
+    const std::string_view text = sources.source_text(source);
     const TokenStream stream = words_of(sources, source, is_assertions);
     std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*kept)).run(line_end(text))
                                        : ModelLayout(text, stream).run(line_end(text));
-    if (!same({text, stream}, result, is_assertions))
+    if (!same_tokens({text, stream}, result, is_assertions))
         throw std::logic_error("formatting " + sources.path(source) + " would change its words");
     return result;
 }

@@ -19,34 +19,34 @@ public:
         : ExpressionLayout(text, stream, true), kept_(std::move(kept)) {}
 
 private:
-    Doc member(Gap gap) override;
-    Doc assertion(Gap gap);
+    Doc format_member(Gap gap) override;
+    Doc format_assertion(Gap gap);
     Doc assertion_body();
-    Doc property();
-    Doc hyphenated();
-    Doc parameters();
-    Doc parameter(Gap gap);
+    Doc format_property();
+    Doc format_hyphenated();
+    Doc format_parameters();
+    Doc format_parameter(Gap gap);
     Doc csp_block(Gap gap);
-    Doc kept(Gap gap);
+    Doc format_kept_part(Gap gap);
 
     // Probabilistic assertions (format_probability.cpp)
     [[nodiscard]] bool at_probabilistic_part() const;
     Doc probabilistic_part(Gap gap);
     Doc probabilistic_assertion(Gap gap);
-    Doc definition(Gap gap);
-    Doc generation();
-    Doc clauses();
+    Doc format_definition(Gap gap);
+    Doc format_generation();
+    Doc format_clauses();
     Doc written_clause();
-    Doc constants(Gap first);
+    Doc format_constants(Gap first);
     Doc constant_values(Gap gap);
-    Doc rewards();
-    Doc functions();
-    Doc modules();
+    Doc format_rewards();
+    Doc format_functions();
+    Doc format_modules();
     Doc reward_item(Gap gap);
-    Doc function(Gap gap);
-    Doc module(Gap gap);
+    Doc format_function(Gap gap);
+    Doc format_module(Gap gap);
     Doc module_member(Gap gap);
-    Doc updates(Gap gap);
+    Doc format_updates(Gap gap);
 
     std::vector<diagnostics::Span> kept_;
     std::size_t kept_at_ = 0;  ///< the next part of another tool

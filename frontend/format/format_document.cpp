@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 namespace {
 
-std::size_t columns(std::string_view text) {
+std::size_t count_columns(std::string_view text) {
     const auto begins_character = [](char c) { return !diagnostics::is_continuation(c); };
     return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
@@ -19,7 +19,7 @@ std::size_t columns(std::string_view text) {
 
 Document::Document() {
     nodes_.push_back({});
-    blank_ = text(" ");
+    blank_ = plain_text(" ");
     line_ = add_break(Kind::line, 1);
     soft_ = add_break(Kind::soft, 0);
     hard_ = add_break(Kind::hard, endless);
@@ -32,7 +32,7 @@ void Document::clear() {
     nodes_.resize(constant_);
 }
 
-std::uint16_t Document::sum(std::uint16_t a, std::uint16_t b) {
+std::uint16_t Document::capped_sum(std::uint16_t a, std::uint16_t b) {
     return static_cast<std::uint16_t>(std::min<std::uint32_t>(endless, std::uint32_t{a} + b));
 }
 
@@ -55,16 +55,16 @@ Doc Document::add_text(Kind kind, std::string_view text) {
     node.kind = kind;
     node.text = text;
     const bool one_line = text.find_first_of("\r\n") == std::string_view::npos;
-    node.flat = one_line ? static_cast<std::uint16_t>(std::min<std::size_t>(endless, columns(text))) : endless;
+    node.flat = one_line ? static_cast<std::uint16_t>(std::min<std::size_t>(endless, count_columns(text))) : endless;
     node.lead = node.flat;
     return add(node);
 }
 
-Doc Document::text(std::string_view text) {
+Doc Document::plain_text(std::string_view text) {
     return add_text(Kind::text, text);
 }
 
-Doc Document::comment(std::string_view text) {
+Doc Document::comment_text(std::string_view text) {
     const Doc doc = add_text(Kind::comment, text);
     if (doc == 0) return doc;
     nodes_[doc].breaks = true;
@@ -73,7 +73,7 @@ Doc Document::comment(std::string_view text) {
 }
 
 Doc Document::line_comment(std::string_view text) {
-    const Doc doc = comment(text);
+    const Doc doc = comment_text(text);
     nodes_[doc].flat = endless;
     return doc;
 }
@@ -86,8 +86,8 @@ Doc Document::cat(Doc a, Doc b) {
     Node node;
     node.kind = Kind::cat;
     node.breaks = left.breaks || right.breaks;
-    node.flat = sum(left.flat, right.flat);
-    node.lead = left.breaks ? left.lead : sum(left.lead, right.lead);
+    node.flat = capped_sum(left.flat, right.flat);
+    node.lead = left.breaks ? left.lead : capped_sum(left.lead, right.lead);
     node.a = a;
     node.b = b;
     return add(node);
@@ -99,7 +99,7 @@ Doc Document::cat(std::initializer_list<Doc> docs) {
     return result;
 }
 
-Doc Document::nest(Doc inner) {
+Doc Document::nest_indented(Doc inner) {
     if (inner == 0) return 0;
     Node node = nodes_[inner];
     node.kind = Kind::nest;
@@ -129,9 +129,9 @@ void Printer::write(std::string_view text) {
     out_ += text;
     const std::size_t line_end = text.find_last_of("\r\n");
     if (line_end == std::string_view::npos)
-        column_ += columns(text);
+        column_ += count_columns(text);
     else
-        column_ = columns(text.substr(line_end + 1));
+        column_ = count_columns(text.substr(line_end + 1));
 }
 
 void Printer::end_line(std::uint32_t indent, int count) {
@@ -141,7 +141,7 @@ void Printer::end_line(std::uint32_t indent, int count) {
 }
 
 /// True if the group fits into the line limit, together with the text after it up to the next possible line break.
-bool Printer::fits(const Document::Node& group) const {
+bool Printer::fits_line(const Document::Node& group) const {
     if (group.flat == Document::endless) return false;
     std::size_t width = (column_ == 0 ? indent_ * tab_width : column_) + group.flat;
     for (auto item = pending_.rbegin(); item != pending_.rend() && width <= group.limit; ++item) {
@@ -152,7 +152,7 @@ bool Printer::fits(const Document::Node& group) const {
     return width <= group.limit;
 }
 
-void Printer::step(Item item) {
+void Printer::print_item(Item item) {
     const Document::Node& node = document_.nodes_[item.doc];
     switch (node.kind) {
         case Kind::text:
@@ -176,7 +176,7 @@ void Printer::step(Item item) {
             pending_.push_back({node.a, item.indent + 1, item.flat});
             return;
         case Kind::group:
-            pending_.push_back({node.a, item.indent, item.flat || fits(node)});
+            pending_.push_back({node.a, item.indent, item.flat || fits_line(node)});
             return;
     }
 }
@@ -186,7 +186,7 @@ void Printer::print(Doc doc) {
     while (!pending_.empty()) {
         const Item item = pending_.back();
         pending_.pop_back();
-        step(item);
+        print_item(item);
     }
 }
 

@@ -29,9 +29,9 @@ public:
     Document();
 
     /// A text that is written unchanged. The view must outlive the document.
-    Doc text(std::string_view text);
+    Doc plain_text(std::string_view text);
     /// A comment: written as a text, but the text before it does not reserve columns for it.
-    Doc comment(std::string_view text);
+    Doc comment_text(std::string_view text);
     /// `// …`: a group that contains it never fits on one line.
     Doc line_comment(std::string_view text);
     [[nodiscard]] Doc blank() const { return blank_; }
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] Doc raw() const { return raw_; }                ///< a line end without indentation
     Doc cat(Doc a, Doc b);
     Doc cat(std::initializer_list<Doc> docs);
-    Doc nest(Doc inner);  ///< the contents are indented by one more tab
+    Doc nest_indented(Doc inner);  ///< the contents are indented by one more tab
     Doc group(Doc inner, std::uint16_t limit = line_limit);
     /// Removes all nodes except the constant ones.
     void clear();
@@ -65,7 +65,7 @@ private:
     Doc add(const Node& node);
     Doc add_break(Kind kind, std::uint16_t flat);
     Doc add_text(Kind kind, std::string_view text);
-    static std::uint16_t sum(std::uint16_t a, std::uint16_t b);
+    static std::uint16_t capped_sum(std::uint16_t a, std::uint16_t b);
 
     std::vector<Node> nodes_;
     Doc blank_ = 0, line_ = 0, soft_ = 0, hard_ = 0, empty_line_ = 0, raw_ = 0;
@@ -78,7 +78,7 @@ public:
     Printer(const Document& document, std::string_view line_end) : document_(document), line_end_(line_end) {}
 
     void print(Doc doc);
-    [[nodiscard]] std::string take() { return std::move(out_); }
+    [[nodiscard]] std::string take_text() { return std::move(out_); }
 
 private:
     using Kind = Document::Kind;
@@ -88,10 +88,10 @@ private:
         bool flat;
     };
 
-    void step(Item item);
+    void print_item(Item item);
     void write(std::string_view text);
     void end_line(std::uint32_t indent, int count);
-    [[nodiscard]] bool fits(const Document::Node& group) const;
+    [[nodiscard]] bool fits_line(const Document::Node& group) const;
 
     const Document& document_;
     std::string_view line_end_;

@@ -20,36 +20,36 @@ protected:
 
     static constexpr int value_level = concat_level + 2;  ///< after `!` and `.`: tighter than every operator, so none
                                                           ///< is read
-    Doc expression(Gap gap);
+    Doc format_expression(Gap gap);
     /// Operators that bind at least as tightly as `level`, and their operands.
-    Doc operand(Gap gap, int level);
+    Doc format_operand(Gap gap, int level);
     /// `if c then a else b end`, as a statement or an expression.
-    Doc conditional(Gap gap, Part branch);
+    Doc format_conditional(Gap gap, Part branch);
 
     /// A bracketed list separated by `,` or `;`: on one line, or one element a line.
-    Doc list(Gap gap, Part element);
+    Doc format_list(Gap gap, Part element);
     /// `a : T`
-    Doc typed(Gap gap);
-    Doc type(Gap gap);
+    Doc format_typed(Gap gap);
+    Doc format_type(Gap gap);
     /// `(p : @x = e)`
-    Doc update(Gap gap);
+    Doc format_update(Gap gap);
 
     bool probabilistic_ = false;  ///< in a probabilistic assertion, where expressions have more forms
 
 private:
-    Doc prefix(int level);
-    Doc chain(Doc left, int level);
-    Doc infix(int level);
-    Doc binder(int level);
-    Doc bindings(Gap gap);
-    Doc binding(Gap gap);
-    Doc negation();
-    Doc postfix();
-    Doc atom();
+    Doc format_prefix(int level);
+    Doc format_chain(Doc left, int level);
+    Doc format_infix(int level);
+    Doc format_binder(int level);
+    Doc format_bindings(Gap gap);
+    Doc format_binding(Gap gap);
+    Doc format_negation();
+    Doc format_postfix();
+    Doc format_atom();
     Doc sequence_element(Gap gap);
     Doc sequence_with_set();
     Doc set_element(Gap gap);
-    Doc field(Gap gap);
+    Doc format_field(Gap gap);
     [[nodiscard]] int operator_level() const;
     [[nodiscard]] bool at_step() const;
 
@@ -58,13 +58,13 @@ private:
     Doc probabilistic_form();
     Doc path_prefix();
     Doc step_bound();
-    Doc quantitative();
+    Doc format_quantitative();
     Doc reward_path(Gap gap);
-    Doc simulation();
-    Doc assigned(Gap gap);
+    Doc format_simulation();
+    Doc format_assigned(Gap gap);
     Doc behind_name(Doc name);
 
-    Doc elements(Gap first, Part element);
+    Doc format_elements(Gap first, Part element);
     Doc atomic_type(Gap gap);
     Doc type_or_size(Gap gap);
 

@@ -19,7 +19,7 @@ bool ends_line(Gap gap) {
 }
 
 template <std::size_t n>
-bool among(std::string_view word, const std::array<std::string_view, n>& words) {
+bool is_among(std::string_view word, const std::array<std::string_view, n>& words) {
     return std::ranges::find(words, word) != words.end();
 }
 
@@ -39,7 +39,7 @@ std::string_view take_line(std::string_view& text) {
 
 }  // namespace
 
-Doc WordLayout::separator(Gap gap, std::size_t lines) {
+Doc WordLayout::format_separator(Gap gap, std::size_t lines) {
     switch (gap) {
         case Gap::blank:
             return doc_.blank();
@@ -61,9 +61,9 @@ Doc WordLayout::separator(Gap gap, std::size_t lines) {
     }
 }
 
-Doc WordLayout::gap(Gap gap) {
+Doc WordLayout::format_gap(Gap gap) {
     if (gap == Gap::done) return 0;
-    if (!commented()) return separator(gap, lines_before());
+    if (!has_comment()) return format_separator(gap, lines_before());
     const std::vector<Piece> found = take_comments();
     const bool joins = gap == Gap::none || gap == Gap::soft || gap == Gap::blank;
     const auto on_line = [&](const Piece& p) { return !p.to_line_end && (p.lines == 0 || (p.is_token && joins)); };
@@ -72,26 +72,26 @@ Doc WordLayout::gap(Gap gap) {
     const auto stays = [&](const Piece& p) { return p.lines == 0 && !p.is_token && gap != Gap::start; };
     const auto moved = std::ranges::find_if_not(found, stays);
     const auto count = static_cast<std::size_t>(moved - found.begin());
-    return doc_.cat(trailing(found, count), own_lines(gap, found, count));
+    return doc_.cat(format_trailing(found, count), own_lines(gap, found, count));
 }
 
 /// `a /* c */ b`: a comment belongs to the token after it.
 Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     constexpr std::array<std::string_view, 7> openers = {"(", "[", "{", "(|", "[|", "Set(", "Seq("};
     constexpr std::array<std::string_view, 9> closers = {")", "]", "}", "|)", "|]", ",", ";", ".", "::"};
-    const bool opened = last() && among(last()->text, openers);
-    Doc result = gap == Gap::soft && opened ? doc_.soft() : separator(gap, 0);
+    const bool opened = last_token() && is_among(last_token()->text, openers);
+    Doc result = gap == Gap::soft && opened ? doc_.soft() : format_separator(gap, 0);
     if (gap == Gap::none && !opened) result = doc_.blank();
     if (gap == Gap::none && opened) result = 0;
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
-        result = cat({result, i > 0 ? doc_.blank() : 0, comment(pieces[i])});
-    return among(peek().text, closers) ? result : doc_.cat(result, doc_.blank());
+        result = cat({result, i > 0 ? doc_.blank() : 0, format_comment(pieces[i])});
+    return is_among(peek().text, closers) ? result : doc_.cat(result, doc_.blank());
 }
 
 /// Lays out comments that stay on the line of the token before them.
-Doc WordLayout::trailing(const std::vector<Piece>& pieces, std::size_t count) {
+Doc WordLayout::format_trailing(const std::vector<Piece>& pieces, std::size_t count) {
     Doc result = 0;
-    for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), comment(pieces[i])});
+    for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), format_comment(pieces[i])});
     return result;
 }
 
@@ -101,18 +101,18 @@ Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t
     const bool forced = !head.is_token || (trailing > 0 && pieces[trailing - 1].to_line_end);
     const bool any_empty_line = std::any_of(pieces.begin() + static_cast<std::ptrdiff_t>(trailing), pieces.end(),
                                             [](const Piece& p) { return p.lines > 1; });
-    Doc result = separator(gap == Gap::block && any_empty_line ? Gap::member : gap, head.lines);
+    Doc result = format_separator(gap == Gap::block && any_empty_line ? Gap::member : gap, head.lines);
     if (gap == Gap::start)
         result = 0;
     else if (forced && !ends_line(gap))
         result = doc_.hard();
     for (std::size_t i = trailing; !pieces[i].is_token; ++i)
-        result = cat({result, comment(pieces[i]), following(gap, pieces[i], pieces[i + 1])});
+        result = cat({result, format_comment(pieces[i]), gap_after_comment(gap, pieces[i], pieces[i + 1])});
     return result;
 }
 
 /// The gap between a comment that begins a line and the next piece.
-Doc WordLayout::following(Gap gap, const Piece& before, const Piece& piece) {
+Doc WordLayout::gap_after_comment(Gap gap, const Piece& before, const Piece& piece) {
     if (!before.to_line_end && piece.lines == 0) return doc_.blank();
     return keeps_empty_lines(gap) && piece.lines > 1 ? doc_.empty_line() : doc_.hard();
 }
@@ -121,12 +121,12 @@ Doc WordLayout::closing_comments() {
     std::vector<Piece> found = take_comments();
     found.pop_back();
     Doc result = 0;
-    const bool opened = !last() || last()->is("{");
+    const bool opened = !last_token() || last_token()->is_word("{");
     for (std::size_t i = 0; i < found.size(); ++i) {
         const bool behind = found[i].lines == 0 && (i == 0 || !found[i - 1].to_line_end);
         const bool empty_line = found[i].lines > 1 && !(i == 0 && opened);
         const Doc before = behind ? doc_.blank() : empty_line ? doc_.empty_line() : doc_.hard();
-        result = cat({result, i == 0 && !last() ? 0 : before, comment(found[i])});
+        result = cat({result, i == 0 && !last_token() ? 0 : before, format_comment(found[i])});
         read_to(found[i].span.end);
     }
     return result;
@@ -136,23 +136,23 @@ Doc WordLayout::closing_comments() {
 
 /// A further line of a block comment: indented with its first line if `moved`, otherwise unchanged.
 Doc WordLayout::comment_line(std::string_view line, std::size_t margin, bool moved) {
-    if (!moved) return doc_.cat(doc_.raw(), doc_.comment(line));
+    if (!moved) return doc_.cat(doc_.raw(), doc_.comment_text(line));
     line.remove_prefix(std::min(line.size(), margin));
-    return doc_.cat(doc_.hard(), doc_.comment(line));
+    return doc_.cat(doc_.hard(), doc_.comment_text(line));
 }
 
 /// The lines of a block comment are indented with its first line if they were indented at least as far.
-Doc WordLayout::comment(const Piece& piece) {
-    std::string_view rest = source(piece.span);
+Doc WordLayout::format_comment(const Piece& piece) {
+    std::string_view rest = source_text(piece.span);
     const std::string_view first = take_line(rest);
     if (piece.to_line_end) return doc_.line_comment(first);
-    const auto indentation = margin(piece.span.begin);
+    const auto indentation = margin_before(piece.span.begin);
     bool moved = indentation.has_value();
     for (std::string_view lines = rest; moved && !lines.empty();) {
         const std::string_view line = take_line(lines);
         moved = line.empty() || line.starts_with(*indentation);
     }
-    Doc result = doc_.comment(first);
+    Doc result = doc_.comment_text(first);
     while (!rest.empty()) {
         const std::string_view line = take_line(rest);
         result = doc_.cat(result, comment_line(line, indentation ? indentation->size() : 0, moved));
@@ -162,43 +162,43 @@ Doc WordLayout::comment(const Piece& piece) {
 
 // ---------------------------------------------------------------- words
 
-Doc WordLayout::token(Gap gap) {
-    const Doc before = this->gap(gap);
+Doc WordLayout::format_token(Gap gap) {
+    const Doc before = this->format_gap(gap);
     return doc_.cat(before, advance());
 }
 
-Doc WordLayout::words(Gap gap, std::size_t count) {
-    Doc result = token(gap);
-    while (--count > 0) result = doc_.cat(result, token(Gap::blank));
+Doc WordLayout::format_words(Gap gap, std::size_t count) {
+    Doc result = format_token(gap);
+    while (--count > 0) result = doc_.cat(result, format_token(Gap::blank));
     return result;
 }
 
-Doc WordLayout::names(Gap gap) {
-    Doc result = token(gap);
-    while (at("::") && !peek(1).is("*")) result = cat({result, token(Gap::none), token(Gap::none)});
+Doc WordLayout::format_names(Gap gap) {
+    Doc result = format_token(gap);
+    while (at("::") && !peek(1).is_word("*")) result = cat({result, format_token(Gap::none), format_token(Gap::none)});
     return result;
 }
 
-Doc WordLayout::phrase(Gap gap) {
-    const Doc word = token(gap);
-    return doc_.cat(word, names(Gap::blank));
+Doc WordLayout::format_phrase(Gap gap) {
+    const Doc word = format_token(gap);
+    return doc_.cat(word, format_names(Gap::blank));
 }
 
-Doc WordLayout::import(Gap gap) {
-    const Doc result = phrase(gap);
-    return at("::") ? cat({result, token(Gap::none), token(Gap::none)}) : result;
+Doc WordLayout::format_import(Gap gap) {
+    const Doc result = format_phrase(gap);
+    return at("::") ? cat({result, format_token(Gap::none), format_token(Gap::none)}) : result;
 }
 
 std::string WordLayout::run(std::string_view line_end) {
     Printer printer(doc_, line_end);
     Gap gap = Gap::start;
     while (!at_end()) {
-        printer.print(member(gap));
+        printer.print(format_member(gap));
         doc_.clear();
         gap = Gap::member;
     }
-    printer.print(cat({closing_comments(), untouched() ? 0 : doc_.hard()}));
-    return printer.take();
+    printer.print(cat({closing_comments(), is_untouched() ? 0 : doc_.hard()}));
+    return printer.take_text();
 }
 
 }  // namespace robochart::frontend

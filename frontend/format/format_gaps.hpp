@@ -44,20 +44,20 @@ protected:
     ~WordLayout() = default;
 
     /// Lays out one member of the file.
-    virtual Doc member(Gap gap) = 0;
+    virtual Doc format_member(Gap gap) = 0;
 
-    Doc token(Gap gap);
+    Doc format_token(Gap gap);
     /// The next token as it is written, without a gap.
-    Doc advance() { return doc_.text(take()); }
+    Doc advance() { return doc_.plain_text(take_token()); }
     /// `count` tokens with blanks between them.
-    Doc words(Gap gap, std::size_t count);
+    Doc format_words(Gap gap, std::size_t count);
     /// `A::B::C`
-    Doc names(Gap gap);
+    Doc format_names(Gap gap);
     /// A keyword and a name.
-    Doc phrase(Gap gap);
+    Doc format_phrase(Gap gap);
     /// `import P::*`
-    Doc import(Gap gap);
-    Doc gap(Gap gap);
+    Doc format_import(Gap gap);
+    Doc format_gap(Gap gap);
     /// The comments before a closing brace or the end of the text, indented as the body that ends there.
     Doc closing_comments();
 
@@ -69,12 +69,12 @@ protected:
     Document doc_;
 
 private:
-    Doc separator(Gap gap, std::size_t lines);
+    Doc format_separator(Gap gap, std::size_t lines);
     Doc inline_comments(Gap gap, const std::vector<Piece>& pieces);
     Doc own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing);
-    Doc following(Gap gap, const Piece& before, const Piece& piece);
-    Doc trailing(const std::vector<Piece>& pieces, std::size_t count);
-    Doc comment(const Piece& piece);
+    Doc gap_after_comment(Gap gap, const Piece& before, const Piece& piece);
+    Doc format_trailing(const std::vector<Piece>& pieces, std::size_t count);
+    Doc format_comment(const Piece& piece);
     Doc comment_line(std::string_view line, std::size_t margin, bool moved);
 };
 

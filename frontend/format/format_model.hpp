@@ -17,47 +17,47 @@ public:
 
 private:
     using ModelPart = Doc (ModelLayout::*)(Gap);
-    using ExpressionLayout::conditional;
-    using ExpressionLayout::list;
-    Doc list(Gap gap, ModelPart element) { return list(gap, static_cast<Part>(element)); }
-    Doc conditional(Gap gap, ModelPart branch) { return conditional(gap, static_cast<Part>(branch)); }
+    using ExpressionLayout::format_conditional;
+    using ExpressionLayout::format_list;
+    Doc format_list(Gap gap, ModelPart element) { return format_list(gap, static_cast<Part>(element)); }
+    Doc format_conditional(Gap gap, ModelPart branch) { return format_conditional(gap, static_cast<Part>(branch)); }
 
     // Files, declarations, types (format_declarations.cpp)
-    Doc member(Gap gap) override;
-    Doc declaration(Gap gap);
-    Doc braces(ModelPart part, Gap inside, Gap between);
-    Doc members(ModelPart part, Gap inside, Gap between);
-    Doc block(Gap gap);
-    Doc operation(Gap gap);
-    Doc enumeration(Gap gap);
-    Doc record(Gap gap);
-    Doc literal(Gap gap);
-    Doc interfaces(Gap gap);
-    Doc variables(Gap gap);
-    Doc variable(Gap gap);
-    Doc event(Gap gap);
-    Doc signature(Gap gap);
-    Doc reference(Gap gap);
-    Doc connection(Gap gap);
-    Doc contract(Gap gap);
+    Doc format_member(Gap gap) override;
+    Doc format_declaration(Gap gap);
+    Doc format_braces(ModelPart part, Gap inside, Gap between);
+    Doc format_members(ModelPart part, Gap inside, Gap between);
+    Doc format_block(Gap gap);
+    Doc format_operation(Gap gap);
+    Doc format_enumeration(Gap gap);
+    Doc format_record(Gap gap);
+    Doc format_literal(Gap gap);
+    Doc format_interfaces(Gap gap);
+    Doc format_variables(Gap gap);
+    Doc format_variable(Gap gap);
+    Doc format_event(Gap gap);
+    Doc format_signature(Gap gap);
+    Doc format_reference(Gap gap);
+    Doc format_connection(Gap gap);
+    Doc format_contract(Gap gap);
     [[nodiscard]] bool opens_block() const;
 
     // Machines (format_machines.cpp)
-    Doc state(Gap gap);
-    Doc action(Gap gap);
+    Doc format_state(Gap gap);
+    Doc format_action(Gap gap);
     Doc action_body();
-    Doc transition(Gap gap);
-    Doc clauses(Gap gap);
-    Doc clause(Gap gap, bool trigger_before);
-    Doc deadline(Gap gap);
+    Doc format_transition(Gap gap);
+    Doc format_clauses(Gap gap);
+    Doc format_clause(Gap gap, bool trigger_before);
+    Doc format_deadline(Gap gap);
 
     // Statements (format_statements.cpp)
-    Doc statement(Gap gap);
-    Doc sequence(Gap gap);
+    Doc format_statement(Gap gap);
+    Doc format_sequence(Gap gap);
     Doc timed_statement(Gap gap);
     Doc basic_statement(Gap gap);
-    Doc communication(Gap gap);
-    Doc predicate();
+    Doc format_communication(Gap gap);
+    Doc format_predicate();
 
     bool after_block_ = false;  ///< the last member had a body of several lines
 };

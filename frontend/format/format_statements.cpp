@@ -4,63 +4,63 @@
 
 namespace robochart::frontend {
 
-Doc ModelLayout::statement(Gap gap) {
-    const Doc before = this->gap(gap);
-    return group(before, sequence(Gap::done));
+Doc ModelLayout::format_statement(Gap gap) {
+    const Doc before = this->format_gap(gap);
+    return group(before, format_sequence(Gap::done));
 }
 
 /// `S; S`: on one line, or one statement a line. The caller makes the group.
-Doc ModelLayout::sequence(Gap gap) {
+Doc ModelLayout::format_sequence(Gap gap) {
     Doc result = timed_statement(gap);
-    while (at(";")) result = cat({result, token(Gap::none), timed_statement(Gap::line)});
+    while (at(";")) result = cat({result, format_token(Gap::none), timed_statement(Gap::line)});
     return result;
 }
 
 Doc ModelLayout::timed_statement(Gap gap) {
     const Doc inner = basic_statement(gap);
-    return at("<{") ? doc_.cat(inner, deadline(Gap::blank)) : inner;
+    return at("<{") ? doc_.cat(inner, format_deadline(Gap::blank)) : inner;
 }
 
 Doc ModelLayout::basic_statement(Gap gap) {
-    if (at("if")) return conditional(gap, &ModelLayout::statement);
-    if (at("(")) return list(gap, &ModelLayout::statement);
-    if (at("skip")) return token(gap);
-    if (at("#")) return cat({token(gap), token(Gap::none)});
-    if (at("wait")) return cat({token(gap), list(Gap::none, &ModelLayout::expression)});
-    if (at("send")) return cat({token(gap), communication(Gap::blank)});
-    return communication(gap);
+    if (at("if")) return format_conditional(gap, &ModelLayout::format_statement);
+    if (at("(")) return format_list(gap, &ModelLayout::format_statement);
+    if (at("skip")) return format_token(gap);
+    if (at("#")) return cat({format_token(gap), format_token(Gap::none)});
+    if (at("wait")) return cat({format_token(gap), format_list(Gap::none, &ModelLayout::format_expression)});
+    if (at("send")) return cat({format_token(gap), format_communication(Gap::blank)});
+    return format_communication(gap);
 }
 
 /// A name with everything that may follow it in a statement or trigger: `e?x`, `e!v`, `e.v`, `e[| p |]?x`, `op(a)`,
 /// `v[i] = e`.
-Doc ModelLayout::communication(Gap gap) {
-    Doc result = names(gap);
+Doc ModelLayout::format_communication(Gap gap) {
+    Doc result = format_names(gap);
     for (;;) {
         if (at("(") || at("["))
-            result = doc_.cat(result, list(Gap::none, &ModelLayout::expression));
+            result = doc_.cat(result, format_list(Gap::none, &ModelLayout::format_expression));
         else if (at("[|"))
-            result = doc_.cat(result, predicate());
+            result = doc_.cat(result, format_predicate());
         else if (at("!") || at("."))
-            result = cat({result, token(Gap::none), operand(Gap::none, value_level)});
+            result = cat({result, format_token(Gap::none), format_operand(Gap::none, value_level)});
         else if (at("?"))
-            result = cat({result, token(Gap::none), names(Gap::none)});
+            result = cat({result, format_token(Gap::none), format_names(Gap::none)});
         else
             break;
     }
-    return at("=") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
+    return at("=") ? cat({result, format_token(Gap::blank), format_expression(Gap::blank)}) : result;
 }
 
 /// `[| x = from | p |]`
-Doc ModelLayout::predicate() {
-    Doc result = token(Gap::none);
+Doc ModelLayout::format_predicate() {
+    Doc result = format_token(Gap::none);
     Gap gap = Gap::none;
-    if (at_name() && peek(1).is("=")) {
-        result = doc_.cat(result, words(gap, 3));
-        if (at("|")) result = doc_.cat(result, token(Gap::blank));
+    if (at_name() && peek(1).is_word("=")) {
+        result = doc_.cat(result, format_words(gap, 3));
+        if (at("|")) result = doc_.cat(result, format_token(Gap::blank));
         gap = Gap::blank;
     }
-    if (!at("|]")) result = doc_.cat(result, expression(gap));
-    return doc_.cat(result, token(Gap::none));
+    if (!at("|]")) result = doc_.cat(result, format_expression(gap));
+    return doc_.cat(result, format_token(Gap::none));
 }
 
 }  // namespace robochart::frontend

@@ -42,8 +42,8 @@ bool TokenReader::may_touch() const {
         "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "//", "/*"};
     if (at_ == 0 || at_end()) return true;
     const Token& before = stream_.tokens[at_ - 1];
-    const std::string_view left = source(before.span);
-    const std::string_view right = source(peek().span);
+    const std::string_view left = source_text(before.span);
+    const std::string_view right = source_text(peek().span);
     if (is_word_character(right.front()) && (is_word_character(left.back()) || left == "^")) return false;
     if ((left == "Set" || left == "Seq") && right.front() == '(') return false;
     if (before.kind != TokenKind::symbol || peek().kind != TokenKind::symbol) return true;
@@ -52,16 +52,16 @@ bool TokenReader::may_touch() const {
         joined, [&](std::string_view word) { return word.size() > left.size() && both.starts_with(word); });
 }
 
-std::string_view TokenReader::take() {
+std::string_view TokenReader::take_token() {
     const Token& token = peek();
     previous_end_ = token.span.end;
     if (!at_end()) ++at_;
-    return source(token.span);
+    return source_text(token.span);
 }
 
 // ---------------------------------------------------------------- comments and text
 
-bool TokenReader::commented() const {
+bool TokenReader::has_comment() const {
     return comment_ < stream_.comments.size() && stream_.comments[comment_].begin < peek().span.begin;
 }
 
@@ -84,7 +84,7 @@ void TokenReader::skip_comments(std::size_t offset) {
     while (comment_ < stream_.comments.size() && stream_.comments[comment_].begin < offset) ++comment_;
 }
 
-std::string_view TokenReader::source(diagnostics::Span span) const {
+std::string_view TokenReader::source_text(diagnostics::Span span) const {
     return text_.substr(span.begin, span.end - span.begin);
 }
 
@@ -99,7 +99,7 @@ std::size_t TokenReader::line_ends(std::size_t begin, std::size_t end) const {
     return count;
 }
 
-std::optional<std::string_view> TokenReader::margin(std::size_t offset) const {
+std::optional<std::string_view> TokenReader::margin_before(std::size_t offset) const {
     std::size_t begin = offset;
     while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
     if (begin > 0 && !is_line_break(text_[begin - 1])) return std::nullopt;

@@ -26,25 +26,25 @@ public:
 
     // The next tokens
     [[nodiscard]] Token peek(std::size_t ahead = 0) const;
-    [[nodiscard]] bool at(std::string_view word) const { return peek().is(word); }
+    [[nodiscard]] bool at(std::string_view word) const { return peek().is_word(word); }
     /// True if the next token is this word. The word may be a keyword here and a name elsewhere.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_name() const { return peek().kind == TokenKind::identifier; }
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
     [[nodiscard]] bool at_closing() const;
     /// The last token taken; no value at the beginning.
-    [[nodiscard]] std::optional<Token> last() const {
+    [[nodiscard]] std::optional<Token> last_token() const {
         return at_ == 0 ? std::nullopt : std::optional<Token>(stream_.tokens[at_ - 1]);
     }
     /// True if the last token and the next would be read as the same two tokens without a blank between them.
     [[nodiscard]] bool may_touch() const;
     /// Takes the next token and returns its text.
-    std::string_view take();
+    std::string_view take_token();
 
     // Comments before the next token
-    [[nodiscard]] bool commented() const;
+    [[nodiscard]] bool has_comment() const;
     /// True if neither a token nor a comment has been read.
-    [[nodiscard]] bool untouched() const { return at_ == 0 && comment_ == 0; }
+    [[nodiscard]] bool is_untouched() const { return at_ == 0 && comment_ == 0; }
     /// Line ends between the last piece read and the next token, at most 2.
     [[nodiscard]] std::size_t lines_before() const { return line_ends(previous_end_, peek().span.begin); }
     /// The comments before the next token, and the token itself. Marks the comments as read.
@@ -56,9 +56,9 @@ public:
 
     // The text
     [[nodiscard]] std::string_view text() const { return text_; }
-    [[nodiscard]] std::string_view source(diagnostics::Span span) const;
+    [[nodiscard]] std::string_view source_text(diagnostics::Span span) const;
     /// The blanks before an offset on its line; no value if something else precedes it on the line.
-    [[nodiscard]] std::optional<std::string_view> margin(std::size_t offset) const;
+    [[nodiscard]] std::optional<std::string_view> margin_before(std::size_t offset) const;
 
 private:
     [[nodiscard]] std::size_t line_ends(std::size_t begin, std::size_t end) const;

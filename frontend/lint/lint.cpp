@@ -38,17 +38,17 @@ public:
     Linter(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out)
         : file_(file), names_(names), written_by_(written_by), out_(out) {}
 
-    void declaration(const Declaration& declaration) {
+    void lint_declaration(const Declaration& declaration) {
         out_.poll();
-        if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) this->machine(*machine);
+        if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) this->lint_machine(*machine);
         const auto* context = dynamic_cast<const Context*>(&declaration);
         if (context == nullptr) return;
         lint_shadowing(file_, *context, names_, out_);
-        if (const auto* component = dynamic_cast<const Component*>(context)) parts(*component);
+        if (const auto* component = dynamic_cast<const Component*>(context)) lint_parts(*component);
     }
 
 private:
-    void machine(const Machine& machine) {
+    void lint_machine(const Machine& machine) {
         Never never;
         lint_guards(machine, never, out_);
         lint_reachability(machine, never, out_);
@@ -61,11 +61,11 @@ private:
         lint_termination(machine, out_);
     }
 
-    void parts(const Component& component) {
-        for (const auto& part : component.platforms) declaration(*part);
-        for (const auto& part : component.controllers) declaration(*part);
-        for (const auto& part : component.machines) declaration(*part);
-        for (const auto& part : component.operations) declaration(*part);
+    void lint_parts(const Component& component) {
+        for (const auto& part : component.platforms) lint_declaration(*part);
+        for (const auto& part : component.controllers) lint_declaration(*part);
+        for (const auto& part : component.machines) lint_declaration(*part);
+        for (const auto& part : component.operations) lint_declaration(*part);
     }
 
     const File& file_;
@@ -93,7 +93,7 @@ bool may_lint_project(const Model& model, const Diagnostics& out) {
 
 void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out) {
     Linter linter(file, names, written_by, out);
-    for (const auto& declaration : file.declarations) linter.declaration(*declaration);
+    for (const auto& declaration : file.declarations) linter.lint_declaration(*declaration);
 }
 
 void lint_project(const Model& model, Diagnostics& out) {
@@ -106,7 +106,7 @@ void lint_project(const Model& model, Diagnostics& out) {
     lint_unused(model, out);
 }
 
-void lint(const Model& model, const Names& names, Diagnostics& out) {
+void lint_model(const Model& model, const Names& names, Diagnostics& out) {
     const bool whole = may_lint_project(model, out);
     const WrittenBy written_by = variables_written_by_operations(model);
     for (const auto& file : model.files)

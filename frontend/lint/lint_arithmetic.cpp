@@ -23,13 +23,14 @@ public:
         for (const ExprPtr& condition : machine.preconditions) facts_.push_back({condition.get(), true});
     }
 
-    void container(const NodeContainer& container) {
+    void check_container(const NodeContainer& container) {
         for (const auto& node : container.nodes) {
             for (const Action& action : node->actions)
-                if (action.statement) separately([&] { statement(*action.statement); });
-            this->container(*node);
+                if (action.statement) with_saved_facts([&] { check_statement(*action.statement); });
+            this->check_container(*node);
         }
-        for (const auto& transition : container.transitions) separately([&] { this->transition(*transition); });
+        for (const auto& transition : container.transitions)
+            with_saved_facts([&] { this->check_transition(*transition); });
     }
 
 private:
@@ -39,86 +40,86 @@ private:
     };
 
     template <class Body>
-    void separately(Body body) {
+    void with_saved_facts(Body body) {
         const std::vector<Fact> before = facts_;
         body();
         facts_ = before;
     }
 
-    void transition(const Transition& transition) {
+    void check_transition(const Transition& transition) {
         if (transition.condition) {
-            expression(*transition.condition);
+            check_expression(*transition.condition);
             facts_.push_back({transition.condition.get(), true});
         }
-        if (transition.action) statement(*transition.action);
+        if (transition.action) check_statement(*transition.action);
     }
 
-    void statement(const Stmt& statement) {
-        for_expressions(statement, [&](const Expr& expr) { expression(expr); });
+    void check_statement(const Stmt& statement) {
+        for_expressions(statement, [&](const Expr& expr) { check_expression(expr); });
         if (statement.kind == StmtKind::if_then_else && statement.condition) {
             for (std::size_t i = 0; i < statement.body.size(); ++i)
-                separately([&] {
+                with_saved_facts([&] {
                     facts_.push_back({statement.condition.get(), i == 0});
-                    this->statement(*statement.body[i]);
+                    this->check_statement(*statement.body[i]);
                 });
         } else {
-            for (const StmtPtr& inner : statement.body) this->statement(*inner);
+            for (const StmtPtr& inner : statement.body) this->check_statement(*inner);
         }
-        forget(statement);
+        drop_changed_facts(statement);
     }
 
     /// Drops the facts about variables that the statement changes.
-    void forget(const Stmt& statement) {
+    void drop_changed_facts(const Stmt& statement) {
         if (facts_.empty()) return;
         Effects effects;
         add_effects(statement, effects);
         std::erase_if(facts_,
-                      [&](const Fact& fact) { return effects.calls || mentions(*fact.condition, effects.writes); });
+                      [&](const Fact& fact) { return effects.calls || mentions_any(*fact.condition, effects.writes); });
     }
 
-    void expression(const Expr& expr) {
+    void check_expression(const Expr& expr) {
         const bool guarded =
             expr.kind == ExprKind::binary && (expr.binary == BinaryOp::conjunction ||
                                               expr.binary == BinaryOp::disjunction || expr.binary == BinaryOp::implies);
         if (guarded) {
-            expression(*expr.args[0]);
-            separately([&] {
+            check_expression(*expr.args[0]);
+            with_saved_facts([&] {
                 facts_.push_back({expr.args[0].get(), expr.binary != BinaryOp::disjunction});
-                expression(*expr.args[1]);
+                check_expression(*expr.args[1]);
             });
             return;
         }
         if (expr.kind == ExprKind::if_then_else) {
-            expression(*expr.args[0]);
+            check_expression(*expr.args[0]);
             for (std::size_t i = 1; i < expr.args.size(); ++i)
-                separately([&] {
+                with_saved_facts([&] {
                     facts_.push_back({expr.args[0].get(), i == 1});
-                    expression(*expr.args[i]);
+                    check_expression(*expr.args[i]);
                 });
             return;
         }
-        for_children(expr, [&](const Expr& part) { expression(part); });
+        for_children(expr, [&](const Expr& part) { check_expression(part); });
         if (expr.kind == ExprKind::binary && (expr.binary == BinaryOp::divide || expr.binary == BinaryOp::modulus))
-            division(expr);
-        if (expr.kind == ExprKind::cast) cast(expr);
+            check_division(expr);
+        if (expr.kind == ExprKind::cast) check_cast(expr);
     }
 
-    [[nodiscard]] logic::Finding decide(const Expr& expr, logic::Relation relation) const {
+    [[nodiscard]] logic::Finding decide_relation(const Expr& expr, logic::Relation relation) const {
         logic::Reasoner reasoner(true);
         std::vector<logic::Formula> all{reasoner.compare_to_zero(expr, relation)};
         for (const Fact& fact : facts_) {
             logic::Formula formula = reasoner.read(*fact.condition);
-            all.push_back(fact.holds ? std::move(formula) : logic::negation(std::move(formula)));
+            all.push_back(fact.holds ? std::move(formula) : logic::negate_formula(std::move(formula)));
         }
         return reasoner.decide(logic::all_of(std::move(all)));
     }
 
     /// True if the value can vary. Whoever instantiates the model chooses the values of open constants, and calls are
     /// specified elsewhere; both are excluded.
-    static bool varies(const Expr& expr) {
+    static bool can_vary(const Expr& expr) {
         bool variable = false;
         bool unknown = false;
-        walk(expr, [&](const Expr& part) {
+        walk_tree(expr, [&](const Expr& part) {
             const auto* named = part.kind == ExprKind::name ? dynamic_cast<const Variable*>(part.target) : nullptr;
             variable = variable || (named != nullptr && named->kind != DeclKind::constant);
             unknown = unknown || part.kind == ExprKind::call;
@@ -126,31 +127,31 @@ private:
         return variable && !unknown;
     }
 
-    void division(const Expr& expr) {
-        const Expr& divisor = strip(*expr.args[1]);
+    void check_division(const Expr& expr) {
+        const Expr& divisor = strip_parentheses(*expr.args[1]);
         if (divisor.type == nullptr ||
             (divisor.type->form != TypeForm::nat && divisor.type->form != TypeForm::integer &&
              divisor.type->form != TypeForm::real))
             return;
         logic::Reasoner reasoner(true);
-        const auto not_zero = logic::negation(reasoner.compare_to_zero(divisor, logic::Relation::equal));
+        const auto not_zero = logic::negate_formula(reasoner.compare_to_zero(divisor, logic::Relation::equal));
         if (reasoner.decide(not_zero).answer == logic::Answer::impossible) {
             out_.report(rules::w_zero, divisor.span, {to_text(divisor)});
             return;
         }
-        if (!varies(divisor)) return;
-        const logic::Finding zero = decide(divisor, logic::Relation::equal);
+        if (!can_vary(divisor)) return;
+        const logic::Finding zero = decide_relation(divisor, logic::Relation::equal);
         if (zero.answer == logic::Answer::possible) out_.report(rules::w_maybe_zero, divisor.span, {to_text(divisor)});
     }
 
-    void cast(const Expr& expr) {
-        const Expr& value = strip(*expr.args[0]);
+    void check_cast(const Expr& expr) {
+        const Expr& value = strip_parentheses(*expr.args[0]);
         const bool to_nat = expr.type != nullptr && expr.type->form == TypeForm::nat;
         if (!to_nat || value.type == nullptr || value.type->form == TypeForm::nat) return;
         const bool difference =
             value.kind == ExprKind::unary || (value.kind == ExprKind::binary && value.binary == BinaryOp::minus);
         if (!difference) return;
-        const logic::Finding negative = decide(value, logic::Relation::less);
+        const logic::Finding negative = decide_relation(value, logic::Relation::less);
         if (negative.answer == logic::Answer::possible && negative.trusted)
             out_.report(rules::w_negative, expr.span, {to_text(value), negative.example});
     }
@@ -162,7 +163,7 @@ private:
 }  // namespace
 
 void lint_arithmetic(const Machine& machine, Diagnostics& out) {
-    Arithmetic(machine, out).container(machine);
+    Arithmetic(machine, out).check_container(machine);
 }
 
 }  // namespace robochart::frontend

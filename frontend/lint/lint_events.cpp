@@ -23,7 +23,7 @@ public:
     Traffic(const Machine& machine, const std::map<std::string_view, const Machine*>& defined) : defined_(defined) {
         add(machine);
     }
-    [[nodiscard]] const Communication* first(std::string_view event) const {
+    [[nodiscard]] const Communication* first_communication(std::string_view event) const {
         const auto found = first_.find(event);
         return found != first_.end() ? found->second : nullptr;
     }
@@ -31,12 +31,12 @@ public:
 private:
     void add(const Machine& machine) {
         if (!seen_.insert(&machine).second) return;
-        walk(machine, [&](const NodeContainer& container) {
+        walk_tree(machine, [&](const NodeContainer& container) {
             for (const auto& transition : container.transitions)
                 if (transition->trigger) add(*transition->trigger);
         });
         for_actions(machine, [&](const Stmt& action) {
-            walk(action, [&](const Stmt& statement) {
+            walk_tree(action, [&](const Stmt& statement) {
                 if (statement.communication) add(*statement.communication);
                 if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
                 const auto called = defined_.find(statement.declaration->name);
@@ -73,7 +73,7 @@ private:
     std::unordered_map<const Declaration*, std::map<std::string, const Connection::End*>> ends_;
 };
 
-std::string described(const Declaration& part, const Declaration& behind, std::string_view kind) {
+std::string describe_part(const Declaration& part, const Declaration& behind, std::string_view kind) {
     if (&part == &behind || part.name == behind.name) return fmt::format("{} `{}`", kind, behind.name);
     return fmt::format("`{}` ({} `{}`)", part.name, kind, behind.name);
 }
@@ -91,7 +91,7 @@ void report_loose(const rules::Rule& rule, Span at, const std::vector<Loose>& lo
     std::vector<std::string> names;
     for (const Loose& each : loose) names.push_back(each.event->name);
     const bool one = names.size() == 1;
-    const std::string events = (one ? "event " : "events ") + listed(names);
+    const std::string events = (one ? "event " : "events ") + list_names(names);
     auto& finding = out.report(rule, at, {events, part, one ? "is" : "are", container, one ? "s" : ""});
     constexpr std::size_t shown = 4;
     for (std::size_t i = 0; i < loose.size() && i < shown; ++i) {
@@ -107,14 +107,14 @@ void check_machine(const Component& controller, const Declaration& part, const M
     std::vector<Loose> loose;
     for (const Event* event : visible_events(machine)) {
         const Connection::End* end = connected.end(part, event->name);
-        const Communication* use = traffic.first(event->name);
+        const Communication* use = traffic.first_communication(event->name);
         if (use != nullptr && end == nullptr) loose.push_back({event, use->span, ""});
         if (use == nullptr && end != nullptr)
-            out.report(rules::w_deaf, end->event.span, {event->name, described(part, machine, "machine")})
+            out.report(rules::w_deaf, end->event.span, {event->name, describe_part(part, machine, "machine")})
                 .notes.push_back({event->name_span, "the event is declared here"});
     }
-    report_loose(rules::w_loose_machine, part.name_span, loose, described(part, machine, "machine"), controller.name,
-                 out);
+    report_loose(rules::w_loose_machine, part.name_span, loose, describe_part(part, machine, "machine"),
+                 controller.name, out);
 }
 
 void check_controller(const Component& controller, Diagnostics& out) {
@@ -122,7 +122,7 @@ void check_controller(const Component& controller, Diagnostics& out) {
     std::map<std::string_view, const Machine*> defined;
     for (const Machine* operation : defined_operations(controller)) defined.emplace(operation->name, operation);
     for (const Declaration* part : controller.order) {
-        const auto* machine = followed<Machine>(part);
+        const auto* machine = follow_to<Machine>(part);
         if (machine != nullptr && machine->kind == DeclKind::state_machine)
             check_machine(controller, *part, *machine, connected, defined, out);
     }
@@ -141,12 +141,12 @@ void check_part(const Component& module, const Declaration& part, const Context&
         if (controller == nullptr && out_end == nullptr)
             loose.push_back({event, event->name_span, fmt::format("`{}` is declared here", event->name)});
         if (controller != nullptr && in_end == nullptr && out_end != nullptr)
-            out.report(rules::w_deaf, out_end->event.span, {event->name, described(part, behind, "controller")})
+            out.report(rules::w_deaf, out_end->event.span, {event->name, describe_part(part, behind, "controller")})
                 .notes.push_back({event->name_span, "the event is declared here"});
     }
     const std::string_view kind = controller != nullptr ? "controller" : "platform";
     report_loose(controller != nullptr ? rules::w_loose_controller : rules::w_loose_platform, part.name_span, loose,
-                 described(part, behind, kind), module.name, out);
+                 describe_part(part, behind, kind), module.name, out);
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ void lint_events(const Component& component, Diagnostics& out) {
     if (component.kind == DeclKind::controller) return check_controller(component, out);
     const Connected outside(component);
     for (const Declaration* part : component.order) {
-        const auto* behind = followed<Context>(part);
+        const auto* behind = follow_to<Context>(part);
         if (behind != nullptr && (behind->kind == DeclKind::controller || behind->kind == DeclKind::platform))
             check_part(component, *part, *behind, outside, out);
     }

@@ -68,20 +68,20 @@ public:
         const std::vector<const Variable*> required = required_variables(machine);
         const std::unordered_set<const Variable*> shared(required.begin(), required.end());
         for (const Variable* variable : visible_variables(machine))
-            if (!shared.contains(variable)) track(*variable);
+            if (!shared.contains(variable)) track_variable(*variable);
         reported_ = Bits(variables_.size());
     }
 
     void run() {
         if (variables_.empty()) return;
-        enter(machine_, nullptr);
+        add_points(machine_, nullptr);
         for (const auto& node : machine_.nodes)
-            if (node->kind == DeclKind::initial) reach(*node, Bits(variables_.size()));
+            if (node->kind == DeclKind::initial) reach_node(*node, Bits(variables_.size()));
         while (!open_.empty()) {
             const State* node = open_.front();
             open_.pop_front();
             points_.at(node).queued = false;
-            pass(*node);
+            pass_node(*node);
         }
         read(machine_);
     }
@@ -95,20 +95,21 @@ private:
         bool queued = false, reached = false, passed = false;
     };
 
-    void track(const Variable& variable) {
+    void track_variable(const Variable& variable) {
         if (variable.kind != DeclKind::variable || variable.initial) return;
         if (index_.emplace(&variable, variables_.size()).second) variables_.push_back(&variable);
     }
 
-    void enter(const NodeContainer& container, const State* parent) {
+    void add_points(const NodeContainer& container, const State* parent) {
         const Bits all(variables_.size(), true);
         for (const auto& node : container.nodes) {
             Point point{parent, {}, all, all, all, all, Bits(variables_.size()), Bits(variables_.size())};
             for (const Action& action : node->actions)
                 if (action.statement && action.kind != ActionKind::during)
-                    sets(*action.statement, action.kind == ActionKind::entry ? point.entry : point.exit, false);
+                    add_set_variables(*action.statement, action.kind == ActionKind::entry ? point.entry : point.exit,
+                                      false);
             points_.emplace(node.get(), std::move(point));
-            enter(*node, node.get());
+            add_points(*node, node.get());
         }
         for (const auto& transition : container.transitions)
             if (transition->source != nullptr) points_.at(transition->source).out.push_back(transition.get());
@@ -116,7 +117,7 @@ private:
 
     // ------------------------------------------------------------ variables that are certainly set
 
-    void reach(const State& node, const Bits& with) {
+    void reach_node(const State& node, const Bits& with) {
         Point& point = points_.at(&node);
         const bool changed = point.in.intersect(with);
         if ((!changed && point.reached) || point.queued) {
@@ -127,7 +128,7 @@ private:
         open_.push_back(&node);
     }
 
-    void pass(const State& node) {
+    void pass_node(const State& node) {
         Point& point = points_.at(&node);
         Bits entered = point.in;
         entered.unite(point.entry);
@@ -135,14 +136,14 @@ private:
         for (const auto& inner : node.nodes)
             if (inner->kind == DeclKind::initial) {
                 composite = true;
-                reach(*inner, entered);
+                reach_node(*inner, entered);
             }
-        if (!composite) settle(node, entered, entered);
+        if (!composite) propagate_settled(node, entered, entered);
     }
 
     /// The node is settled, and may be left, with at least these variables set. The effect is propagated to enclosing
     /// states.
-    void settle(const State& node, const Bits& settled, const Bits& inner_leave) {
+    void propagate_settled(const State& node, const Bits& settled, const Bits& inner_leave) {
         const State* at = &node;
         Bits now = settled;
         Bits leaving = inner_leave;
@@ -155,7 +156,7 @@ private:
             Bits after = point.inner_leave;
             after.unite(point.exit);
             point.leave = after;
-            for (const Transition* way : point.out) take(*way, point);
+            for (const Transition* way : point.out) take_transition(*way, point);
             const bool rests = at->kind == DeclKind::state || at->kind == DeclKind::final;
             now = point.settled;
             leaving = point.leave;
@@ -163,22 +164,22 @@ private:
         }
     }
 
-    void take(const Transition& way, const Point& from) {
+    void take_transition(const Transition& way, const Point& from) {
         if (way.target == nullptr) return;
         Bits now = from.leave;
         set_trigger(way, now);
-        if (way.action) sets(*way.action, now, false);
-        reach(*way.target, now);
+        if (way.action) add_set_variables(*way.action, now, false);
+        reach_node(*way.target, now);
     }
 
     void set_trigger(const Transition& way, Bits& now) const {
-        if (way.trigger) set(way.trigger->variable_target, now);
+        if (way.trigger) mark_set(way.trigger->variable_target, now);
         if (way.trigger && !way.trigger->from_variable.empty())
             for (const Variable* variable : variables_)
-                if (variable->name == way.trigger->from_variable.text()) set(variable, now);
+                if (variable->name == way.trigger->from_variable.text()) mark_set(variable, now);
     }
 
-    void set(const Declaration* variable, Bits& now) const {
+    void mark_set(const Declaration* variable, Bits& now) const {
         const auto found = index_.find(variable);
         if (found != index_.end()) now.insert(found->second);
     }
@@ -187,28 +188,28 @@ private:
         const auto found = written_by_.find(call.name.parts.back());
         if (found == written_by_.end()) return;
         for (const Variable* variable : variables_)
-            if (found->second.contains(variable->name)) set(variable, now);
+            if (found->second.contains(variable->name)) mark_set(variable, now);
     }
 
     /// Adds the variables that a statement certainly sets to `now`. With `reading`, also reports variables that it
     /// reads too early.
-    void sets(const Stmt& statement, Bits& now, bool reading) {
+    void add_set_variables(const Stmt& statement, Bits& now, bool reading) {
         if (reading)
             for_expressions(statement, [&](const Expr& expr) {
                 if (&expr != statement.target.get()) return this->read(expr, now);
                 for_children(expr, [&](const Expr& part) { read_index(part, now); });
             });
-        if (statement.kind == StmtKind::if_then_else) return branch(statement, now, reading);
-        for (const StmtPtr& inner : statement.body) sets(*inner, now, reading);
-        if (statement.kind == StmtKind::assignment && statement.target) set(assigned_root(*statement.target), now);
-        if (statement.kind == StmtKind::communication) set(statement.communication->variable_target, now);
+        if (statement.kind == StmtKind::if_then_else) return set_in_branches(statement, now, reading);
+        for (const StmtPtr& inner : statement.body) add_set_variables(*inner, now, reading);
+        if (statement.kind == StmtKind::assignment && statement.target) mark_set(assigned_root(*statement.target), now);
+        if (statement.kind == StmtKind::communication) mark_set(statement.communication->variable_target, now);
         if (statement.kind == StmtKind::call) set_by_call(statement, now);
     }
 
-    void branch(const Stmt& statement, Bits& now, bool reading) {
+    void set_in_branches(const Stmt& statement, Bits& now, bool reading) {
         Bits other = now;
-        if (!statement.body.empty()) sets(*statement.body[0], now, reading);
-        if (statement.body.size() > 1) sets(*statement.body[1], other, reading);
+        if (!statement.body.empty()) add_set_variables(*statement.body[0], now, reading);
+        if (statement.body.size() > 1) add_set_variables(*statement.body[1], other, reading);
         now.intersect(other);
     }
 
@@ -221,7 +222,7 @@ private:
     }
 
     void read(const Expr& expr, const Bits& now) {
-        walk(expr, [&](const Expr& part) {
+        walk_tree(expr, [&](const Expr& part) {
             const auto found = part.kind == ExprKind::name ? index_.find(part.target) : index_.end();
             if (found == index_.end() || now.contains(found->second) || reported_.contains(found->second)) return;
             reported_.insert(found->second);
@@ -240,7 +241,7 @@ private:
                 Bits now = action.kind == ActionKind::entry    ? point.in
                            : action.kind == ActionKind::during ? point.settled
                                                                : point.inner_leave;
-                sets(*action.statement, now, true);
+                add_set_variables(*action.statement, now, true);
             }
             read(*node);
         }
@@ -257,7 +258,7 @@ private:
         if (way.condition) read(*way.condition, guarded);
         Bits now = point.leave;
         set_trigger(way, now);
-        if (way.action) sets(*way.action, now, true);
+        if (way.action) add_set_variables(*way.action, now, true);
     }
 
     const Machine& machine_;

@@ -26,18 +26,18 @@ bool is_number(const Variable& variable) {
 /// The direction of a step: `x + 1` is up, `x - 1` is down, `x * 2` is away from 0.
 enum class Direction { up, down, away };
 
-bool reads(const Expr& expr, const Declaration& variable) {
-    return strip(expr).kind == ExprKind::name && strip(expr).target == &variable;
+bool reads_variable(const Expr& expr, const Declaration& variable) {
+    return strip_parentheses(expr).kind == ExprKind::name && strip_parentheses(expr).target == &variable;
 }
 
 /// The direction of `x = value`; no value if it is not a step or can go both ways.
 std::optional<Direction> direction_of(const Expr& value, const Declaration& variable) {
-    const Expr& sum = strip(value);
+    const Expr& sum = strip_parentheses(value);
     if (sum.kind != ExprKind::binary) return std::nullopt;
-    const bool first = reads(*sum.args[0], variable);
-    const bool second = reads(*sum.args[1], variable);
+    const bool first = reads_variable(*sum.args[0], variable);
+    const bool second = reads_variable(*sum.args[1], variable);
     if (first == second) return std::nullopt;
-    const std::optional<double> step = number_of(strip(*sum.args[first ? 1 : 0]));
+    const std::optional<double> step = number_of(strip_parentheses(*sum.args[first ? 1 : 0]));
     if (!step) return std::nullopt;
     if (sum.binary == BinaryOp::plus && *step > 0) return Direction::up;
     if (sum.binary == BinaryOp::minus && first && *step > 0) return Direction::down;
@@ -64,20 +64,20 @@ public:
             if (is_number(*variable) && !written(variable->name)) variables_[variable.get()];
     }
 
-    void container(const NodeContainer& container, bool repeated) {
+    void read_container(const NodeContainer& container, bool repeated) {
         const Graph graph(container);
         for (const auto& transition : container.transitions) {
-            if (transition->condition) condition(*transition->condition);
-            if (transition->trigger) received(*transition->trigger);
+            if (transition->condition) read_condition(*transition->condition);
+            if (transition->trigger) read_communication(*transition->trigger);
             const bool cycle = transition->source != nullptr && transition->target != nullptr &&
-                               reaches(graph, *transition->target, *transition->source);
-            if (transition->action) action(*transition->action, repeated || cycle);
+                               can_reach(graph, *transition->target, *transition->source);
+            if (transition->action) read_action(*transition->action, repeated || cycle);
         }
         for (const auto& node : container.nodes) {
             const bool again = repeated || on_cycle(graph, *node);
             for (const Action& each : node->actions)
-                if (each.statement) action(*each.statement, again);
-            this->container(*node, again);
+                if (each.statement) read_action(*each.statement, again);
+            this->read_container(*node, again);
         }
     }
 
@@ -91,26 +91,26 @@ public:
     }
 
 private:
-    static bool reaches(const Graph& graph, const State& from, const State& to) {
+    static bool can_reach(const Graph& graph, const State& from, const State& to) {
         std::unordered_set<const State*> seen{&from};
         std::vector<const State*> open{&from};
         while (!open.empty()) {
             const State* node = open.back();
             open.pop_back();
             if (node == &to) return true;
-            for (const Transition* way : graph.out(*node))
+            for (const Transition* way : graph.transitions_from(*node))
                 if (way->target != nullptr && seen.insert(way->target).second) open.push_back(way->target);
         }
         return false;
     }
     static bool on_cycle(const Graph& graph, const State& node) {
-        for (const Transition* way : graph.out(node))
-            if (way->target != nullptr && reaches(graph, *way->target, node)) return true;
+        for (const Transition* way : graph.transitions_from(node))
+            if (way->target != nullptr && can_reach(graph, *way->target, node)) return true;
         return false;
     }
 
-    void condition(const Expr& expr) {
-        walk(expr, [&](const Expr& part) {
+    void read_condition(const Expr& expr) {
+        walk_tree(expr, [&](const Expr& part) {
             const auto found = part.kind == ExprKind::name ? variables_.find(part.target) : variables_.end();
             if (found != variables_.end()) found->second.bounded = true;
         });
@@ -119,27 +119,27 @@ private:
     /// Notes which variables are read. In an assignment to a variable itself, a read by its own step does not count.
     void note_reads(const Expr& expr, const Stmt& statement) {
         const Declaration* const own = statement.target ? assigned_root(*statement.target) : nullptr;
-        walk(expr, [&](const Expr& part) {
+        walk_tree(expr, [&](const Expr& part) {
             const auto found = part.kind == ExprKind::name ? variables_.find(part.target) : variables_.end();
             if (found != variables_.end() && part.target != own) found->second.read = true;
         });
     }
 
-    void received(const Communication& communication) {
+    void read_communication(const Communication& communication) {
         const auto found = variables_.find(communication.variable_target);
         if (found != variables_.end()) found->second.bounded = true;
     }
 
-    void action(const Stmt& action, bool repeated) {
-        walk(action, [&](const Stmt& statement) {
-            if (statement.condition) condition(*statement.condition);
+    void read_action(const Stmt& action, bool repeated) {
+        walk_tree(action, [&](const Stmt& statement) {
+            if (statement.condition) read_condition(*statement.condition);
             for_expressions(statement, [&](const Expr& expr) { note_reads(expr, statement); });
-            if (statement.communication) received(*statement.communication);
-            if (statement.kind == StmtKind::assignment && statement.target) assigned(statement, repeated);
+            if (statement.communication) read_communication(*statement.communication);
+            if (statement.kind == StmtKind::assignment && statement.target) read_assignment(statement, repeated);
         });
     }
 
-    void assigned(const Stmt& statement, bool repeated) {
+    void read_assignment(const Stmt& statement, bool repeated) {
         const auto found = variables_.find(assigned_root(*statement.target));
         if (found == variables_.end()) return;
         Growth& growth = found->second;
@@ -158,7 +158,7 @@ private:
 void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out) {
     if (machine.kind == DeclKind::operation) return;  // the variables of an operation start anew with each call
     Growing growing(machine, written_by);
-    growing.container(machine, false);
+    growing.read_container(machine, false);
     growing.report(machine, out);
 }
 

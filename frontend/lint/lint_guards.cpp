@@ -26,25 +26,27 @@ public:
     GuardReader(const Graph& graph, bool fold) : reasoner_(fold), graph_(graph) {}
 
     /// The condition under which a transition is enabled. `else` is the negation of the other transitions' conditions.
-    Formula guard(const Transition& transition) {
+    Formula guard_of(const Transition& transition) {
         if (transition.condition) return reasoner_.read(*transition.condition);
-        return transition.otherwise ? logic::negation(some_holds(*transition.source)) : logic::constant(true);
+        return transition.otherwise ? logic::negate_formula(some_holds(*transition.source))
+                                    : logic::constant_formula(true);
     }
 
     Formula read(const Expr& expr) { return reasoner_.read(expr); }
 
     Formula some_holds(const State& node) {
         std::vector<Formula> ways;
-        for (const Transition* way : graph_.out(node))
-            if (!way->otherwise) ways.push_back(guard(*way));
+        for (const Transition* way : graph_.transitions_from(node))
+            if (!way->otherwise) ways.push_back(guard_of(*way));
         return logic::any_of(std::move(ways));
     }
 
     /// The facts known when control reaches a junction: the guards on the path, unless a later action invalidates them.
     Formula known_at(const State& junction, unsigned depth) {
-        if (junction.kind != DeclKind::junction || graph_.in(junction).size() > max_ways) return logic::constant(true);
+        if (junction.kind != DeclKind::junction || graph_.transitions_into(junction).size() > max_ways)
+            return logic::constant_formula(true);
         std::vector<Formula> ways;
-        for (const Transition* way : graph_.in(junction)) ways.push_back(known_after(*way, depth));
+        for (const Transition* way : graph_.transitions_into(junction)) ways.push_back(known_after(*way, depth));
         return logic::any_of(std::move(ways));
     }
 
@@ -57,9 +59,9 @@ private:
         if (way.action) add_effects(*way.action, effects);
         for (const auto& reset : way.resets) effects.writes.insert(reset.clock);
         const bool spoilt = effects.calls || effects.waits ||
-                            (way.condition && mentions(*way.condition, effects.writes)) || way.otherwise;
+                            (way.condition && mentions_any(*way.condition, effects.writes)) || way.otherwise;
         std::vector<Formula> facts;
-        if (!spoilt) facts.push_back(guard(way));
+        if (!spoilt) facts.push_back(guard_of(way));
         const bool quiet = effects.writes.empty() && !effects.calls && !effects.waits;
         if (quiet && depth > 0) facts.push_back(known_at(*way.source, depth - 1));
         return logic::all_of(std::move(facts));
@@ -75,12 +77,13 @@ bool is_plain_junction(const State& node) {
 
 /// Reports RC-W02: for some values, all guards of a junction are false.
 void check_junction(const Machine& machine, const Graph& graph, const State& node, Diagnostics& out) {
-    const auto& ways = graph.out(node);
+    const auto& ways = graph.transitions_from(node);
     if (!is_plain_junction(node) || ways.empty() || ways.size() > max_ways) return;
     for (const Transition* way : ways)
         if (way->otherwise || !way->condition) return;
     GuardReader reader(graph, true);
-    std::vector<Formula> facts{logic::negation(reader.some_holds(node)), reader.known_at(node, max_junctions_back)};
+    std::vector<Formula> facts{logic::negate_formula(reader.some_holds(node)),
+                               reader.known_at(node, max_junctions_back)};
     for (const ExprPtr& condition : machine.preconditions) facts.push_back(reader.read(*condition));
     const logic::Finding finding = reader.decide(logic::all_of(std::move(facts)));
     if (finding.answer != Answer::possible || !finding.trusted) return;
@@ -95,10 +98,10 @@ void check_junction(const Machine& machine, const Graph& graph, const State& nod
 
 /// Reports RC-W04 and RC-W05: a transition that can never fire, or a guard that is always true.
 void check_condition(const Graph& graph, const Transition& transition, Never& never, Diagnostics& out) {
-    const bool many = graph.out(*transition.source).size() > max_ways;
+    const bool many = graph.transitions_from(*transition.source).size() > max_ways;
     if ((!transition.condition && !transition.otherwise) || (transition.otherwise && many)) return;
     GuardReader reader(graph, false);
-    const Formula guard = reader.guard(transition);
+    const Formula guard = reader.guard_of(transition);
     if (reader.decide(guard).answer == Answer::impossible) {
         never.insert(&transition);
         if (transition.condition)
@@ -107,15 +110,15 @@ void check_condition(const Graph& graph, const Transition& transition, Never& ne
             out.report(rules::w_else_never, transition.name_span, {transition.name, transition.source->name});
         return;
     }
-    if (!transition.condition || strip(*transition.condition).kind == ExprKind::boolean) return;
-    if (reader.decide(logic::negation(guard)).answer == Answer::impossible)
+    if (!transition.condition || strip_parentheses(*transition.condition).kind == ExprKind::boolean) return;
+    if (reader.decide(logic::negate_formula(guard)).answer == Answer::impossible)
         out.report(rules::w_always, transition.condition->span, {transition.name, to_text(*transition.condition)});
 }
 
 }  // namespace
 
 void lint_guards(const Machine& machine, Never& never, Diagnostics& out) {
-    walk(machine, [&](const NodeContainer& container) {
+    walk_tree(machine, [&](const NodeContainer& container) {
         const Graph graph(container);
         for (const auto& transition : container.transitions)
             if (transition->source != nullptr) check_condition(graph, *transition, never, out);

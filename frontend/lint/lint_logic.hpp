@@ -23,8 +23,8 @@ struct Formula {
     std::vector<Formula> parts;  ///< choice: condition, then, else
 };
 
-[[nodiscard]] Formula constant(bool value);
-[[nodiscard]] Formula negation(Formula part);
+[[nodiscard]] Formula constant_formula(bool value);
+[[nodiscard]] Formula negate_formula(Formula part);
 [[nodiscard]] Formula all_of(std::vector<Formula> parts);
 [[nodiscard]] Formula any_of(std::vector<Formula> parts);
 
@@ -96,16 +96,16 @@ private:
     Formula range_membership(const Expr& value, const Expr& range, const Expr& whole);
     std::optional<Formula> enumeration_equality(const Expr& left, const Expr& right);
     std::optional<Formula> linear_atom(const Expr& left, const Expr& right, Relation relation, const std::string& text);
-    Formula compare(Linear difference, Relation relation, const std::string& text);
-    Formula opaque(const std::string& text, bool trusted);
-    Formula named(const Expr& expr);
+    Formula comparison_with_zero(Linear difference, Relation relation, const std::string& text);
+    Formula opaque_atom(const std::string& text, bool trusted);
+    Formula read_name(const Expr& expr);
 
-    std::optional<Linear> linear(const Expr& expr);
+    std::optional<Linear> read_linear(const Expr& expr);
     std::optional<Linear> linear_binary(const Expr& expr);
-    Linear term(const Expr& expr);
-    const Expr* folded(const Expr& expr) const;
+    Linear read_term(const Expr& expr);
+    const Expr* folded_definition(const Expr& expr) const;
 
-    std::size_t key(KeyKind kind, const std::string& text);
+    std::size_t key_index(KeyKind kind, const std::string& text);
     std::size_t add(Atom atom);
 
     bool fold_;

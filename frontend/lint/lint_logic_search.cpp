@@ -22,11 +22,11 @@ constexpr std::size_t max_eliminations = 32;  ///< checks of a whole system of c
 
 enum class Truth { no, yes, open };
 
-Truth opposite(Truth truth) {
+Truth negate_truth(Truth truth) {
     return truth == Truth::open ? truth : truth == Truth::yes ? Truth::no : Truth::yes;
 }
 
-double inside(double low, double high, bool integer) {
+double value_inside(double low, double high, bool integer) {
     if (low == -infinity && high == infinity) return 0;
     if (low == -infinity) return std::ceil(high) - 1;
     const double next = std::floor(low) + 1;
@@ -48,16 +48,16 @@ class Search {
 public:
     Search(const Reasoner& reasoner, const Formula& formula) : reasoner_(reasoner), formula_(formula) {
         values_.resize(reasoner.keys_.size());
-        collect(formula);
+        collect_keys(formula);
     }
 
     Finding run() {
         Finding result;
-        const Truth found = step(0);
+        const Truth found = search_from(0);
         result.answer = found == Truth::yes  ? Answer::possible
                         : found == Truth::no ? Answer::impossible
                                              : Answer::unknown;
-        if (found == Truth::yes) describe(result);
+        if (found == Truth::yes) describe_solution(result);
         return result;
     }
 
@@ -76,24 +76,24 @@ private:
     };
 
     /// Collects the keys of the formula, in the order in which it mentions them.
-    void collect(const Formula& formula) {
+    void collect_keys(const Formula& formula) {
         if (formula.form == Formula::Form::atom) {
             const std::size_t key = reasoner_.atoms_[formula.atom].key;
             if (std::ranges::find(order_, key) == order_.end()) order_.push_back(key);
         }
-        for (const Formula& part : formula.parts) collect(part);
+        for (const Formula& part : formula.parts) collect_keys(part);
     }
 
-    Truth step(std::size_t depth) {
+    Truth search_from(std::size_t depth) {
         if (++steps_ > max_steps || eliminations_ > max_eliminations) return Truth::open;
-        const Truth truth = evaluate(formula_);
+        const Truth truth = evaluate_formula(formula_);
         if (truth == Truth::no) return Truth::no;
         if (truth == Truth::yes) return fits_together();
         bool gave_up = false;
         const std::size_t key = order_[depth];
-        for (const Value& value : choices(reasoner_.keys_[key])) {
+        for (const Value& value : choices_for(reasoner_.keys_[key])) {
             values_[key] = value;
-            const Truth below = step(depth + 1);
+            const Truth below = search_from(depth + 1);
             if (below == Truth::yes) return below;
             gave_up = gave_up || below == Truth::open;
         }
@@ -103,15 +103,15 @@ private:
 
     // ------------------------------------------------------------ choices
 
-    static std::vector<Value> indices(std::size_t count) {
+    static std::vector<Value> index_values(std::size_t count) {
         std::vector<Value> result;
         for (std::size_t i = 0; i < count; ++i) result.push_back({true, i, {}});
         return result;
     }
 
-    [[nodiscard]] std::vector<Value> choices(const Reasoner::Key& key) const {
-        if (key.kind == Reasoner::KeyKind::boolean) return indices(2);
-        if (key.kind == Reasoner::KeyKind::enumeration) return indices(key.literals.size());
+    [[nodiscard]] std::vector<Value> choices_for(const Reasoner::Key& key) const {
+        if (key.kind == Reasoner::KeyKind::boolean) return index_values(2);
+        if (key.kind == Reasoner::KeyKind::enumeration) return index_values(key.literals.size());
         double least = -infinity;
         if (key.form.size() == 1) least = reasoner_.terms_.at(key.form.begin()->first).least.value_or(-infinity);
         std::set<double> bounds(key.bounds.begin(), key.bounds.end());
@@ -125,11 +125,11 @@ private:
             if (!empty && !off_grid) result.push_back({true, 0, region});
         };
         for (const double bound : bounds) {
-            add({low, bound, false, inside(low, bound, key.integer)});
+            add({low, bound, false, value_inside(low, bound, key.integer)});
             add({bound, bound, true, bound});
             low = bound;
         }
-        add({low, infinity, false, inside(low, infinity, key.integer)});
+        add({low, infinity, false, value_inside(low, infinity, key.integer)});
         // Values near zero come first, because examples with them are easier to read.
         std::ranges::stable_sort(result, [](const Value& a, const Value& b) {
             return std::abs(a.region.sample) < std::abs(b.region.sample);
@@ -139,7 +139,7 @@ private:
 
     // ------------------------------------------------------------ evaluation
 
-    [[nodiscard]] bool holds(const Reasoner::Atom& atom) const {
+    [[nodiscard]] bool atom_holds(const Reasoner::Atom& atom) const {
         const Reasoner::Key& key = reasoner_.keys_[atom.key];
         const Value& value = values_[atom.key];
         if (key.kind == Reasoner::KeyKind::boolean) return value.index == 1;
@@ -151,43 +151,43 @@ private:
     }
 
     /// Evaluates parts until one decides. `decisive` is `no` for conjunctions.
-    [[nodiscard]] Truth joined(const Formula& formula, Truth decisive) const {
-        Truth result = opposite(decisive);
+    [[nodiscard]] Truth evaluate_parts(const Formula& formula, Truth decisive) const {
+        Truth result = negate_truth(decisive);
         for (const Formula& part : formula.parts) {
-            const Truth truth = evaluate(part);
+            const Truth truth = evaluate_formula(part);
             if (truth == decisive) return decisive;
             if (truth == Truth::open) result = Truth::open;
         }
         return result;
     }
 
-    [[nodiscard]] Truth evaluate(const Formula& formula) const {
+    [[nodiscard]] Truth evaluate_formula(const Formula& formula) const {
         switch (formula.form) {
             case Formula::Form::constant:
                 return formula.value ? Truth::yes : Truth::no;
             case Formula::Form::atom: {
                 const Reasoner::Atom& atom = reasoner_.atoms_[formula.atom];
                 if (!values_[atom.key].chosen) return Truth::open;
-                return holds(atom) ? Truth::yes : Truth::no;
+                return atom_holds(atom) ? Truth::yes : Truth::no;
             }
             case Formula::Form::negation:
-                return opposite(evaluate(formula.parts[0]));
+                return negate_truth(evaluate_formula(formula.parts[0]));
             case Formula::Form::conjunction:
-                return joined(formula, Truth::no);
+                return evaluate_parts(formula, Truth::no);
             case Formula::Form::disjunction:
-                return joined(formula, Truth::yes);
+                return evaluate_parts(formula, Truth::yes);
             case Formula::Form::equivalence: {
-                const Truth left = evaluate(formula.parts[0]);
-                const Truth right = evaluate(formula.parts[1]);
+                const Truth left = evaluate_formula(formula.parts[0]);
+                const Truth right = evaluate_formula(formula.parts[1]);
                 if (left == Truth::open || right == Truth::open) return Truth::open;
                 return left == right ? Truth::yes : Truth::no;
             }
             case Formula::Form::choice:
                 break;
         }
-        const Truth condition = evaluate(formula.parts[0]);
+        const Truth condition = evaluate_formula(formula.parts[0]);
         if (condition == Truth::open) return Truth::open;
-        return evaluate(formula.parts[condition == Truth::yes ? 1 : 2]);
+        return evaluate_formula(formula.parts[condition == Truth::yes ? 1 : 2]);
     }
 
     // ------------------------------------------------------------ forms that share terms
@@ -205,8 +205,8 @@ private:
         return result;
     }
 
-    static void constrain(std::vector<Constraint>& all, const std::map<std::string, double>& form, double factor,
-                          double bound, bool strict) {
+    static void add_constraint(std::vector<Constraint>& all, const std::map<std::string, double>& form, double factor,
+                               double bound, bool strict) {
         if (std::isinf(bound)) return;
         Constraint made;
         for (const auto& [term, coefficient] : form) made.terms[term] = factor * coefficient;
@@ -215,25 +215,27 @@ private:
         all.push_back(std::move(made));
     }
 
-    [[nodiscard]] std::vector<Constraint> constraints() const {
+    [[nodiscard]] std::vector<Constraint> collect_constraints() const {
         std::vector<Constraint> result;
         for (std::size_t i = 0; i < values_.size(); ++i) {
             if (!number_chosen(i)) continue;
             const Reasoner::Key& key = reasoner_.keys_[i];
             const Region& region = values_[i].region;
             const bool tight = key.integer && !region.point;  // < c is <= ceil(c) - 1 on integers
-            constrain(result, key.form, 1, tight ? std::ceil(region.high) - 1 : region.high, !region.point && !tight);
-            constrain(result, key.form, -1, tight ? std::floor(region.low) + 1 : region.low, !region.point && !tight);
+            add_constraint(result, key.form, 1, tight ? std::ceil(region.high) - 1 : region.high,
+                           !region.point && !tight);
+            add_constraint(result, key.form, -1, tight ? std::floor(region.low) + 1 : region.low,
+                           !region.point && !tight);
         }
         for (const std::string& term : shared_terms()) {
             const Reasoner::Term& known = reasoner_.terms_.at(term);
-            if (known.least) constrain(result, {{term, 1.0}}, -1, *known.least, false);
+            if (known.least) add_constraint(result, {{term, 1.0}}, -1, *known.least, false);
         }
         return result;
     }
 
     /// Adds a and b, in which the term has opposite signs, so that the term is eliminated.
-    static Constraint eliminated(const Constraint& a, const Constraint& b, const std::string& term) {
+    static Constraint eliminate_term(const Constraint& a, const Constraint& b, const std::string& term) {
         const double up = 1 / a.terms.at(term);
         const double down = -1 / b.terms.at(term);
         Constraint result;
@@ -249,7 +251,7 @@ private:
     Truth fits_together() {
         if (shared_terms().empty()) return Truth::yes;
         if (++eliminations_ > max_eliminations) return Truth::open;
-        std::vector<Constraint> open = constraints();
+        std::vector<Constraint> open = collect_constraints();
         while (true) {
             std::vector<Constraint> next;
             std::string term;
@@ -266,7 +268,7 @@ private:
                 if (!a.terms.contains(term)) next.push_back(a);
                 if (!a.terms.contains(term) || a.terms.at(term) < 0) continue;
                 for (const Constraint& b : open)
-                    if (b.terms.contains(term) && b.terms.at(term) < 0) next.push_back(eliminated(a, b, term));
+                    if (b.terms.contains(term) && b.terms.at(term) < 0) next.push_back(eliminate_term(a, b, term));
             }
             open = std::move(next);
         }
@@ -274,7 +276,7 @@ private:
 
     // ------------------------------------------------------------ the example in words
 
-    static std::string number(double value) {
+    static std::string format_number(double value) {
         std::string text = std::to_string(value);
         if (text.find('.') == std::string::npos) return text;
         text.erase(text.find_last_not_of('0') + 1);
@@ -291,13 +293,13 @@ private:
         else if (key.kind == Reasoner::KeyKind::enumeration)
             parts.push_back("`" + key.text + "` is " + key.literals[value.index]);
         else if (alone)
-            parts.push_back("`" + key.form.begin()->first + "` is " + number(value.region.sample));
+            parts.push_back("`" + key.form.begin()->first + "` is " + format_number(value.region.sample));
         if (key.kind != Reasoner::KeyKind::number || alone) return;
         for (const Reasoner::Atom& atom : reasoner_.atoms_)
-            if (atom.key == index) parts.push_back("`" + atom.text + "` is " + (holds(atom) ? "true" : "false"));
+            if (atom.key == index) parts.push_back("`" + atom.text + "` is " + (atom_holds(atom) ? "true" : "false"));
     }
 
-    void describe(Finding& finding) const {
+    void describe_solution(Finding& finding) const {
         std::vector<std::string> parts;
         const std::set<std::string> shared = shared_terms();
         std::size_t relations = 0;

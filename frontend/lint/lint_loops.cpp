@@ -63,15 +63,16 @@ private:
             if (ways == out_.end()) continue;
             for (const Transition* way : ways->second) {
                 if (++looked_at > max_looked_at) return {};
-                if (way->target == &start) return path(start, *way, reached_by);
+                if (way->target == &start) return path_of_cycle(start, *way, reached_by);
                 if (reached_by.emplace(way->target, way).second) open.push_back(way->target);
             }
         }
         return {};
     }
 
-    static std::vector<const Transition*> path(const State& start, const Transition& last,
-                                               const std::unordered_map<const State*, const Transition*>& reached_by) {
+    static std::vector<const Transition*> path_of_cycle(
+        const State& start, const Transition& last,
+        const std::unordered_map<const State*, const Transition*>& reached_by) {
         std::vector<const Transition*> cycle{&last};
         while (cycle.back()->source != &start) cycle.push_back(reached_by.at(cycle.back()->source));
         std::ranges::reverse(cycle);
@@ -97,7 +98,7 @@ private:
         std::vector<logic::Formula> guards;
         for (const Transition* way : cycle) {
             if (!way->condition) continue;
-            if (mentions(*way->condition, changed)) return false;
+            if (mentions_any(*way->condition, changed)) return false;
             guards.push_back(reasoner.read(*way->condition));
         }
         const logic::Finding together = reasoner.decide(logic::all_of(std::move(guards)));
@@ -110,7 +111,7 @@ private:
             names.push_back(way->name);
             reported_.insert(way->source);
         }
-        const std::string text = (names.size() == 1 ? "transition " : "transitions ") + listed(names);
+        const std::string text = (names.size() == 1 ? "transition " : "transitions ") + list_names(names);
         auto& finding = out.report(rules::w_loop, cycle.front()->name_span, {text, names.size() == 1 ? "s" : ""});
         for (std::size_t i = 1; i < cycle.size(); ++i)
             finding.notes.push_back({cycle[i]->name_span, i + 1 == cycle.size() ? "and back by this" : "on by this"});

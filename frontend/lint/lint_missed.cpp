@@ -23,51 +23,51 @@ class MissedEvents {
 public:
     MissedEvents(const Machine& machine, Diagnostics& out) : machine_(machine), out_(out) {}
 
-    void run() { container(machine_, {}); }
+    void run() { check_container(machine_, {}); }
 
 private:
     /// `around`: the events that the enclosing states await.
-    void container(const NodeContainer& inside, const Events& around) {
+    void check_container(const NodeContainer& inside, const Events& around) {
         const Graph graph(inside);
         for (const auto& transition : inside.transitions) {
             if (!transition->action || transition->target == nullptr) continue;
-            action(*transition->action, with(around, *transition->target, graph),
-                   fmt::format("the action of transition `{}`", transition->name));
+            check_action(*transition->action, add_awaited(around, *transition->target, graph),
+                         fmt::format("the action of transition `{}`", transition->name));
         }
         for (const auto& node : inside.nodes) {
             if (node->kind != DeclKind::state) continue;
-            const Events own = with(around, *node, graph);
+            const Events own = add_awaited(around, *node, graph);
             for (const Action& each : node->actions) {
                 if (!each.statement || each.kind == ActionKind::during) continue;
                 const bool entry = each.kind == ActionKind::entry;
-                action(*each.statement, entry ? own : around,
-                       fmt::format("the {} action of `{}`", entry ? "entry" : "exit", node->name));
+                check_action(*each.statement, entry ? own : around,
+                             fmt::format("the {} action of `{}`", entry ? "entry" : "exit", node->name));
             }
-            container(*node, own);
+            check_container(*node, own);
         }
     }
 
-    static Events with(Events events, const State& node, const Graph& graph) {
-        for (const Transition* transition : graph.out(node)) {
+    static Events add_awaited(Events events, const State& node, const Graph& graph) {
+        for (const Transition* transition : graph.transitions_from(node)) {
             const Declaration* event = transition->trigger ? transition->trigger->event_target : nullptr;
             if (event != nullptr && std::ranges::find(events, event) == events.end()) events.push_back(event);
         }
         return events;
     }
 
-    void action(const Stmt& action, const Events& awaited, const std::string& name) {
+    void check_action(const Stmt& action, const Events& awaited, const std::string& name) {
         const double time = least_time(action);
         if (time < least_that_loses) return;
         std::vector<std::string> missed;
         for (const Declaration* event : awaited)
-            if (!uses(action, *event)) missed.push_back(event->name);
+            if (!communicates_event(action, *event)) missed.push_back(event->name);
         if (missed.empty()) return;
-        out_.report(rules::w_missed, action.span, {listed(missed), name, fmt::format("{}", time)});
+        out_.report(rules::w_missed, action.span, {list_names(missed), name, fmt::format("{}", time)});
     }
 
-    static bool uses(const Stmt& action, const Declaration& event) {
+    static bool communicates_event(const Stmt& action, const Declaration& event) {
         bool found = false;
-        walk(action, [&](const Stmt& statement) {
+        walk_tree(action, [&](const Stmt& statement) {
             found = found || (statement.communication && statement.communication->event_target == &event);
         });
         return found;

@@ -24,7 +24,7 @@ bool can_end(const Machine& operation) {
         const State* node = open.back();
         open.pop_back();
         if (node->kind == DeclKind::final) return true;
-        for (const Transition* way : graph.out(*node))
+        for (const Transition* way : graph.transitions_from(*node))
             if (seen.insert(way->target).second) open.push_back(way->target);
     }
     return !begins;
@@ -47,7 +47,7 @@ public:
 
 private:
     void check(const Stmt& action) {
-        walk(action, [&](const Stmt& statement) {
+        walk_tree(action, [&](const Stmt& statement) {
             if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
             const auto called = endless_.find(statement.declaration->name);
             if (called == endless_.end() || !reported_.insert(&statement).second) return;
@@ -75,7 +75,7 @@ void lint_operations(const Component& controller, ReportedCalls& reported, Diagn
     if (endless.empty()) return;
     Calls calls(endless, reported, out);
     for (const Declaration* part : controller.order)
-        if (const auto* machine = followed<Machine>(part)) calls.check(*machine);
+        if (const auto* machine = follow_to<Machine>(part)) calls.check(*machine);
 }
 
 }  // namespace robochart::frontend

@@ -29,16 +29,16 @@ public:
             }
         if (!begins) return;
         for (const auto& node : container_.nodes)
-            if (!covered(*node) && cut_off(*node)) add_from(*node, reported_);
+            if (!is_covered(*node) && cut_off(*node)) add_from(*node, reported_);
         // Nodes without an incoming transition are reported first, then groups of nodes that are reachable only from
         // each other.
         for (const auto& node : container_.nodes)
-            if (!covered(*node) && is_root(*node)) report(*node, out);
+            if (!is_covered(*node) && is_root(*node)) report(*node, out);
         for (const auto& node : container_.nodes)
-            if (!covered(*node)) report(*node, out);
+            if (!is_covered(*node)) report(*node, out);
     }
 
-    [[nodiscard]] const Nodes& reached() const { return reached_; }
+    [[nodiscard]] const Nodes& reached_nodes() const { return reached_; }
 
 private:
     void add_from(const State& start, Nodes& nodes) const {
@@ -47,24 +47,24 @@ private:
         while (!open.empty()) {
             const State* node = open.back();
             open.pop_back();
-            for (const Transition* way : graph_.out(*node))
+            for (const Transition* way : graph_.transitions_from(*node))
                 if (!never_.contains(way) && nodes.insert(way->target).second) open.push_back(way->target);
         }
     }
 
-    [[nodiscard]] bool covered(const State& node) const {
+    [[nodiscard]] bool is_covered(const State& node) const {
         return reached_.contains(&node) || reported_.contains(&node);
     }
 
     [[nodiscard]] bool is_root(const State& node) const {
-        for (const Transition* way : graph_.in(node))
+        for (const Transition* way : graph_.transitions_into(node))
             if (!never_.contains(way) && way->source != &node) return false;
         return true;
     }
 
     /// RC-W04 reports a transition that is never taken, so the nodes after it are not reported here.
     [[nodiscard]] bool cut_off(const State& node) const {
-        const auto& ways = graph_.in(node);
+        const auto& ways = graph_.transitions_into(node);
         return std::ranges::any_of(
             ways, [&](const Transition* way) { return never_.contains(way) && reached_.contains(way->source); });
     }
@@ -72,7 +72,7 @@ private:
     void report(const State& node, Diagnostics& out) {
         add_from(node, reported_);
         auto& finding = out.report(rules::w_unreachable, node.name_span, {std::string(to_text(node.kind)), node.name});
-        for (const Transition* way : graph_.in(node)) {
+        for (const Transition* way : graph_.transitions_into(node)) {
             if (way->source == &node) continue;
             finding.notes.push_back({way->name_span, "this transition leads to it, but its source is not reached"});
             return;
@@ -89,7 +89,7 @@ void check(const NodeContainer& container, const Never& never, Diagnostics& out)
     Reachability reachability(container, never);
     reachability.check(out);
     for (const auto& node : container.nodes)
-        if (reachability.reached().contains(node.get())) check(*node, never, out);
+        if (reachability.reached_nodes().contains(node.get())) check(*node, never, out);
 }
 
 }  // namespace

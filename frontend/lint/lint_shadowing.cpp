@@ -22,17 +22,17 @@ public:
 
     void run() {
         if (const auto* machine = dynamic_cast<const Machine*>(&context_)) {
-            for (const auto& parameter : machine->parameters) enter(*parameter);
-            members();
-            binders(*machine);
+            for (const auto& parameter : machine->parameters) enter_variable(*parameter);
+            enter_members();
+            check_binders(*machine);
         } else {
-            members();
+            enter_members();
         }
     }
 
 private:
-    void members() {
-        for (const auto& variable : context_.variables) enter(*variable);
+    void enter_members() {
+        for (const auto& variable : context_.variables) enter_variable(*variable);
         for (const InterfaceClause& clause : context_.interfaces) {
             const Context* interface = interface_of(clause);
             if (interface == nullptr || clause.use == InterfaceUse::provides) continue;
@@ -41,7 +41,7 @@ private:
     }
 
     /// Enters a declaration of the component itself.
-    void enter(const Variable& variable) {
+    void enter_variable(const Variable& variable) {
         visible_.emplace(variable.name, &variable);
         QualifiedName name;
         name.parts = {variable.name};
@@ -61,12 +61,12 @@ private:
         finding.notes.push_back({variable.name_span, "this one is hidden"});
     }
 
-    void binders(const Machine& machine) {
-        const auto visit = [&](const Expr& expr) { this->expression(expr); };
+    void check_binders(const Machine& machine) {
+        const auto visit = [&](const Expr& expr) { this->check_expression(expr); };
         for_actions(machine, [&](const Stmt& action) {
-            walk(action, [&](const Stmt& statement) { for_expressions(statement, visit); });
+            walk_tree(action, [&](const Stmt& statement) { for_expressions(statement, visit); });
         });
-        walk(machine, [&](const NodeContainer& container) {
+        walk_tree(machine, [&](const NodeContainer& container) {
             for (const auto& transition : container.transitions)
                 if (transition->condition) visit(*transition->condition);
         });
@@ -74,16 +74,16 @@ private:
         for (const ExprPtr& condition : machine.postconditions) visit(*condition);
     }
 
-    void expression(const Expr& expr) {
+    void check_expression(const Expr& expr) {
         const std::size_t before = bound_.size();
         if (expr.kind != ExprKind::record)
             for (const Binding& binding : expr.bindings)
-                if (binding.variable) bind(*binding.variable);
-        for_children(expr, [&](const Expr& part) { this->expression(part); });
+                if (binding.variable) bind_variable(*binding.variable);
+        for_children(expr, [&](const Expr& part) { this->check_expression(part); });
         bound_.resize(before);
     }
 
-    void bind(const Variable& variable) {
+    void bind_variable(const Variable& variable) {
         const Declaration* hidden = nullptr;
         for (const Variable* outer : bound_)
             if (outer->name == variable.name) hidden = outer;

@@ -18,7 +18,7 @@ std::string as_text(const Transition& transition) {
     if (transition.trigger) text += to_text(*transition.trigger);
     for (const auto& reset : transition.resets) text += "\n#" + reset.name.text();
     if (transition.deadline) text += "\n<{" + to_text(*transition.deadline);
-    if (transition.condition) text += "\ncondition " + to_text(strip(*transition.condition));
+    if (transition.condition) text += "\ncondition " + to_text(strip_parentheses(*transition.condition));
     if (transition.action) text += "\naction " + to_text(*transition.action);
     return text;
 }
@@ -47,17 +47,17 @@ void check_deadline(const Stmt& statement, Diagnostics& out) {
 /// Reports RC-W15: a variable that is assigned to itself.
 void check_assignment(const Stmt& statement, Diagnostics& out) {
     if (statement.kind != StmtKind::assignment || !statement.target || !statement.value) return;
-    const std::string target = to_text(strip(*statement.target));
-    if (assigned_root(*statement.target) != nullptr && target == to_text(strip(*statement.value)))
+    const std::string target = to_text(strip_parentheses(*statement.target));
+    if (assigned_root(*statement.target) != nullptr && target == to_text(strip_parentheses(*statement.value)))
         out.report(rules::w_self, statement.span, {target});
 }
 
 }  // namespace
 
 void lint_statements(const Machine& machine, Diagnostics& out) {
-    walk(machine, [&](const NodeContainer& container) { check_copies(container, out); });
+    walk_tree(machine, [&](const NodeContainer& container) { check_copies(container, out); });
     for_actions(machine, [&](const Stmt& action) {
-        walk(action, [&](const Stmt& statement) {
+        walk_tree(action, [&](const Stmt& statement) {
             check_deadline(statement, out);
             check_assignment(statement, out);
         });

@@ -17,7 +17,7 @@ Graph::Graph(const NodeContainer& container) {
     }
 }
 
-const std::vector<const Transition*>& Graph::at(const Table& table, const State& node) {
+const std::vector<const Transition*>& Graph::transitions_at(const Table& table, const State& node) {
     static const std::vector<const Transition*> none;
     const auto found = table.find(&node);
     return found != table.end() ? found->second : none;
@@ -68,7 +68,7 @@ void add_effect(const Stmt& statement, Effects& effects) {
 }  // namespace
 
 void add_effects(const Stmt& action, Effects& effects) {
-    walk(action, [&](const Stmt& statement) { add_effect(statement, effects); });
+    walk_tree(action, [&](const Stmt& statement) { add_effect(statement, effects); });
 }
 
 void add_effects(const State& state, bool during, Effects& effects) {
@@ -83,15 +83,16 @@ void add_effects(const State& state, bool during, Effects& effects) {
     }
 }
 
-bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& declarations) {
+bool mentions_any(const Expr& expr, const std::unordered_set<const Declaration*>& declarations) {
     bool found = false;
-    walk(expr,
-         [&](const Expr& part) { found = found || (part.target != nullptr && declarations.contains(part.target)); });
+    walk_tree(expr, [&](const Expr& part) {
+        found = found || (part.target != nullptr && declarations.contains(part.target));
+    });
     return found;
 }
 
 std::optional<double> number_of(const Expr& written) {
-    const Expr& expr = strip(written);
+    const Expr& expr = strip_parentheses(written);
     if (expr.kind != ExprKind::integer && expr.kind != ExprKind::real) return std::nullopt;
     return std::strtod(expr.text.c_str(), nullptr);
 }
@@ -108,7 +109,7 @@ double least_time(const Stmt& statement) {
     return sum;
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string list_names(const std::vector<std::string>& names) {
     std::string result;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool last = i + 1 == names.size();

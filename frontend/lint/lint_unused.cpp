@@ -30,14 +30,14 @@ public:
         }
     }
 
-    [[nodiscard]] const Use& of(const Declaration& declaration) const {
+    [[nodiscard]] const Use& uses_of(const Declaration& declaration) const {
         static const Use none;
         const auto found = uses_.find(&declaration);
         return found != uses_.end() ? found->second : none;
     }
     /// True if a required interface, an assertion or an event of an operation mentions this name.
-    [[nodiscard]] bool wanted(const std::string& name) const { return wanted_.contains(name); }
-    [[nodiscard]] const std::vector<const Context*>& contexts() const { return contexts_; }
+    [[nodiscard]] bool is_wanted(const std::string& name) const { return wanted_.contains(name); }
+    [[nodiscard]] const std::vector<const Context*>& all_contexts() const { return contexts_; }
     [[nodiscard]] const std::unordered_set<const Declaration*>& given_out() const { return given_out_; }
     [[nodiscard]] const std::unordered_set<const Declaration*>& used_interfaces() const { return used_; }
 
@@ -86,27 +86,27 @@ private:
         for (const ExprPtr& condition : machine.preconditions) read(*condition);
         for (const ExprPtr& condition : machine.postconditions) read(*condition);
         for_actions(machine, [&](const Stmt& action) {
-            walk(action, [&](const Stmt& statement) { this->statement(statement); });
+            walk_tree(action, [&](const Stmt& statement) { this->read_statement(statement); });
         });
-        walk(machine, [&](const NodeContainer& container) {
-            for (const auto& transition : container.transitions) this->transition(*transition);
+        walk_tree(machine, [&](const NodeContainer& container) {
+            for (const auto& transition : container.transitions) this->read_transition(*transition);
         });
     }
 
-    void transition(const Transition& transition) {
+    void read_transition(const Transition& transition) {
         for (const ExprPtr* expr : {&transition.condition, &transition.deadline, &transition.probability})
             if (*expr) read(**expr);
         for (const auto& reset : transition.resets) this->reset(reset.clock, reset.name.span);
         if (!transition.trigger) return;
-        communicate(*transition.trigger);
+        read_communication(*transition.trigger);
         if (transition.trigger->predicate) read(*transition.trigger->predicate);
     }
 
-    void statement(const Stmt& statement) {
+    void read_statement(const Stmt& statement) {
         const Declaration* assigned = nullptr;
         if (statement.kind == StmtKind::assignment && statement.target) assigned = assigned_root(*statement.target);
         for_expressions(statement, [&](const Expr& expr) {
-            walk(expr, [&](const Expr& part) {
+            walk_tree(expr, [&](const Expr& part) {
                 // `v = v + 1` and `v[i] = e` read v only to update it.
                 if (part.target != nullptr && part.target != assigned) ++uses_[part.target].reads;
                 if (part.type_expr) read(part.type_expr.get());
@@ -114,10 +114,10 @@ private:
         });
         if (assigned != nullptr && uses_[assigned].assignment == nullptr) uses_[assigned].assignment = &statement;
         if (statement.kind == StmtKind::clock_reset) reset(statement.declaration, statement.name.span);
-        if (statement.communication) communicate(*statement.communication);
+        if (statement.communication) read_communication(*statement.communication);
     }
 
-    void communicate(const Communication& communication) {
+    void read_communication(const Communication& communication) {
         if (communication.event_target != nullptr) ++uses_[communication.event_target].others;
         if (communication.variable_target != nullptr) ++uses_[communication.variable_target].others;
         if (!communication.from_variable.empty()) wanted_.insert(communication.from_variable.parts.back());
@@ -126,7 +126,7 @@ private:
     void reset(const Declaration* clock, Span span) {
         if (clock == nullptr) return;
         Use& use = uses_[clock];
-        if (!use.reset.known()) use.reset = span;
+        if (!use.reset.is_known()) use.reset = span;
     }
 
     void add_component(const Component& component) {
@@ -140,7 +140,7 @@ private:
     }
 
     void read(const Expr& expr) {
-        walk(expr, [&](const Expr& part) {
+        walk_tree(expr, [&](const Expr& part) {
             if (part.target != nullptr) ++uses_[part.target].reads;
             if (part.type_expr) read(part.type_expr.get());
         });
@@ -176,8 +176,8 @@ public:
 
 private:
     void check_variable(const Variable& variable) {
-        const Use& use = uses_.of(variable);
-        if (use.reads > 0 || use.others > 0 || uses_.wanted(variable.name)) return;
+        const Use& use = uses_.uses_of(variable);
+        if (use.reads > 0 || use.others > 0 || uses_.is_wanted(variable.name)) return;
         if (use.assignment != nullptr) {
             out_.report(rules::w_unread, variable.name_span, {variable.name})
                 .notes.push_back({use.assignment->span, "assigned here"});
@@ -188,16 +188,16 @@ private:
     }
 
     void check_clock(const Clock& clock) {
-        const Use& use = uses_.of(clock);
-        if (uses_.wanted(clock.name)) return;
-        if (use.reads > 0 && !use.reset.known()) out_.report(rules::w_never_reset, clock.name_span, {clock.name});
+        const Use& use = uses_.uses_of(clock);
+        if (uses_.is_wanted(clock.name)) return;
+        if (use.reads > 0 && !use.reset.is_known()) out_.report(rules::w_never_reset, clock.name_span, {clock.name});
         if (use.reads > 0) return;
         auto& finding = out_.report(rules::w_unused, clock.name_span, {"clock", clock.name, "read"});
-        if (use.reset.known()) finding.notes.push_back({use.reset, "reset here"});
+        if (use.reset.is_known()) finding.notes.push_back({use.reset, "reset here"});
     }
 
     void check_event(const Event& event) {
-        if (uses_.of(event).others == 0 && !uses_.wanted(event.name))
+        if (uses_.uses_of(event).others == 0 && !uses_.is_wanted(event.name))
             out_.report(rules::w_unused, event.name_span, {"event", event.name, "used"});
     }
 
@@ -210,7 +210,7 @@ private:
 void lint_unused(const Model& model, Diagnostics& out) {
     const Uses uses(model);
     Unused unused(uses, out);
-    for (const Context* context : uses.contexts()) unused.check(*context);
+    for (const Context* context : uses.all_contexts()) unused.check(*context);
 }
 
 }  // namespace robochart::frontend

@@ -20,7 +20,7 @@ using diagnostics::Diagnostics;
 
 /// Reports all warnings about a resolved model. Files with errors are skipped. Warnings that consider several files
 /// need a project without errors.
-void lint(const Model& model, const Names& names, Diagnostics& out);
+void lint_model(const Model& model, const Names& names, Diagnostics& out);
 
 // All warnings in two steps: first those of each file, then those of the project. `written_by` contains the variables
 // that the operations of a name write.
@@ -37,12 +37,16 @@ void lint_project(const Model& model, Diagnostics& out);
 class Graph {
 public:
     explicit Graph(const NodeContainer& container);
-    [[nodiscard]] const std::vector<const Transition*>& out(const State& node) const { return at(out_, node); }
-    [[nodiscard]] const std::vector<const Transition*>& in(const State& node) const { return at(in_, node); }
+    [[nodiscard]] const std::vector<const Transition*>& transitions_from(const State& node) const {
+        return transitions_at(out_, node);
+    }
+    [[nodiscard]] const std::vector<const Transition*>& transitions_into(const State& node) const {
+        return transitions_at(in_, node);
+    }
 
 private:
     using Table = std::unordered_map<const State*, std::vector<const Transition*>>;
-    static const std::vector<const Transition*>& at(const Table& table, const State& node);
+    static const std::vector<const Transition*>& transitions_at(const Table& table, const State& node);
     Table out_, in_;
 };
 
@@ -60,13 +64,13 @@ void add_effects(const State& state, bool during, Effects& effects);
 /// The variable at the root of `v`, `v.f` or `v[i]`; null if there is none.
 [[nodiscard]] const Declaration* assigned_root(const Expr& target);
 /// True if the expression mentions one of these variables or clocks, or sinceEntry of one of these states.
-[[nodiscard]] bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& declarations);
+[[nodiscard]] bool mentions_any(const Expr& expr, const std::unordered_set<const Declaration*>& declarations);
 /// The value of a literal.
 [[nodiscard]] std::optional<double> number_of(const Expr& expr);
 /// The shortest time that a statement can take, computed from its literals.
 [[nodiscard]] double least_time(const Stmt& statement);
 /// The names as a list in a sentence: "`a`, `b` and `c`".
-[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+[[nodiscard]] std::string list_names(const std::vector<std::string>& names);
 
 /// Transitions that can never be taken.
 using Never = std::unordered_set<const Transition*>;

@@ -51,18 +51,19 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     if (const Declaration* other = find_other_kind(names_, place, name)) {
         diagnostics::Diagnostic& finding =
             out_->report(rules::ambiguous_kind, name.span,
-                         {shorten(name.text()), std::string(to_text(other->kind)), std::string(what)});
+                         {shorten_token(name.text()), std::string(to_text(other->kind)), std::string(what)});
         finding.notes.push_back({other->name_span, "it is declared here"});
         return nullptr;
     }
-    const Declaration* const hidden = names_.anywhere(name.parts.back(), kinds);
+    const Declaration* const hidden = names_.find_anywhere(name.parts.back(), kinds);
     const std::string full = hidden != nullptr ? names_.full_name(hidden) : std::string();
     const std::size_t cut = full.rfind("::");
     const bool importable = cut != std::string::npos && name.parts.size() == 1;
     // Names that are missing for the same reason, a missing or unresolved import, are reported only once.
     const std::string package = importable ? full.substr(0, cut) : hidden == nullptr ? lost_import(place) : "";
     if (!package.empty() && !reported_.emplace(name.span.source, "import\n" + package).second) return nullptr;
-    diagnostics::Diagnostic& finding = unknown(name, what, "in the project as seen from here", candidates(kinds));
+    diagnostics::Diagnostic& finding =
+        report_unknown(name, what, "in the project as seen from here", candidate_names(kinds));
     if (hidden != nullptr)
         finding.notes.push_back(
             {hidden->name_span, importable
@@ -81,17 +82,19 @@ std::string Finder::lost_import(const Place& place) const {
     if (place.file == nullptr) return {};
     for (const Import& import : place.file->imports) {
         const std::string package = import.name.text();
-        if (import.wildcard && !names_.leads_to_package(package) && names_.all(package).empty()) return package;
+        if (import.wildcard && !names_.leads_to_package(package) && names_.declarations_of(package).empty())
+            return package;
     }
     return {};
 }
 
-std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
-    return out_->errors() < diagnostics::Diagnostics::max_kept ? names_.candidates(kinds) : std::vector<std::string>();
+std::vector<std::string> Finder::candidate_names(const Kinds& kinds) const {
+    return out_->error_count() < diagnostics::Diagnostics::max_kept ? names_.names_of_kinds(kinds)
+                                                                    : std::vector<std::string>();
 }
 
-diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
-                                         const std::vector<std::string>& candidates) {
+diagnostics::Diagnostic& Finder::report_unknown(const QualifiedName& name, std::string_view what,
+                                                std::string_view where, const std::vector<std::string>& candidates) {
     const ForeignWord* const foreign = foreign_name(what, name);
     std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
     if (foreign != nullptr) key += "\n" + std::to_string(name.span.begin);  // every place needs its own fix
@@ -100,17 +103,17 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
         untold_ = {};
         return untold_;
     }
-    diagnostics::Diagnostic& finding =
-        out_->report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
-    if (out_->errors() > diagnostics::Diagnostics::max_kept) return finding;
+    diagnostics::Diagnostic& finding = out_->report(
+        rules::unknown_name, name.span, {std::string(what), shorten_token(name.text()), std::string(where)});
+    if (out_->error_count() > diagnostics::Diagnostics::max_kept) return finding;
     const std::string& written = name.parts.back();
     const std::string meant =
-        foreign != nullptr ? std::string(foreign->instead) : diagnostics::nearest(written, candidates);
+        foreign != nullptr ? std::string(foreign->instead) : diagnostics::nearest_spelling(written, candidates);
     if (foreign != nullptr) finding.notes.push_back({{}, std::string(foreign->reason)});
     if (!meant.empty())
         finding.fixes.push_back(
             {name.spans.back(), meant,
-             diagnostics::suggested(foreign != nullptr || diagnostics::is_certain(written, meant, candidates))});
+             diagnostics::suggestion_verb(foreign != nullptr || diagnostics::is_certain(written, meant, candidates))});
     return finding;
 }
 

@@ -22,27 +22,27 @@ public:
     /// Reports an unknown name, with the nearest candidate as a fix. A name is reported once in a file for each value
     /// of `where`. Nothing is reported if the name may be declared in text that could not be parsed. `where` completes
     /// "there is no X `x` …".
-    diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
-                                     const std::vector<std::string>& candidates);
+    diagnostics::Diagnostic& report_unknown(const QualifiedName& name, std::string_view what, std::string_view where,
+                                            const std::vector<std::string>& candidates);
     /// Returns true at the first call for this component and interface; a missing member is reported only at that call.
     /// If a component has no clause for an interface, it lacks all members of the interface, but this is one mistake.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }
     /// Simple names of these kinds, for suggestions; empty if there are so many errors that no suggestion is shown.
-    [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
+    [[nodiscard]] std::vector<std::string> candidate_names(const Kinds& kinds) const;
     /// The keys of a scope's table, for suggestions; empty if there are so many errors that no suggestion is shown.
     template <class Map>
-    [[nodiscard]] std::vector<std::string> keys(const Map& map) const {
+    [[nodiscard]] std::vector<std::string> keys_of(const Map& map) const {
         std::vector<std::string> result;
-        if (out_->errors() >= diagnostics::Diagnostics::max_kept) return result;
+        if (out_->error_count() >= diagnostics::Diagnostics::max_kept) return result;
         for (const auto& entry : map) result.emplace_back(entry.first);
         return result;
     }
     [[nodiscard]] const Names& names() const { return names_; }
     [[nodiscard]] diagnostics::Diagnostics& out() { return *out_; }
     /// Sends later reports to `out`; returns the previous receiver.
-    diagnostics::Diagnostics& redirect(diagnostics::Diagnostics& out) { return *std::exchange(out_, &out); }
+    diagnostics::Diagnostics& redirect_reports(diagnostics::Diagnostics& out) { return *std::exchange(out_, &out); }
 
 private:
     [[nodiscard]] std::string lost_import(const Place& place) const;

@@ -12,7 +12,7 @@ namespace robochart::frontend {
 
 namespace {
 
-std::string qualified(const std::string& prefix, std::string_view name) {
+std::string qualify_name(const std::string& prefix, std::string_view name) {
     return prefix.empty() ? std::string(name) : prefix + "::" + std::string(name);
 }
 
@@ -44,7 +44,7 @@ void adopt_nodes(NodeContainer& container, const Declaration& parent) {
 
 }  // namespace
 
-std::size_t nearness(const File& a, const File& b) {
+std::size_t file_nearness(const File& a, const File& b) {
     if (&a == &b) return std::numeric_limits<std::size_t>::max();
     if (a.is_library || b.is_library) return 0;
     const auto apart = std::mismatch(a.folder.begin(), a.folder.end(), b.folder.begin(), b.folder.end());
@@ -62,11 +62,11 @@ Names::Names(const Model& model) {
     // too.
     const auto lost = lost_;
     for (const std::string& name : lost)
-        if (const auto* interface = dynamic_cast<const Context*>(anywhere(name, {DeclKind::interface})))
-            lose(*interface);
+        if (const auto* interface = dynamic_cast<const Context*>(find_anywhere(name, {DeclKind::interface})))
+            mark_lost(*interface);
 }
 
-void Names::lose(const Context& interface) {
+void Names::mark_lost(const Context& interface) {
     for (const auto& variable : interface.variables) lost_.insert(variable->name);
     for (const auto& event : interface.events) lost_.insert(event->name);
     for (const auto& clock : interface.clocks) lost_.insert(clock->name);
@@ -79,12 +79,12 @@ void Names::enter_file(File& file) {
     lost_.insert(file.lost_names.begin(), file.lost_names.end());
     lost_declarations_ = lost_declarations_ || file.lost_declarations;
     packages_.push_back(package);
-    for (auto& declaration : file.declarations) enter(*declaration, nullptr, package);
+    for (auto& declaration : file.declarations) enter_declaration(*declaration, nullptr, package);
 }
 
-void Names::enter(Declaration& declaration, const Declaration* parent, const std::string& prefix) {
+void Names::enter_declaration(Declaration& declaration, const Declaration* parent, const std::string& prefix) {
     declaration.parent = parent;
-    const std::string full = qualified(prefix, declaration.name);
+    const std::string full = qualify_name(prefix, declaration.name);
     by_name_[full].push_back(&declaration);
     full_names_[&declaration] = full;
     files_[&declaration] = entering_;
@@ -104,18 +104,18 @@ void Names::enter_type(TypeDeclaration& type, const std::string& prefix) {
     for (auto& field : type.fields) field->parent = &type;
     for (auto& literal : type.literals) {
         literal->parent = &type;
-        by_name_[qualified(full_names_[&type], literal->name)].push_back(literal.get());
-        by_name_[qualified(prefix, literal->name)].push_back(literal.get());
-        full_names_[literal.get()] = qualified(full_names_[&type], literal->name);
+        by_name_[qualify_name(full_names_[&type], literal->name)].push_back(literal.get());
+        by_name_[qualify_name(prefix, literal->name)].push_back(literal.get());
+        full_names_[literal.get()] = qualify_name(full_names_[&type], literal->name);
     }
 }
 
 void Names::enter_component(Component& component, const std::string& full) {
-    for (auto& part : component.platforms) enter(*part, &component, full);
-    for (auto& part : component.controllers) enter(*part, &component, full);
-    for (auto& part : component.machines) enter(*part, &component, full);
-    for (auto& part : component.operations) enter(*part, &component, full);
-    for (auto& part : component.references) enter(*part, &component, full);
+    for (auto& part : component.platforms) enter_declaration(*part, &component, full);
+    for (auto& part : component.controllers) enter_declaration(*part, &component, full);
+    for (auto& part : component.machines) enter_declaration(*part, &component, full);
+    for (auto& part : component.operations) enter_declaration(*part, &component, full);
+    for (auto& part : component.references) enter_declaration(*part, &component, full);
     for (auto& connection : component.connections) connection->parent = &component;
 }
 
@@ -132,15 +132,15 @@ bool stands_inside(const Declaration* declaration, const Declaration* around) {
 
 /// If several declarations have the name, returns the one in the nearest file, and the first of equally near ones. If
 /// `inside` is given, only declarations inside it count.
-const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file,
-                             const Declaration* inside) const {
+const Declaration* Names::find_nearest(const std::string& full, const Kinds& kinds, const File* file,
+                                       const Declaration* inside) const {
     const Declaration* best = nullptr;
     std::size_t near = 0;
-    const std::vector<const Declaration*>& declared = all(full);
+    const std::vector<const Declaration*>& declared = declarations_of(full);
     for (const Declaration* declaration : declared) {
         if (!kinds.has(declaration->kind) || !stands_inside(declaration, inside)) continue;
         const File* const owner = declared.size() > 1 && file != nullptr ? file_of(*declaration) : nullptr;
-        const std::size_t how_near = owner != nullptr ? nearness(*file, *owner) : 0;
+        const std::size_t how_near = owner != nullptr ? file_nearness(*file, *owner) : 0;
         if (best == nullptr || how_near > near) {
             best = declaration;
             near = how_near;
@@ -149,7 +149,7 @@ const Declaration* Names::at(const std::string& full, const Kinds& kinds, const 
     return best;
 }
 
-const std::vector<const Declaration*>& Names::all(const std::string& full_name) const {
+const std::vector<const Declaration*>& Names::declarations_of(const std::string& full_name) const {
     static const std::vector<const Declaration*> none;
     const auto found = by_name_.find(full_name);
     return found != by_name_.end() ? found->second : none;
@@ -159,28 +159,30 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
     if (name.empty()) return nullptr;
     const std::string text = name.text();
     for (const Declaration* around = place.inside; around != nullptr; around = around->parent)
-        if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file, around)) return found;
+        if (const Declaration* found = find_nearest(qualify_name(full_name(around), text), kinds, place.file, around))
+            return found;
     if (place.file != nullptr) {
-        const Declaration* const own = at(qualified(place.file->package.text(), text), kinds, place.file);
+        const Declaration* const own = find_nearest(qualify_name(place.file->package.text(), text), kinds, place.file);
         // A file without a package in another folder may belong to another project, so a nearer import is preferred.
         if (own != nullptr && !place.file->package.empty()) return own;
-        const std::size_t near = own == nullptr ? 0 : nearness(*place.file, *file_of(*own));
+        const std::size_t near = own == nullptr ? 0 : file_nearness(*place.file, *file_of(*own));
         for (const Import& import : place.file->imports) {
             const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
             const std::string prefix = import.name.text();
-            const std::string full = import.wildcard ? qualified(prefix, text)
+            const std::string full = import.wildcard ? qualify_name(prefix, text)
                                      : names_it      ? prefix + text.substr(name.parts.front().size())
                                                      : std::string();
             if (full.empty()) continue;
-            const Declaration* const found = at(full, kinds, place.file);
-            if (found != nullptr && (own == nullptr || nearness(*place.file, *file_of(*found)) > near)) return found;
+            const Declaration* const found = find_nearest(full, kinds, place.file);
+            if (found != nullptr && (own == nullptr || file_nearness(*place.file, *file_of(*found)) > near))
+                return found;
         }
         if (own != nullptr) return own;
     }
-    return at(text, kinds, place.file);
+    return find_nearest(text, kinds, place.file);
 }
 
-std::vector<std::string> Names::candidates(const Kinds& kinds) const {
+std::vector<std::string> Names::names_of_kinds(const Kinds& kinds) const {
     std::vector<std::string> result;
     for (const auto& [simple, declarations] : by_simple_name_)
         if (std::ranges::any_of(declarations, [&](const Declaration* d) { return kinds.has(d->kind); }))
@@ -188,7 +190,7 @@ std::vector<std::string> Names::candidates(const Kinds& kinds) const {
     return result;
 }
 
-const Declaration* Names::anywhere(std::string_view simple_name, const Kinds& kinds) const {
+const Declaration* Names::find_anywhere(std::string_view simple_name, const Kinds& kinds) const {
     const auto found = by_simple_name_.find(simple_name);
     if (found == by_simple_name_.end()) return nullptr;
     for (const Declaration* declaration : found->second)
@@ -235,9 +237,9 @@ std::string Names::full_name(const Declaration* declaration) const {
     return found != full_names_.end() ? found->second : declaration->name;
 }
 
-bool Names::qualifies(const QualifiedName& name, const Declaration& member) const {
+bool Names::is_qualified_by(const QualifiedName& name, const Declaration& member) const {
     if (name.parts.size() < 2) return true;
-    const std::string full = "::" + qualified(full_name(member.parent), member.name);
+    const std::string full = "::" + qualify_name(full_name(member.parent), member.name);
     return full.ends_with("::" + name.text());
 }
 

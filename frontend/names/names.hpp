@@ -34,7 +34,7 @@ struct Place {
 
 /// The nearness of two files: the number of folders that contain both, plus one. A file is nearest to itself; toolkits
 /// are farther away than any other file.
-[[nodiscard]] std::size_t nearness(const File& a, const File& b);
+[[nodiscard]] std::size_t file_nearness(const File& a, const File& b);
 
 /// All names declared at package level or inside components, by their full names such as `P::C::S`.
 class Names {
@@ -44,14 +44,15 @@ public:
 
     /// The declaration that a name refers to at a place. Searches the enclosing declarations, then the package, its
     /// imports and unnamed packages. Null if no declaration of these kinds is found. If several declarations have the
-    /// name, the one in the nearest file is taken (`nearness`), because neighbouring projects may use the same names.
+    /// name, the one in the nearest file is taken (`file_nearness`), because neighbouring projects may use the same
+    /// names.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
     /// All declarations with a full name.
-    [[nodiscard]] const std::vector<const Declaration*>& all(const std::string& full_name) const;
+    [[nodiscard]] const std::vector<const Declaration*>& declarations_of(const std::string& full_name) const;
     /// Simple names of all declarations of these kinds, for suggestions.
-    [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
+    [[nodiscard]] std::vector<std::string> names_of_kinds(const Kinds& kinds) const;
     /// The first declaration, by full name, with this simple name and kind, anywhere in the project.
-    [[nodiscard]] const Declaration* anywhere(std::string_view simple_name, const Kinds& kinds) const;
+    [[nodiscard]] const Declaration* find_anywhere(std::string_view simple_name, const Kinds& kinds) const;
     /// The first interface, by its full name, that declares an event, clock, variable (or constant) or operation
     /// signature of this name; null if there is none.
     [[nodiscard]] const Context* interface_with(std::string_view name, DeclKind kind) const;
@@ -61,7 +62,7 @@ public:
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
     /// True if the parts of `name` before the last one name the declaration around `member`: `I::v` or `P::I::v` for
     /// `v` of `P::I`.
-    [[nodiscard]] bool qualifies(const QualifiedName& name, const Declaration& member) const;
+    [[nodiscard]] bool is_qualified_by(const QualifiedName& name, const Declaration& member) const;
     /// True if some file belongs to this package.
     [[nodiscard]] bool has_package(const std::string& name) const;
     /// True if it is a package or the beginning of a package name (`A` of `A::B`).
@@ -79,12 +80,12 @@ public:
 
 private:
     void enter_file(File& file);
-    void lose(const Context& interface);
-    void enter(Declaration& declaration, const Declaration* parent, const std::string& prefix);
+    void mark_lost(const Context& interface);
+    void enter_declaration(Declaration& declaration, const Declaration* parent, const std::string& prefix);
     void enter_type(TypeDeclaration& type, const std::string& prefix);
     void enter_component(Component& component, const std::string& full);
-    [[nodiscard]] const Declaration* at(const std::string& full, const Kinds& kinds, const File* file,
-                                        const Declaration* inside = nullptr) const;
+    [[nodiscard]] const Declaration* find_nearest(const std::string& full, const Kinds& kinds, const File* file,
+                                                  const Declaration* inside = nullptr) const;
     [[nodiscard]] const File* file_of(const Declaration& declaration) const;
 
     std::map<std::string, std::vector<const Declaration*>> by_name_;

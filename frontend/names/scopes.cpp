@@ -49,7 +49,7 @@ Scope scope_of(const Context& context) {
     return scope;
 }
 
-const Declaration* follow(const Declaration* declaration) {
+const Declaration* follow_reference(const Declaration* declaration) {
     if (declaration == nullptr || declaration->kind != DeclKind::reference) return declaration;
     return static_cast<const Reference*>(declaration)->target;
 }
@@ -124,7 +124,7 @@ std::vector<const Event*> visible_events(const Context& context) {
 std::vector<const Machine*> defined_operations(const Component& controller) {
     std::vector<const Machine*> result;
     for (const Declaration* part : controller.order) {
-        const Declaration* behind = follow(part);
+        const Declaration* behind = follow_reference(part);
         if (behind != nullptr && behind->kind == DeclKind::operation)
             result.push_back(static_cast<const Machine*>(behind));
     }

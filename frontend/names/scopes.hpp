@@ -27,11 +27,11 @@ struct Scope {
 /// True if one of its clauses names an interface that was not found. It may then have members that are unknown.
 [[nodiscard]] bool has_unknown_interface(const Context& context);
 /// The definition that a reference refers to, or null if it was not found. Other declarations are returned unchanged.
-[[nodiscard]] const Declaration* follow(const Declaration* declaration);
+[[nodiscard]] const Declaration* follow_reference(const Declaration* declaration);
 /// The definition that a reference refers to, if it has the requested kind; otherwise null.
 template <class Kind>
-[[nodiscard]] const Kind* followed(const Declaration* declaration) {
-    return dynamic_cast<const Kind*>(follow(declaration));
+[[nodiscard]] const Kind* follow_to(const Declaration* declaration) {
+    return dynamic_cast<const Kind*>(follow_reference(declaration));
 }
 /// The machine, operation, function or interface that contains a declaration, or the declaration itself if it is one.
 [[nodiscard]] const Declaration* component_around(const Declaration* declaration);

@@ -59,7 +59,7 @@ struct Reset {
 
 void reset(File& file) {
     Reset visitor;
-    Traversal(visitor).file(file);
+    Traversal(visitor).visit_file(file);
 }
 
 void reset(Model& model) {

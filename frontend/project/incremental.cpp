@@ -85,7 +85,7 @@ struct SizeFinder {
 
 bool has_sizes(File& file) {
     SizeFinder finder;
-    Traversal(finder).file(file);
+    Traversal(finder).visit_file(file);
     return finder.found;
 }
 
@@ -106,7 +106,7 @@ void report_again(const Findings& findings, Diagnostics& out) {
 
 /// True if all findings were kept and no search for a fix was skipped.
 bool are_few(const Diagnostics& findings) {
-    return findings.errors() < Diagnostics::max_kept && findings.warnings() < Diagnostics::max_kept;
+    return findings.error_count() < Diagnostics::max_kept && findings.warning_count() < Diagnostics::max_kept;
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ bool are_few(const Diagnostics& findings) {
 class Resolution::State {
 public:
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
-    void forget() {
+    void forget_results() {
         known_.clear();
         valid_ = false;
     }
@@ -126,7 +126,7 @@ private:
     bool run(Model& model, Diagnostics& out);
     [[nodiscard]] bool resolve_names(Model& model, const Names& names, const std::vector<File*>& files,
                                      Diagnostics& out);
-    void warn(const Model& model, const Names& names, Diagnostics& out);
+    void add_warnings(const Model& model, const Names& names, Diagnostics& out);
 
     std::map<SourceId, Known> known_;
     Lost lost_;
@@ -146,13 +146,13 @@ void Resolution::State::replace(std::unique_ptr<File>& place, std::unique_ptr<Fi
     };
     const bool may_live_on = valid_ && known != known_.end() && looks_the_same();
     if (!may_live_on) {
-        forget();
+        forget_results();
         place = std::move(fresh);
         return;
     }
     known->second.changed = true;
     broken_changed_ = broken_changed_ || broken_in(*place) != broken_in(*fresh);
-    patch(*place, std::move(*fresh));
+    patch_file(*place, std::move(*fresh));
 }
 
 /// True if some file has no kept results, or if results are kept for a file that is not in the model.
@@ -162,15 +162,15 @@ bool Resolution::State::must_begin_anew(const Model& model) const {
 }
 
 void Resolution::State::resolve(Model& model, Diagnostics& out) {
-    if (must_begin_anew(model)) forget();
+    if (must_begin_anew(model)) forget_results();
     Diagnostics found;
-    found.within(out.budget());
+    found.set_budget(out.budget());
     if (!many_ && run(model, found) && are_few(found)) {
         valid_ = true;
-        report_again(found.sorted(), out);
+        report_again(found.sorted_findings(), out);
         return;
     }
-    forget();
+    forget_results();
     frontend::resolve(model, out);
     files_resolved_ = model.files.size();
     many_ = !are_few(out);
@@ -199,7 +199,7 @@ bool Resolution::State::run(Model& model, Diagnostics& out) {
     const Names names(model);
     if (!resolve_names(model, names, files, out)) return false;
     check(model, names, out);
-    warn(model, names, out);
+    add_warnings(model, names, out);
     for (auto& [source, known] : known_) known.changed = false;
     return true;
 }
@@ -207,22 +207,22 @@ bool Resolution::State::run(Model& model, Diagnostics& out) {
 bool Resolution::State::resolve_names(Model& model, const Names& names, const std::vector<File*>& files,
                                       Diagnostics& out) {
     Diagnostics found;
-    found.within(out.budget());
+    found.set_budget(out.budget());
     Finder finder(names, found);
     Resolver resolver(model, finder);
     for (File* file : files) {
         Known& known = known_[file->source];
-        resolver.headers(*file);
+        resolver.resolve_headers(*file);
         known.asked_lost = names.take_asked_lost();
         known.names.clear();
         known.warnings.reset();
     }
     for (File* file : files) {
-        resolver.bodies(*file);
+        resolver.resolve_bodies(*file);
         known_[file->source].asked_lost |= names.take_asked_lost();
     }
-    resolver.assertions();
-    for (Diagnostic& finding : found.sorted()) {
+    resolver.resolve_all_assertions();
+    for (Diagnostic& finding : found.sorted_findings()) {
         const auto known = known_.find(finding.span.source);
         if (known == known_.end() || !known->second.changed) return false;
         known->second.names.push_back(std::move(finding));
@@ -231,7 +231,7 @@ bool Resolution::State::resolve_names(Model& model, const Names& names, const st
     return true;
 }
 
-void Resolution::State::warn(const Model& model, const Names& names, Diagnostics& out) {
+void Resolution::State::add_warnings(const Model& model, const Names& names, Diagnostics& out) {
     WrittenBy written_by = variables_written_by_operations(model);
     const bool same_writers = written_by == written_by_;
     written_by_ = std::move(written_by);
@@ -242,9 +242,9 @@ void Resolution::State::warn(const Model& model, const Names& names, Diagnostics
         if (!may_lint(*file, out)) continue;
         if (!known.warnings) {
             Diagnostics found;
-            found.within(out.budget());
+            found.set_budget(out.budget());
             lint_file(*file, names, written_by_, found);
-            known.warnings = found.sorted();
+            known.warnings = found.sorted_findings();
         }
         report_again(*known.warnings, out);
     }
@@ -258,8 +258,8 @@ void Resolution::replace(std::unique_ptr<File>& place, std::unique_ptr<File> fre
     state_->replace(place, std::move(fresh));
 }
 
-void Resolution::forget() {
-    state_->forget();
+void Resolution::forget_results() {
+    state_->forget_results();
 }
 
 void Resolution::resolve(Model& model, Diagnostics& out) {

@@ -25,9 +25,9 @@ public:
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
     /// Must be called after files were added to the model or removed from it; the next `resolve` then resolves
     /// everything.
-    void forget();
-    /// Fills the model and reports mistakes, like the function `resolve`. If the budget of `out` ends it, `forget` must
-    /// be called.
+    void forget_results();
+    /// Fills the model and reports mistakes, like the function `resolve`. If the budget of `out` ends it,
+    /// `forget_results` must be called.
     void resolve(Model& model, diagnostics::Diagnostics& out);
     /// The number of files whose names and types the last `resolve` resolved.
     [[nodiscard]] std::size_t files_resolved() const;

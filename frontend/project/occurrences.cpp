@@ -45,18 +45,18 @@ class Paths {
 public:
     explicit Paths(const Names& names) : names_(names) {}
 
-    [[nodiscard]] std::vector<Part> parts(const Place& place, const QualifiedName& name) const {
+    [[nodiscard]] std::vector<Part> parts_of(const Place& place, const QualifiedName& name) const {
         std::vector<Part> best;
         for (const std::size_t packages : package_lengths(name)) {
-            std::vector<Part> found = along(place, name, packages);
-            if (known(found) > known(best) || best.empty()) best = std::move(found);
+            std::vector<Part> found = targets_along(place, name, packages);
+            if (count_known(found) > count_known(best) || best.empty()) best = std::move(found);
         }
         return best;
     }
 
     /// The declaration of each part, if the target of the last part is known.
-    [[nodiscard]] std::vector<Part> parts(const Place& place, const QualifiedName& name,
-                                          const Declaration& target) const {
+    [[nodiscard]] std::vector<Part> parts_of(const Place& place, const QualifiedName& name,
+                                             const Declaration& target) const {
         std::vector<Part> result(name.parts.size());
         const Declaration* at = &target;
         std::size_t left = name.parts.size();
@@ -64,25 +64,25 @@ public:
             result[--left].target = at;
             at = at->parent;
         }
-        if (left > 0 && (at != nullptr || !is_package(prefix(name, left)))) {
-            result = parts(place, name);
+        if (left > 0 && (at != nullptr || !is_package(prefix_of(name, left)))) {
+            result = parts_of(place, name);
             result.back() = {&target, {}};
             return result;
         }
-        for (std::size_t i = 0; i < left; ++i) result[i].package = prefix(name, i + 1);
+        for (std::size_t i = 0; i < left; ++i) result[i].package = prefix_of(name, i + 1);
         return result;
     }
 
     [[nodiscard]] bool is_package(const std::string& text) const { return text == "core" || names_.has_package(text); }
 
-    [[nodiscard]] static std::string prefix(const QualifiedName& name, std::size_t length) {
+    [[nodiscard]] static std::string prefix_of(const QualifiedName& name, std::size_t length) {
         std::string text;
         for (std::size_t i = 0; i < length; ++i) text += (i > 0 ? "::" : "") + name.parts[i];
         return text;
     }
 
 private:
-    static std::size_t known(const std::vector<Part>& parts) {
+    static std::size_t count_known(const std::vector<Part>& parts) {
         return static_cast<std::size_t>(
             std::ranges::count_if(parts, [](const Part& p) { return p.target || !p.package.empty(); }));
     }
@@ -91,13 +91,14 @@ private:
     [[nodiscard]] std::vector<std::size_t> package_lengths(const QualifiedName& name) const {
         std::vector<std::size_t> result{0};
         for (std::size_t i = 1; i <= name.parts.size(); ++i)
-            if (is_package(prefix(name, i))) result.push_back(i);
+            if (is_package(prefix_of(name, i))) result.push_back(i);
         return result;
     }
 
-    [[nodiscard]] std::vector<Part> along(const Place& place, const QualifiedName& name, std::size_t packages) const {
+    [[nodiscard]] std::vector<Part> targets_along(const Place& place, const QualifiedName& name,
+                                                  std::size_t packages) const {
         std::vector<Part> result(name.parts.size());
-        for (std::size_t i = 0; i < packages; ++i) result[i].package = prefix(name, i + 1);
+        for (std::size_t i = 0; i < packages; ++i) result[i].package = prefix_of(name, i + 1);
         if (packages == name.parts.size()) return result;
         QualifiedName first;
         first.parts.assign(name.parts.begin(), name.parts.begin() + static_cast<std::ptrdiff_t>(packages) + 1);
@@ -116,49 +117,49 @@ class Collector {
 public:
     Collector(const Names& names, std::vector<Occurrence>& out) : paths_(names), out_(out) {}
 
-    void file(const File& file) {
+    void add_file(const File& file) {
         place_ = {&file, nullptr};
-        package(file.package, true);
+        add_package(file.package, true);
         Traversal traversal(*this);
-        traversal.file(file);
-        probabilistic(file);
+        traversal.visit_file(file);
+        add_probabilistic(file);
     }
 
     // Declarations
 
     void visit(const Context& context) {
         place_.inside = &context;
-        declared(context);
+        add_declaration(context);
     }
     void visit(const TypeDeclaration& type) {
         place_.inside = &type;
-        declared(type);
+        add_declaration(type);
     }
     void visit(const Function& function) {
         place_.inside = &function;
-        declared(function);
+        add_declaration(function);
     }
-    void visit(const EnumLiteral& literal) { declared(literal); }
-    void visit(const OperationSignature& signature) { declared(signature); }
-    void visit(const Clock& clock) { declared(clock); }
-    void visit(const Event& event) { declared(event); }
-    void visit(const State& state) { declared(state); }
-    void visit(const Variable& variable) { declared(variable, variable.initial ? Access::write : Access::none); }
+    void visit(const EnumLiteral& literal) { add_declaration(literal); }
+    void visit(const OperationSignature& signature) { add_declaration(signature); }
+    void visit(const Clock& clock) { add_declaration(clock); }
+    void visit(const Event& event) { add_declaration(event); }
+    void visit(const State& state) { add_declaration(state); }
+    void visit(const Variable& variable) { add_declaration(variable, variable.initial ? Access::write : Access::none); }
     void visit(const Reference& reference) {
-        declared(reference);
-        path(reference.target_name, reference.target);
+        add_declaration(reference);
+        add_path(reference.target_name, reference.target);
     }
     void visit(const Transition& transition) {
-        declared(transition);
-        path(transition.from, transition.source);
-        path(transition.to, transition.target);
+        add_declaration(transition);
+        add_path(transition.from, transition.source);
+        add_path(transition.to, transition.target);
         trigger_ = transition.trigger.get();
-        for (const Transition::Reset& reset : transition.resets) path(reset.name, reset.clock, Access::write);
+        for (const Transition::Reset& reset : transition.resets) add_path(reset.name, reset.clock, Access::write);
     }
     void visit(const Connection& connection) {
         for (const Connection::End* end : {&connection.from, &connection.to}) {
-            path(end->node, end->node_target);
-            path(end->event, end->event_target);
+            add_path(end->node, end->node_target);
+            add_path(end->event, end->event_target);
         }
     }
 
@@ -166,38 +167,38 @@ public:
 
     void visit(const Import& import) {
         place_.inside = nullptr;
-        const std::vector<Part> parts = paths_.parts(place_, import.name);
+        const std::vector<Part> parts = paths_.parts_of(place_, import.name);
         const bool declared = !parts.empty() && parts.back().target != nullptr;
-        declared ? path(import.name, parts.back().target) : package(import.name, false);  // it may not exist
+        declared ? add_path(import.name, parts.back().target) : add_package(import.name, false);  // it may not exist
     }
-    void visit(const InterfaceClause& clause) { path(clause.name, clause.target); }
+    void visit(const InterfaceClause& clause) { add_path(clause.name, clause.target); }
     void visit(const TypeExpr& type) {
         if (type.kind == TypeKind::variable) return add({type.name.span, NameKind::type_variable});
         if (type.kind != TypeKind::name || type.name.empty()) return;
         const bool is_core = type.type && type.type->declaration == nullptr;
-        if (!is_core) return path(type.name, type.target);
+        if (!is_core) return add_path(type.name, type.target);
         if (type.name.parts.size() > 1) add({type.name.spans.front(), NameKind::package, nullptr, "core"});
         add({type.name.spans.back(), NameKind::core_type, type.target});
     }
     void visit(const Expr& expr) {
         if (expr.name.empty()) return;
         if (const auto kind = defined_by(expr))
-            return definition(expr.name.spans.back(), *kind, expr.name.parts.back());
+            return add_definition(expr.name.spans.back(), *kind, expr.name.parts.back());
         const bool absent = place_.file->is_assertions && expr.target == nullptr;
-        if (absent && paths_.parts(place_, expr.name).back().target == nullptr) return;
-        path(expr.name, expr.target, &expr == written_ ? Access::write : Access::read);
-        if (expr.kind == ExprKind::record) fields(expr);
+        if (absent && paths_.parts_of(place_, expr.name).back().target == nullptr) return;
+        add_path(expr.name, expr.target, &expr == written_ ? Access::write : Access::read);
+        if (expr.kind == ExprKind::record) add_fields(expr);
     }
     void visit(const Communication& communication) {
         const bool receives = communication.kind == CommKind::input || &communication == trigger_;
-        path(communication.event, communication.event_target, receives ? Access::read : Access::write);
-        path(communication.variable, communication.variable_target, Access::write);
-        path(communication.from_variable, communication.from_target, Access::write);
+        add_path(communication.event, communication.event_target, receives ? Access::read : Access::write);
+        add_path(communication.variable, communication.variable_target, Access::write);
+        add_path(communication.from_variable, communication.from_target, Access::write);
     }
     void visit(const Stmt& statement) {
-        if (statement.kind == StmtKind::assignment) written_ = root(statement.target.get());
-        path(statement.name, statement.declaration,
-             statement.kind == StmtKind::clock_reset ? Access::write : Access::none);
+        if (statement.kind == StmtKind::assignment) written_ = root_of(statement.target.get());
+        add_path(statement.name, statement.declaration,
+                 statement.kind == StmtKind::clock_reset ? Access::write : Access::none);
     }
 
     // Assertions
@@ -205,22 +206,22 @@ public:
     void visit(const Assertion& assertion) {
         place_.inside = nullptr;
         add({assertion.name_span, NameKind::assertion, nullptr, assertion.name, true});
-        path(assertion.subject, nullptr);
-        if (assertion.kind != AssertionKind::conforms) path(assertion.other, nullptr);
-        path(assertion.event, assertion.missed);
+        add_path(assertion.subject, nullptr);
+        if (assertion.kind != AssertionKind::conforms) add_path(assertion.other, nullptr);
+        add_path(assertion.event, assertion.missed);
     }
     void visit(const AssertionParameter& parameter) {
-        path(parameter.context, nullptr);
-        const std::vector<Part> around = paths_.parts(place_, parameter.context);
+        add_path(parameter.context, nullptr);
+        const std::vector<Part> around = paths_.parts_of(place_, parameter.context);
         const Declaration* owner = around.empty() ? nullptr : around.back().target;
         const Declaration* target = parameter.target;
         if (target == nullptr && owner != nullptr && !parameter.name.empty())
             target = member_of(*owner, parameter.name.parts.back());
-        path(parameter.name, target);
+        add_path(parameter.name, target);
     }
     void visit(const CspBlock& block) {
         add({block.name_span, NameKind::process, nullptr, block.name, true});
-        for (const QualifiedName& name : block.associated) path(name, nullptr);
+        for (const QualifiedName& name : block.associated) add_path(name, nullptr);
     }
 
 private:
@@ -232,39 +233,39 @@ private:
         return expr.text == "$" ? std::optional(ProbabilisticKind::formula) : std::nullopt;
     }
 
-    void definition(Span span, ProbabilisticKind kind, const std::string& name, bool declares = false) {
+    void add_definition(Span span, ProbabilisticKind kind, const std::string& name, bool declares = false) {
         add({span, NameKind::definition, nullptr, std::string(to_text(kind)) + " " + name, declares});
     }
 
     /// Collects the names of probabilistic assertions and of the definitions that they use.
-    void probabilistic(const File& file) {
+    void add_probabilistic(const File& file) {
         for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
-            if (each.kind != ProbabilisticKind::constant) definition(each.name_span, each.kind, each.name, true);
+            if (each.kind != ProbabilisticKind::constant) add_definition(each.name_span, each.kind, each.name, true);
         for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
             add({each.name_span, NameKind::assertion, nullptr, each.name, true});
             for (const ProbabilisticClause& clause : each.clauses)
                 if (!clause.name.empty())
-                    definition(clause.name.spans.back(), clause.definition.kind, clause.name.parts.back());
+                    add_definition(clause.name.spans.back(), clause.definition.kind, clause.name.parts.back());
         }
     }
 
     void add(Occurrence occurrence) {
-        if (occurrence.span.known()) out_.push_back(std::move(occurrence));
+        if (occurrence.span.is_known()) out_.push_back(std::move(occurrence));
     }
 
-    void declared(const Declaration& declaration, Access access = Access::none) {
+    void add_declaration(const Declaration& declaration, Access access = Access::none) {
         add({declaration.name_span, NameKind::declaration, &declaration, {}, true, access});
     }
 
-    void package(const QualifiedName& name, bool declares) {
+    void add_package(const QualifiedName& name, bool declares) {
         for (std::size_t i = 0; i < name.spans.size(); ++i)
-            add({name.spans[i], NameKind::package, nullptr, Paths::prefix(name, i + 1), declares});
+            add({name.spans[i], NameKind::package, nullptr, Paths::prefix_of(name, i + 1), declares});
     }
 
-    void path(const QualifiedName& name, const Declaration* target, Access access = Access::none) {
+    void add_path(const QualifiedName& name, const Declaration* target, Access access = Access::none) {
         if (name.empty()) return;
         const std::vector<Part> parts =
-            target != nullptr ? paths_.parts(place_, name, *target) : paths_.parts(place_, name);
+            target != nullptr ? paths_.parts_of(place_, name, *target) : paths_.parts_of(place_, name);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const bool last = i + 1 == parts.size();
             const Part& part = parts[i];
@@ -278,7 +279,7 @@ private:
         }
     }
 
-    void fields(const Expr& literal) {
+    void add_fields(const Expr& literal) {
         for (const Binding& binding : literal.bindings) {
             const Declaration* field =
                 literal.target != nullptr ? member_of(*literal.target, binding.variable->name) : nullptr;
@@ -286,7 +287,7 @@ private:
         }
     }
 
-    static const Expr* root(const Expr* expr) {
+    static const Expr* root_of(const Expr* expr) {
         while (expr != nullptr && (expr->kind == ExprKind::member || expr->kind == ExprKind::index))
             expr = expr->args[0].get();
         return expr;
@@ -303,7 +304,7 @@ private:
 
 std::vector<const Declaration*> members_of(const Declaration& declaration) {
     std::vector<const Declaration*> list;
-    const Declaration* behind = follow(&declaration);
+    const Declaration* behind = follow_reference(&declaration);
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(behind)) {
         add_all(list, type->fields);
         add_all(list, type->literals);
@@ -329,12 +330,12 @@ const Declaration* member_of(const Declaration& declaration, std::string_view na
     return nullptr;
 }
 
-std::vector<Occurrence> occurrences(const Model& model) {
+std::vector<Occurrence> find_occurrences(const Model& model) {
     const Names names(model);
     std::vector<Occurrence> result;
     Collector collector(names, result);
     for (const auto& file : model.files)
-        if (!file->is_library) collector.file(*file);
+        if (!file->is_library) collector.add_file(*file);
     const auto place = [](const Occurrence& o) { return std::make_tuple(o.span.source, o.span.begin, o.span.end); };
     std::ranges::stable_sort(result, [&](const Occurrence& a, const Occurrence& b) { return place(a) < place(b); });
     return result;

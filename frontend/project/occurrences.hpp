@@ -36,7 +36,7 @@ struct Occurrence {
 
 /// All names of a resolved model outside its libraries, by place. Names inside CSP blocks and parts of other tools are
 /// not resolved.
-[[nodiscard]] std::vector<Occurrence> occurrences(const Model& model);
+[[nodiscard]] std::vector<Occurrence> find_occurrences(const Model& model);
 
 /// The member of a declaration with this name: components and nodes inside it, literals, fields, and members of its
 /// interfaces. References are followed. Null if there is none.

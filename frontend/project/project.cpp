@@ -47,7 +47,7 @@ std::vector<fs::path> files_of(const fs::path& folder, bool deep, Diagnostics& o
 
 std::unique_ptr<File> read(SourceManager& sources, const fs::path& path, Diagnostics& out) {
     std::string error;
-    const auto source = sources.load(path.string(), error);
+    const auto source = sources.load_file(path.string(), error);
     if (!source) {
         out.report(syntax::unreadable, {}, {path.string(), error});
         return nullptr;
@@ -71,7 +71,7 @@ struct Neighbour {
     std::set<std::string> imports;
 };
 
-Neighbour survey(const fs::path& path) {
+Neighbour survey_file(const fs::path& path) {
     SourceManager sources;
     Diagnostics ignored;  // if the file is needed, it is read again and its findings are reported
     Neighbour result;
@@ -96,13 +96,13 @@ Neighbour survey(const fs::path& path) {
     return result;
 }
 
-bool overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
+bool sets_overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
     return std::ranges::any_of(a, [&](const std::string& x) { return b.contains(x); });
 }
 
 /// True if a chosen file needs the candidate: it imports its package, has the same package, or mentions a name that
 /// only the candidate declares.
-bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<std::string>& declared) {
+bool needs_candidate(const Neighbour& chosen, const Neighbour& candidate, const std::set<std::string>& declared) {
     if (is_assertions(candidate.path)) return false;
     if (!candidate.package.empty() && chosen.package == candidate.package) return true;
     if (chosen.imports.contains(candidate.package)) return true;
@@ -110,12 +110,12 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
     if (!first_part.empty() && !chosen.mentions.contains(first_part)) return false;
     std::set<std::string> only_there;
     std::ranges::set_difference(candidate.declares, declared, std::inserter(only_there, only_there.end()));
-    return overlap(only_there, chosen.mentions);
+    return sets_overlap(only_there, chosen.mentions);
 }
 
 /// The files that the named file may need: those of its folder. An assertion file that is the only input may be in a
 /// folder without models; its assertions then refer to the models of the parent folder.
-std::vector<fs::path> candidates(const fs::path& named, bool alone, Diagnostics& out) {
+std::vector<fs::path> candidate_files(const fs::path& named, bool alone, Diagnostics& out) {
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
     std::vector<fs::path> found = files_of(folder, false, out);
     if (alone && is_assertions(named) && std::ranges::none_of(found, is_model)) {
@@ -130,14 +130,14 @@ std::vector<fs::path> candidates(const fs::path& named, bool alone, Diagnostics&
 
 /// The named file and all files that it needs, transitively. For a named model, assertion files of the folder are
 /// included; a named assertion file is the only assertion file.
-std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& out) {
+std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostics& out) {
     std::vector<Neighbour> open;
-    for (const fs::path& path : candidates(named, alone, out)) open.push_back(survey(path));
-    std::vector<Neighbour> chosen{survey(named)};
+    for (const fs::path& path : candidate_files(named, alone, out)) open.push_back(survey_file(path));
+    std::vector<Neighbour> chosen{survey_file(named)};
     std::set<std::string> declared = chosen.front().declares;
     for (std::size_t i = 0; i < chosen.size(); ++i)
         for (std::size_t k = 0; k < open.size();) {
-            if (!needs(chosen[i], open[k], declared)) {
+            if (!needs_candidate(chosen[i], open[k], declared)) {
                 ++k;
                 continue;
             }
@@ -150,7 +150,7 @@ std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& ou
     for (const Neighbour& file : chosen) result.push_back(file.path);
     if (!is_assertions(named))
         for (const Neighbour& other : open)
-            if (is_assertions(other.path) && (!other.readable || overlap(other.mentions, chosen.front().declares)))
+            if (is_assertions(other.path) && (!other.readable || sets_overlap(other.mentions, chosen.front().declares)))
                 result.push_back(other.path);
     std::ranges::sort(result);
     return result;
@@ -165,7 +165,7 @@ std::string similar_path(const fs::path& path) {
     for (fs::directory_iterator at(folder, code), end; !code && at != end && names.size() < most; at.increment(code))
         names.push_back(at->path().filename().string());
     std::ranges::sort(names);
-    const std::string meant = diagnostics::nearest(path.filename().string(), names);
+    const std::string meant = diagnostics::nearest_spelling(path.filename().string(), names);
     if (meant.empty()) return "";
     return path.has_parent_path() ? (path.parent_path() / meant).string() : meant;
 }
@@ -185,9 +185,9 @@ std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagno
                    {path, fmt::format("a CSPM script, and no model; `robochart-verify cspm {}` decides it", path)});
         return {};
     }
-    const std::size_t errors = out.errors();
-    std::vector<fs::path> result = is_folder ? files_of(path, true, out) : closure(path, alone, out);
-    if (result.empty() && out.errors() == errors) out.report(syntax::no_files, {}, {path});
+    const std::size_t errors = out.error_count();
+    std::vector<fs::path> result = is_folder ? files_of(path, true, out) : needed_files(path, alone, out);
+    if (result.empty() && out.error_count() == errors) out.report(syntax::no_files, {}, {path});
     return result;
 }
 
@@ -225,7 +225,7 @@ std::set<std::string> names_declared(const std::string& path) {
     SourceManager sources;
     Diagnostics ignored;
     std::string error;
-    const auto source = sources.load(path, error);
+    const auto source = sources.load_file(path, error);
     std::set<std::string> result;
     if (!source) return result;
     std::string_view before;
@@ -238,7 +238,7 @@ std::set<std::string> names_declared(const std::string& path) {
 
 /// Adds a finding after each error about a name that only a RoboSim file declares.
 void report_robosim(const std::vector<std::string>& inputs, Diagnostics& out) {
-    std::vector<diagnostics::Diagnostic> unknown = out.sorted();
+    std::vector<diagnostics::Diagnostic> unknown = out.sorted_findings();
     std::erase_if(unknown, [](const diagnostics::Diagnostic& each) { return each.rule != &rules::unknown_name; });
     if (unknown.empty()) return;
     for (const std::string& file : robosim_files(inputs)) {

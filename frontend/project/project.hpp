@@ -43,6 +43,6 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 
 /// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution:
 /// targets and types shown).
-[[nodiscard]] std::string dump(const Model&, const diagnostics::SourceManager&, bool resolved);
+[[nodiscard]] std::string dump_model(const Model&, const diagnostics::SourceManager&, bool resolved);
 
 }  // namespace robochart::frontend

@@ -70,7 +70,7 @@ void resolve(Model& model, diagnostics::Diagnostics& out) {
     Finder finder(names, out);
     Resolver(model, finder).run();
     check(model, names, out);
-    lint(model, names, out);
+    lint_model(model, names, out);
 }
 
 }  // namespace robochart::frontend

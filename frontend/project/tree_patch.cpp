@@ -18,7 +18,7 @@ namespace {
 class Emptied {
 public:
     explicit Emptied(File& file) {
-        for (auto& declaration : file.declarations) take(*declaration);
+        for (auto& declaration : file.declarations) take_contents(*declaration);
     }
     ~Emptied() {
         for (auto& [machine, body] : bodies_) static_cast<NodeContainer&>(*machine) = std::move(body);
@@ -27,14 +27,14 @@ public:
     Emptied& operator=(const Emptied&) = delete;
 
 private:
-    void take(Declaration& declaration) {
+    void take_contents(Declaration& declaration) {
         if (auto* machine = dynamic_cast<Machine*>(&declaration))
             bodies_.emplace_back(machine, std::exchange(static_cast<NodeContainer&>(*machine), {}));
         auto* component = dynamic_cast<Component*>(&declaration);
         if (component == nullptr) return;
-        for (auto& part : component->controllers) take(*part);
-        for (auto& part : component->machines) take(*part);
-        for (auto& part : component->operations) take(*part);
+        for (auto& part : component->controllers) take_contents(*part);
+        for (auto& part : component->machines) take_contents(*part);
+        for (auto& part : component->operations) take_contents(*part);
     }
 
     std::vector<std::pair<Machine*, NodeContainer>> bodies_;
@@ -56,31 +56,31 @@ bool same_head(const Declaration& a, const Declaration& b) {
     return a.kind == b.kind && a.name == b.name;
 }
 
-bool same(const Variable& a, const Variable& b) {
+bool same_structure(const Variable& a, const Variable& b) {
     return same_head(a, b);
 }
-bool same(const Event& a, const Event& b) {
+bool same_structure(const Event& a, const Event& b) {
     return same_head(a, b);
 }
-bool same(const Clock& a, const Clock& b) {
+bool same_structure(const Clock& a, const Clock& b) {
     return same_head(a, b);
 }
-bool same(const EnumLiteral& a, const EnumLiteral& b) {
+bool same_structure(const EnumLiteral& a, const EnumLiteral& b) {
     return same_head(a, b);
 }
-bool same(const Reference& a, const Reference& b) {
+bool same_structure(const Reference& a, const Reference& b) {
     return same_head(a, b);
 }
-bool same(const OperationSignature& a, const OperationSignature& b);
-bool same(const Declaration& a, const Declaration& b);
+bool same_structure(const OperationSignature& a, const OperationSignature& b);
+bool same_structure(const Declaration& a, const Declaration& b);
 
 template <class Items>
 bool all_same(const Items& a, const Items& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const auto& left, const auto& right) { return same(*left, *right); });
+                      [](const auto& left, const auto& right) { return same_structure(*left, *right); });
 }
 
-bool same(const OperationSignature& a, const OperationSignature& b) {
+bool same_structure(const OperationSignature& a, const OperationSignature& b) {
     return same_head(a, b) && all_same(a.parameters, b.parameters);
 }
 
@@ -99,24 +99,24 @@ bool same_parts(const Component& a, const Component& b) {
 
 /// If both have this class, compares them.
 template <class Kind>
-std::pair<const Kind*, const Kind*> both(const Declaration& a, const Declaration& b) {
+std::pair<const Kind*, const Kind*> cast_both(const Declaration& a, const Declaration& b) {
     return {dynamic_cast<const Kind*>(&a), dynamic_cast<const Kind*>(&b)};
 }
 
-bool same(const Declaration& a, const Declaration& b) {
+bool same_structure(const Declaration& a, const Declaration& b) {
     if (!same_head(a, b)) return false;
-    const auto [type, other_type] = both<TypeDeclaration>(a, b);
+    const auto [type, other_type] = cast_both<TypeDeclaration>(a, b);
     if (type != nullptr && other_type != nullptr)
         return all_same(type->fields, other_type->fields) && all_same(type->literals, other_type->literals);
-    const auto [function, other_function] = both<Function>(a, b);
+    const auto [function, other_function] = cast_both<Function>(a, b);
     if (function != nullptr && other_function != nullptr)
         return all_same(function->parameters, other_function->parameters);
-    const auto [context, other_context] = both<Context>(a, b);
+    const auto [context, other_context] = cast_both<Context>(a, b);
     if (context == nullptr || other_context == nullptr || !same_members(*context, *other_context)) return false;
-    const auto [machine, other_machine] = both<Machine>(a, b);
+    const auto [machine, other_machine] = cast_both<Machine>(a, b);
     if ((machine == nullptr) != (other_machine == nullptr)) return false;
     if (machine != nullptr) return all_same(machine->parameters, other_machine->parameters);
-    const auto [component, other_component] = both<Component>(a, b);
+    const auto [component, other_component] = cast_both<Component>(a, b);
     if ((component == nullptr) != (other_component == nullptr)) return false;
     return component == nullptr || same_parts(*component, *other_component);
 }
@@ -253,7 +253,7 @@ bool same_declarations(const File& old, const File& fresh) {
            old.is_library == fresh.is_library && all_same(old.declarations, fresh.declarations);
 }
 
-void patch(File& old, File&& fresh) {
+void patch_file(File& old, File&& fresh) {
     for (std::size_t i = 0; i < old.declarations.size(); ++i)
         move_declaration(*old.declarations[i], *fresh.declarations[i]);
     std::swap(old.declarations, fresh.declarations);

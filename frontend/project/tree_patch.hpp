@@ -19,6 +19,6 @@ namespace robochart::frontend {
 
 /// Moves the new tree into the old one. Declarations to which other files may point (all except nodes, transitions,
 /// connections, expressions and statements) keep their addresses. Precondition: `same_declarations`.
-void patch(File& old, File&& fresh);
+void patch_file(File& old, File&& fresh);
 
 }  // namespace robochart::frontend

@@ -20,12 +20,12 @@ class Groups {
 public:
     explicit Groups(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
 
-    std::size_t of(std::size_t file) {
+    std::size_t group_of(std::size_t file) {
         while (parents_[file] != file) file = parents_[file] = parents_[parents_[file]];
         return file;
     }
-    void join(std::size_t a, std::size_t b) {
-        const std::size_t first = of(a), second = of(b);
+    void join_groups(std::size_t a, std::size_t b) {
+        const std::size_t first = group_of(a), second = group_of(b);
         parents_[std::max(first, second)] = std::min(first, second);
     }
 
@@ -49,7 +49,7 @@ std::set<std::string> first_parts(const std::string& text) {
     return result;
 }
 
-std::string flattened(std::string text) {
+std::string flatten_qualifiers(std::string text) {
     for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::")) text.replace(at, 2, "_");
     return text;
 }
@@ -64,23 +64,23 @@ public:
             if (!file.package.empty()) packages_[file.package.text()].push_back(i);
             for (const auto& declaration : file.declarations) {
                 named_[declaration->name].push_back(i);
-                declared_[key(file, *declaration)].push_back(i);
+                declared_[key_of(file, *declaration)].push_back(i);
             }
         }
     }
 
     std::vector<std::vector<std::size_t>> find() {
         for (const auto& [name, files] : packages_) same_package(files);
-        references();
+        tie_references();
         for (const auto& [source, i] : files_) {
-            imports(i);
-            blocks(i);
-            broken(i);
+            tie_imports(i);
+            tie_blocks(i);
+            tie_broken_file(i);
         }
         loose_assertions();
         std::map<std::size_t, std::vector<std::size_t>> result;
         for (std::size_t i = 0; i < model_.files.size(); ++i)
-            if (!model_.files[i]->is_library) result[groups_.of(i)].push_back(i);
+            if (!model_.files[i]->is_library) result[groups_.group_of(i)].push_back(i);
         std::vector<std::vector<std::size_t>> groups;
         for (auto& [first, files] : result) groups.push_back(std::move(files));
         return groups;
@@ -89,7 +89,7 @@ public:
 private:
     /// The key of a declaration in a package. Declarations of different kinds may have the same name.
     using Key = std::tuple<std::string, std::string, DeclKind>;
-    static Key key(const File& file, const Declaration& declaration) {
+    static Key key_of(const File& file, const Declaration& declaration) {
         return {file.package.text(), std::string(declaration.name), declaration.kind};
     }
 
@@ -98,14 +98,14 @@ private:
     void tie_nearest(std::size_t file, const std::vector<std::size_t>& others) {
         std::size_t near = 0;
         for (const std::size_t other : others)
-            near = std::max(near, nearness(*model_.files[file], *model_.files[other]));
+            near = std::max(near, file_nearness(*model_.files[file], *model_.files[other]));
         for (const std::size_t other : others)
-            if (nearness(*model_.files[file], *model_.files[other]) == near) tie(file, other);
+            if (file_nearness(*model_.files[file], *model_.files[other]) == near) tie_files(file, other);
     }
 
-    void tie(std::size_t a, std::size_t b) {
+    void tie_files(std::size_t a, std::size_t b) {
         if (a == b) return;
-        groups_.join(a, b);
+        groups_.join_groups(a, b);
         tied_.insert(a);
         tied_.insert(b);
     }
@@ -118,25 +118,25 @@ private:
             const std::string_view folder = model_.files[file]->folder;
             for (std::size_t end = folder.find('/'); end != std::string_view::npos; end = folder.find('/', end + 1))
                 if (const auto above = first.find(folder.substr(0, end + 1)); above != first.end())
-                    tie(file, above->second);
+                    tie_files(file, above->second);
         }
     }
 
-    void references() {
-        for (const Occurrence& occurrence : occurrences(model_)) {
+    void tie_references() {
+        for (const Occurrence& occurrence : find_occurrences(model_)) {
             if (occurrence.target == nullptr || occurrence.declares) continue;
             const auto from = files_.find(occurrence.span.source);
             const auto to = files_.find(occurrence.target->span.source);
             if (from == files_.end() || to == files_.end() || from == to) continue;
             const Declaration* outermost = occurrence.target;
             while (outermost->parent != nullptr) outermost = outermost->parent;
-            const auto declared = declared_.find(key(*model_.files[to->second], *outermost));
-            tie(from->second, to->second);
+            const auto declared = declared_.find(key_of(*model_.files[to->second], *outermost));
+            tie_files(from->second, to->second);
             if (declared != declared_.end() && declared->second.size() > 1) tie_nearest(from->second, declared->second);
         }
     }
 
-    void imports(std::size_t file) {
+    void tie_imports(std::size_t file) {
         for (const Import& import : model_.files[file]->imports) {
             QualifiedName package = import.name;
             for (; !package.empty(); package.parts.pop_back())
@@ -148,17 +148,17 @@ private:
     }
 
     /// Names in a block are not resolved, so the file is tied to the nearest files that declare the names.
-    void blocks(std::size_t file) {
+    void tie_blocks(std::size_t file) {
         for (const CspBlock& block : model_.files[file]->csp_blocks)
             for (const std::string& name : first_parts(block.text)) {
                 if (const auto found = named_.find(name); found != named_.end()) tie_nearest(file, found->second);
                 for (const auto& [package, files] : packages_)
-                    if (flattened(package) == name) tie_nearest(file, files);
+                    if (flatten_qualifiers(package) == name) tie_nearest(file, files);
             }
     }
 
     /// Text that could not be parsed may contain declarations that neighbouring files need.
-    void broken(std::size_t file) {
+    void tie_broken_file(std::size_t file) {
         if (!model_.files[file]->has_syntax_errors) return;
         std::vector<std::size_t> others;
         for (const auto& [source, i] : files_)
@@ -191,7 +191,7 @@ private:
 namespace {
 
 /// The instantiations of an assertion file as text; "" if it has none.
-std::string instantiations(const File& file) {
+std::string instantiation_text(const File& file) {
     std::string result;
     for (const CspBlock& block : file.csp_blocks)
         if (replaces_instantiations(block))
@@ -200,7 +200,7 @@ std::string instantiations(const File& file) {
 }
 
 /// Makes one unit of a group for each of its instantiations.
-void split(const Model& model, const std::vector<std::size_t>& group, std::vector<Unit>& result) {
+void split_group(const Model& model, const std::vector<std::size_t>& group, std::vector<Unit>& result) {
     std::map<std::string, std::vector<std::size_t>> by_text;
     std::vector<std::string> order;
     std::vector<std::size_t> models;
@@ -209,7 +209,7 @@ void split(const Model& model, const std::vector<std::size_t>& group, std::vecto
             models.push_back(file);
             continue;
         }
-        std::string text = instantiations(*model.files[file]);
+        std::string text = instantiation_text(*model.files[file]);
         if (!by_text.contains(text)) order.push_back(text);
         by_text[text].push_back(file);
     }
@@ -227,13 +227,13 @@ void split(const Model& model, const std::vector<std::size_t>& group, std::vecto
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> groups(const Model& model) {
+std::vector<std::vector<std::size_t>> group_files(const Model& model) {
     return Units(model).find();
 }
 
-std::vector<Unit> units(const Model& model) {
+std::vector<Unit> split_into_units(const Model& model) {
     std::vector<Unit> result;
-    for (const std::vector<std::size_t>& group : groups(model)) split(model, group, result);
+    for (const std::vector<std::size_t>& group : group_files(model)) split_group(model, group, result);
     return result;
 }
 

@@ -19,15 +19,15 @@ struct Unit {
 /// files are in one group if one refers to a declaration of the other (a csp block refers by a component or package
 /// name before `::`) or imports its package. Files of the same named package are in one group if they are in one
 /// folder, or if the folder of one contains the other. Assertion files without such a tie join the models that are
-/// nearest to them. If several files declare the same name, the nearest is meant (`nearness`); if they are equally
+/// nearest to them. If several files declare the same name, the nearest is meant (`file_nearness`); if they are equally
 /// near, all join one group, and the rules report the name. A file with syntax errors joins the files nearest to it.
 /// Groups are in the order of their first files.
-[[nodiscard]] std::vector<std::vector<std::size_t>> groups(const Model& model);
+[[nodiscard]] std::vector<std::vector<std::size_t>> group_files(const Model& model);
 
 /// Divides the groups by their instantiations. If assertion files of a group have different blocks `Instantiations`,
 /// each of them forms a unit with the group's models. The assertion files without such a block form one unit with the
 /// generated instantiations. RoboTool, too, makes one script of each assertion file.
-[[nodiscard]] std::vector<Unit> units(const Model& model);
+[[nodiscard]] std::vector<Unit> split_into_units(const Model& model);
 
 /// True if the block replaces the generated instantiations. RoboTool's documents call it `Instantiations`, some models
 /// `instantiations`.

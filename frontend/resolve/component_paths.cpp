@@ -18,15 +18,15 @@ QualifiedName first_parts(const QualifiedName& name, std::size_t count) {
 }
 
 bool is_component(const Declaration* part) {
-    const Declaration* behind = follow(part);
+    const Declaration* behind = follow_reference(part);
     return behind != nullptr && component_kinds.has(behind->kind);
 }
 
 const Context* platform_of(const Declaration* whole, const std::string& name) {
-    const auto* module = followed<Component>(whole);
+    const auto* module = follow_to<Component>(whole);
     if (module == nullptr) return nullptr;
     for (const Declaration* part : module->order) {
-        const auto* behind = followed<Context>(part);
+        const auto* behind = follow_to<Context>(part);
         if (part->name == name && behind != nullptr && behind->kind == DeclKind::platform) return behind;
     }
     return nullptr;
@@ -37,13 +37,13 @@ namespace {
 /// The component of a module or controller with this name: its own name, or otherwise the name of the definition that a
 /// reference refers to, if that name is a simple one.
 const Declaration* part_of(const Declaration* whole, const std::string& name) {
-    const auto* component = followed<Component>(whole);
+    const auto* component = follow_to<Component>(whole);
     if (component == nullptr) return nullptr;
     const Declaration* by_definition = nullptr;
     for (const Declaration* part : component->order) {
         if (!is_component(part)) continue;
         if (part->name == name) return part;
-        const Declaration* behind = follow(part);
+        const Declaration* behind = follow_reference(part);
         const bool process = behind->kind == DeclKind::operation && name == "OP_" + behind->name;
         if (behind->name != name && !process) continue;
         if (by_definition != nullptr) return nullptr;

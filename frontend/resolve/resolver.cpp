@@ -11,17 +11,17 @@
 namespace robochart::frontend {
 
 void Resolver::run() {
-    for (auto& file : model_.files) headers(*file);
-    for (auto& file : model_.files) bodies(*file);
-    assertions();
+    for (auto& file : model_.files) resolve_headers(*file);
+    for (auto& file : model_.files) resolve_bodies(*file);
+    resolve_all_assertions();
 }
 
-void Resolver::assertions() {
+void Resolver::resolve_all_assertions() {
     resolve_assertions(model_, finder_, typer_);
     resolve_probabilistic(model_, finder_, typer_);
 }
 
-void Resolver::each(File& file, void (Resolver::*visit)(File&, Declaration&)) {
+void Resolver::visit_declarations(File& file, void (Resolver::*visit)(File&, Declaration&)) {
     for (auto& declaration : file.declarations) each_part(file, *declaration, visit);
 }
 
@@ -36,15 +36,15 @@ void Resolver::each_part(File& file, Declaration& declaration, void (Resolver::*
     for (auto& part : component->operations) (this->*visit)(file, *part);
 }
 
-void Resolver::header(File& file, Declaration& declaration) {
+void Resolver::resolve_header(File& file, Declaration& declaration) {
     if (auto* type = dynamic_cast<TypeDeclaration*>(&declaration)) return type_header(file, *type);
     if (auto* function = dynamic_cast<Function*>(&declaration)) return function_header(file, *function);
     if (auto* context = dynamic_cast<Context*>(&declaration)) context_header(file, *context);
-    if (auto* component = dynamic_cast<Component*>(&declaration)) references(file, *component);
+    if (auto* component = dynamic_cast<Component*>(&declaration)) resolve_references(file, *component);
 }
 
 void Resolver::variable_type(Variable& variable, Surroundings& around) {
-    if (variable.type_expr) variable.type = typer_.type(*variable.type_expr, around);
+    if (variable.type_expr) variable.type = typer_.assign_type(*variable.type_expr, around);
 }
 
 void Resolver::parameter_types(std::vector<VariablePtr>& parameters, Surroundings& around) {
@@ -55,13 +55,13 @@ void Resolver::type_header(File& file, TypeDeclaration& type) {
     Surroundings around{{&file, &type}, nullptr, nullptr, nullptr, {}};
     parameter_types(type.fields, around);
     for (auto& literal : type.literals)
-        for (TypeExprPtr& argument : literal->arguments) typer_.type(*argument, around);
+        for (TypeExprPtr& argument : literal->arguments) typer_.assign_type(*argument, around);
 }
 
 void Resolver::function_header(File& file, Function& function) {
     Surroundings around{{&file, &function}, nullptr, nullptr, nullptr, {}};
     parameter_types(function.parameters, around);
-    if (function.result_expr) function.result = typer_.type(*function.result_expr, around);
+    if (function.result_expr) function.result = typer_.assign_type(*function.result_expr, around);
 }
 
 void Resolver::context_header(File& file, Context& context) {
@@ -76,21 +76,21 @@ void Resolver::context_header(File& file, Context& context) {
     for (auto& variable : context.variables)
         if (variable->kind != DeclKind::constant) variable_type(*variable, around);
     for (auto& event : context.events)
-        if (event->type_expr) event->type = typer_.type(*event->type_expr, around);
+        if (event->type_expr) event->type = typer_.assign_type(*event->type_expr, around);
     for (auto& signature : context.signatures) parameter_types(signature->parameters, around);
     if (auto* machine = dynamic_cast<Machine*>(&context)) parameter_types(machine->parameters, around);
 }
 
-void Resolver::references(File& file, Component& component) {
+void Resolver::resolve_references(File& file, Component& component) {
     for (auto& reference : component.references)
         reference->target = finder_.find({&file, &component}, reference->target_name, {reference->refers_to},
                                          to_text(reference->refers_to));
 }
 
-void Resolver::body(File& file, Declaration& declaration) {
+void Resolver::resolve_body(File& file, Declaration& declaration) {
     if (auto* function = dynamic_cast<Function*>(&declaration)) return function_body(file, *function);
     if (auto* context = dynamic_cast<Context*>(&declaration)) context_body(file, *context);
-    if (auto* component = dynamic_cast<Component*>(&declaration)) connections(*component);
+    if (auto* component = dynamic_cast<Component*>(&declaration)) resolve_connections(*component);
 }
 
 }  // namespace robochart::frontend

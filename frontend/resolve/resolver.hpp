@@ -12,35 +12,36 @@ public:
     void run();
 
     // Resolution in steps: first the headers of all files, then the bodies, then the assertions.
-    void headers(File& file) { each(file, &Resolver::header); }
-    void bodies(File& file) { each(file, &Resolver::body); }
-    void assertions();
+    void resolve_headers(File& file) { visit_declarations(file, &Resolver::resolve_header); }
+    void resolve_bodies(File& file) { visit_declarations(file, &Resolver::resolve_body); }
+    void resolve_all_assertions();
 
 private:
     // Declarations (resolver.cpp)
-    void each(File& file, void (Resolver::*visit)(File&, Declaration&));
+    void visit_declarations(File& file, void (Resolver::*visit)(File&, Declaration&));
     void each_part(File& file, Declaration& declaration, void (Resolver::*visit)(File&, Declaration&));
-    void header(File& file, Declaration& declaration);
-    void body(File& file, Declaration& declaration);
+    void resolve_header(File& file, Declaration& declaration);
+    void resolve_body(File& file, Declaration& declaration);
     void type_header(File& file, TypeDeclaration& type);
     void function_header(File& file, Function& function);
     void context_header(File& file, Context& context);
     void variable_type(Variable& variable, Surroundings& around);
     void parameter_types(std::vector<VariablePtr>& parameters, Surroundings& around);
-    void references(File& file, Component& component);
-    void sizes(Context& context, Surroundings& around);
+    void resolve_references(File& file, Component& component);
+    void resolve_sizes(Context& context, Surroundings& around);
 
     // Bodies (resolver_bodies.cpp)
     void function_body(File& file, Function& function);
     void context_body(File& file, Context& context);
     void machine_body(Machine& machine, Surroundings& around);
-    void container(NodeContainer& container, const Machine& machine, Surroundings& around);
+    void resolve_container(NodeContainer& container, const Machine& machine, Surroundings& around);
     /// The nodes of a container by name; if a name is declared twice, the first one.
     using NodeNames = std::map<std::string_view, const State*>;
-    void transition(Transition& transition, const NodeNames& names, const Machine& machine, Surroundings& around);
-    const State* node(const QualifiedName& name, const Transition& transition, std::string_view role,
-                      const NodeNames& names, const Machine& machine);
-    void connections(Component& component);
+    void resolve_transition(Transition& transition, const NodeNames& names, const Machine& machine,
+                            Surroundings& around);
+    const State* find_node(const QualifiedName& name, const Transition& transition, std::string_view role,
+                           const NodeNames& names, const Machine& machine);
+    void resolve_connections(Component& component);
     /// The components of a component by name, and the scopes computed so far. The order of pointers is never used.
     struct Ends {
         const Component& component;

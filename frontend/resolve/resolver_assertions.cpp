@@ -22,8 +22,8 @@ const Kinds other_kinds = {DeclKind::interface,   DeclKind::platform, DeclKind::
 
 /// Collects every path from a component down to a machine.
 void add_instances(const ComponentPath& above, const Machine& machine, std::vector<ComponentPath>& found) {
-    if (follow(above.steps.back()) == &machine) return found.push_back(above);
-    const auto* component = followed<Component>(above.steps.back());
+    if (follow_reference(above.steps.back()) == &machine) return found.push_back(above);
+    const auto* component = follow_to<Component>(above.steps.back());
     if (component == nullptr) return;
     for (const Declaration* part : component->order) {
         if (!is_component(part)) continue;
@@ -40,25 +40,25 @@ public:
     void run(File& file);
 
 private:
-    void assertion(Assertion& assertion);
-    void reachable(Assertion& assertion);
+    void resolve_assertion(Assertion& assertion);
+    void resolve_reachable(Assertion& assertion);
     bool find_state(Assertion& assertion);
-    void clock(Assertion& assertion);
+    void resolve_clock(Assertion& assertion);
     void missed_event(Assertion& assertion);
     void unknown_place(const Assertion& assertion, const Way& way);
-    void parameter(AssertionParameter& parameter);
-    [[nodiscard]] const Variable* constant(const AssertionParameter& parameter, const Declaration& context);
-    void value(AssertionParameter& parameter);
+    void resolve_parameter(AssertionParameter& parameter);
+    [[nodiscard]] const Variable* find_constant(const AssertionParameter& parameter, const Declaration& context);
+    void check_value(AssertionParameter& parameter);
     void report_repeated(const Assertion& assertion);
     void report_open(const Assertion& assertion, const ComponentPath& path, const QualifiedName& name);
 
-    [[nodiscard]] Way way(const QualifiedName& name) const {
+    [[nodiscard]] Way way_to(const QualifiedName& name) const {
         return component_way(model_, finder_.names(), *file_, name);
     }
-    [[nodiscard]] const CspBlock* process(const std::string& name) const;
-    ComponentPath component(const QualifiedName& name, bool processes);
-    ComponentPath context(const QualifiedName& name);
-    void unknown(const QualifiedName& name, const Way& way);
+    [[nodiscard]] const CspBlock* find_process(const std::string& name) const;
+    ComponentPath find_component(const QualifiedName& name, bool processes);
+    ComponentPath find_context(const QualifiedName& name);
+    void report_unknown(const QualifiedName& name, const Way& way);
     void unknown_part(const QualifiedName& name, const Way& way);
     [[nodiscard]] std::vector<std::string> known_names() const;
 
@@ -73,7 +73,7 @@ private:
 
 /// The block of this name in the same file, or otherwise in another file. Names of blocks are local to a file, so
 /// several files may have one of this name.
-const CspBlock* AssertionResolver::process(const std::string& name) const {
+const CspBlock* AssertionResolver::find_process(const std::string& name) const {
     const auto in = [&](const File& file) {
         const auto found =
             std::ranges::find_if(file.csp_blocks, [&](const CspBlock& block) { return block.name == name; });
@@ -85,27 +85,27 @@ const CspBlock* AssertionResolver::process(const std::string& name) const {
     return nullptr;
 }
 
-ComponentPath AssertionResolver::component(const QualifiedName& name, bool processes) {
+ComponentPath AssertionResolver::find_component(const QualifiedName& name, bool processes) {
     if (processes)
-        if (const CspBlock* block = process(name.text())) return {{}, block};
-    Way found = way(name);
+        if (const CspBlock* block = find_process(name.text())) return {{}, block};
+    Way found = way_to(name);
     if (found.used == name.parts.size()) return std::move(found.path);
-    unknown(name, found);
+    report_unknown(name, found);
     return {};
 }
 
 /// The component that a constant belongs to. A platform stands for its module.
-ComponentPath AssertionResolver::context(const QualifiedName& name) {
-    Way found = way(name);
+ComponentPath AssertionResolver::find_context(const QualifiedName& name) {
+    Way found = way_to(name);
     const bool all_but_one = found.used + 1 == name.parts.size() && found.used > 0;
     if (all_but_one && platform_of(found.end(), name.parts.back()) != nullptr) return std::move(found.path);
-    return component(name, false);
+    return find_component(name, false);
 }
 
 // ---------------------------------------------------------------- missing names
 
 std::vector<std::string> AssertionResolver::known_names() const {
-    std::vector<std::string> names = finder_.candidates(component_kinds);
+    std::vector<std::string> names = finder_.candidate_names(component_kinds);
     for (const auto& file : model_.files)
         for (const CspBlock& block : file->csp_blocks)
             if (!block.name.starts_with('?')) names.push_back(block.name);  // generated for a block without a name
@@ -113,7 +113,7 @@ std::vector<std::string> AssertionResolver::known_names() const {
 }
 
 /// The existing names, for a message; empty if there are too many to list.
-std::string instead(std::vector<std::string> names) {
+std::string list_alternatives(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -121,7 +121,7 @@ std::string instead(std::vector<std::string> names) {
     return fmt::format("; there are {}", fmt::join(names, ", "));
 }
 
-void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
+void AssertionResolver::report_unknown(const QualifiedName& name, const Way& way) {
     if (way.used > 0) return unknown_part(name, way);
     if (const Declaration* other = finder_.names().find({file_, nullptr}, name, other_kinds)) {
         finder_.out()
@@ -133,22 +133,22 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
     std::size_t wrong = 0;
     for (std::size_t parts = 1; parts < std::min(name.parts.size(), finder_.names().most_parts() + 1); ++parts)
         if (finder_.names().has_package(first_parts(name, parts).text())) wrong = parts;
-    const std::string meant = diagnostics::nearest(name.parts[wrong], known_names());
+    const std::string meant = diagnostics::nearest_spelling(name.parts[wrong], known_names());
     auto& finding = finder_.out().report(
         rules::unknown_component, name.span,
-        {"component or csp process", name.text(), meant.empty() ? instead(known_names()) : std::string()});
+        {"component or csp process", name.text(), meant.empty() ? list_alternatives(known_names()) : std::string()});
     for (const auto& file : model_.files)
         for (const CspBlock& block : file->csp_blocks)
-            if (name.parts.size() == 1 && !block.name.starts_with('?') && defines(block, name.text()))
+            if (name.parts.size() == 1 && !block.name.starts_with('?') && defines_name(block, name.text()))
                 finding.notes.push_back(
                     {block.name_span, fmt::format("the csp block `{}` defines it; an assertion names a block, which "
                                                   "defines a process of its own name",
                                                   block.name)});
-    if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, diagnostics::suggested(false)});
+    if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, diagnostics::suggestion_verb(false)});
 }
 
 void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) {
-    const Declaration* behind = follow(way.end());
+    const Declaration* behind = follow_reference(way.end());
     if (const auto* machine = dynamic_cast<const Machine*>(behind))
         if (const State* state = state_at(*machine, name, way.used)) {
             finder_.out()
@@ -162,8 +162,8 @@ void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) 
     if (const auto* component = dynamic_cast<const Component*>(behind))
         for (const Declaration* part : component->order)
             if (is_component(part)) candidates.push_back(part->name);
-    const std::string meant = diagnostics::nearest(name.parts[way.used], candidates);
-    if (!meant.empty()) finding.fixes.push_back({name.spans[way.used], meant, diagnostics::suggested(false)});
+    const std::string meant = diagnostics::nearest_spelling(name.parts[way.used], candidates);
+    if (!meant.empty()) finding.fixes.push_back({name.spans[way.used], meant, diagnostics::suggestion_verb(false)});
     finding.notes.push_back({behind->name_span, fmt::format("`{}` is declared here", behind->name)});
 }
 
@@ -174,7 +174,7 @@ void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) 
 bool AssertionResolver::find_state(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
     const auto take = [&](const ComponentPath& path, std::size_t used) {
-        const auto* machine = followed<Machine>(path.steps.back());
+        const auto* machine = follow_to<Machine>(path.steps.back());
         if (machine == nullptr) return false;
         assertion.state = state_at(*machine, name, used);
         if (assertion.state != nullptr) assertion.other_path = path;
@@ -183,13 +183,13 @@ bool AssertionResolver::find_state(Assertion& assertion) {
     const ComponentPath& subject = assertion.subject_path;
     const Way relative = walk_components({subject, 0, 0}, name, 0);
     if (take(relative.path, relative.used)) return true;
-    const Way absolute = way(name);
+    const Way absolute = way_to(name);
     if (absolute.end() == nullptr) return false;
     const auto& steps = absolute.path.steps;
     const bool through_subject =
         steps.size() >= subject.steps.size() && std::equal(subject.steps.begin(), subject.steps.end(), steps.begin());
     if (through_subject) return take(absolute.path, absolute.used);
-    const auto* machine = followed<Machine>(absolute.end());
+    const auto* machine = follow_to<Machine>(absolute.end());
     std::vector<ComponentPath> instances;
     if (machine != nullptr) add_instances(subject, *machine, instances);
     return instances.size() == 1 && take(instances.front(), absolute.used);
@@ -198,9 +198,9 @@ bool AssertionResolver::find_state(Assertion& assertion) {
 /// Collects the full paths of the states with this name in the machines of a component.
 void add_states_below(const Declaration* component, const std::string& name, const std::string& above,
                       std::vector<std::string>& paths) {
-    if (const auto* machine = followed<Machine>(component))
+    if (const auto* machine = follow_to<Machine>(component))
         return collect_paths_of(*machine, name, above + "::", paths);
-    const auto* around = followed<Component>(component);
+    const auto* around = follow_to<Component>(component);
     if (around == nullptr) return;
     for (const Declaration* part : around->order)
         if (is_component(part)) add_states_below(part, name, above + "::" + part->name, paths);
@@ -214,11 +214,11 @@ void suggest_state(const Machine& machine, const QualifiedName& name, diagnostic
     if (meant == name.parts.back()) meant.clear();
     std::vector<std::string> names;
     collect_states(machine, names);
-    if (meant.empty() && paths.empty()) meant = diagnostics::nearest(name.parts.back(), names);
-    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+    if (meant.empty() && paths.empty()) meant = diagnostics::nearest_spelling(name.parts.back(), names);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggestion_verb(false)});
 }
 
-void AssertionResolver::reachable(Assertion& assertion) {
+void AssertionResolver::resolve_reachable(Assertion& assertion) {
     if (assertion.subject_path.process != nullptr) {
         finder_.out().report(rules::no_state, assertion.other.span,
                              {assertion.other.text(), assertion.subject.text(), ", which is a csp process"});
@@ -227,20 +227,20 @@ void AssertionResolver::reachable(Assertion& assertion) {
     if (assertion.subject_path.steps.empty() || find_state(assertion)) return;
     auto& finding = finder_.out().report(rules::no_state, assertion.other.span,
                                          {assertion.other.text(), assertion.subject.text(), ""});
-    if (const auto* machine = followed<Machine>(assertion.subject_path.steps.back()))
+    if (const auto* machine = follow_to<Machine>(assertion.subject_path.steps.back()))
         return suggest_state(*machine, assertion.other, finding);
     std::vector<std::string> paths;
     add_states_below(assertion.subject_path.steps.back(), assertion.other.parts.back(), assertion.subject.text(),
                      paths);
     if (paths.size() == 1)
-        finding.fixes.push_back({assertion.other.span, paths.front(), diagnostics::suggested(false)});
+        finding.fixes.push_back({assertion.other.span, paths.front(), diagnostics::suggestion_verb(false)});
 }
 
 /// `clock X::S::C is initialised`
-void AssertionResolver::clock(Assertion& assertion) {
+void AssertionResolver::resolve_clock(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
-    const Way found = way(name);
-    const auto* machine = followed<Machine>(found.end());
+    const Way found = way_to(name);
+    const auto* machine = follow_to<Machine>(found.end());
     std::vector<std::string> candidates;
     if (machine != nullptr && found.used + 1 == name.parts.size()) {
         const Scope scope = scope_of(*machine);
@@ -250,18 +250,18 @@ void AssertionResolver::clock(Assertion& assertion) {
             assertion.clock = clock->second;
             return;
         }
-        candidates = finder_.keys(scope.clocks);
+        candidates = finder_.keys_of(scope.clocks);
     }
     auto& finding = finder_.out().report(rules::no_clock, name.span, {name.text()});
-    const std::string meant = diagnostics::nearest(name.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+    const std::string meant = diagnostics::nearest_spelling(name.parts.back(), candidates);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggestion_verb(false)});
 }
 
 /// Reports that the name after `in` is neither a machine nor a state of one.
 void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way) {
     const QualifiedName& name = assertion.other;
-    if (way.used == 0) return unknown(name, way);
-    const Declaration* behind = follow(way.end());
+    if (way.used == 0) return report_unknown(name, way);
+    const Declaration* behind = follow_reference(way.end());
     const auto* machine = dynamic_cast<const Machine*>(behind);
     if (machine == nullptr) {
         const std::string kind(to_text(behind->kind));
@@ -276,8 +276,8 @@ void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way
 /// `event E is missed in S`: S is the path of a machine or of a state of the machine; E is an event of the machine.
 void AssertionResolver::missed_event(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
-    const Way found = way(name);
-    const auto* machine = followed<Machine>(found.end());
+    const Way found = way_to(name);
+    const auto* machine = follow_to<Machine>(found.end());
     if (machine != nullptr && found.used < name.parts.size()) assertion.state = state_at(*machine, name, found.used);
     if (machine == nullptr || (found.used < name.parts.size() && assertion.state == nullptr))
         return unknown_place(assertion, found);
@@ -294,8 +294,9 @@ void AssertionResolver::missed_event(Assertion& assertion) {
     const std::string text = assertion.event.text();
     auto& finding = finder_.out().report(rules::missed_where, assertion.event.span,
                                          {fmt::format("an event that `{}` has; `{}` is none", machine->name, text)});
-    const std::string meant = diagnostics::nearest(text, finder_.keys(scope.events));
-    if (!meant.empty()) finding.fixes.push_back({assertion.event.spans.back(), meant, diagnostics::suggested(false)});
+    const std::string meant = diagnostics::nearest_spelling(text, finder_.keys_of(scope.events));
+    if (!meant.empty())
+        finding.fixes.push_back({assertion.event.spans.back(), meant, diagnostics::suggestion_verb(false)});
 }
 
 // ---------------------------------------------------------------- constants
@@ -305,7 +306,7 @@ std::vector<const Variable*> constants_of(const Declaration& context) {
     if (const auto* component = dynamic_cast<const Component*>(&context);
         component != nullptr && component->kind == DeclKind::module) {
         for (const Declaration* part : component->order)
-            if (const auto* platform = followed<Context>(part);
+            if (const auto* platform = follow_to<Context>(part);
                 platform != nullptr && platform->kind == DeclKind::platform)
                 for (const Variable* variable : offered_variables(*platform)) all.push_back(variable);
     } else if (const auto* owner = dynamic_cast<const Context*>(&context)) {
@@ -323,7 +324,7 @@ std::vector<const Variable*> parameters_of(const Declaration& context) {
     return all;
 }
 
-const Variable* AssertionResolver::constant(const AssertionParameter& parameter, const Declaration& context) {
+const Variable* AssertionResolver::find_constant(const AssertionParameter& parameter, const Declaration& context) {
     std::vector<std::string> candidates;
     for (const Variable* variable : parameter.constant ? constants_of(context) : parameters_of(context)) {
         if (variable->name == parameter.name.parts.back()) return variable;
@@ -332,30 +333,31 @@ const Variable* AssertionResolver::constant(const AssertionParameter& parameter,
     auto& finding = finder_.out().report(rules::no_constant, parameter.name.span,
                                          {std::string(to_text(context.kind)), context.name,
                                           parameter.constant ? "constant" : "parameter", parameter.name.text()});
-    const std::string meant = diagnostics::nearest(parameter.name.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({parameter.name.spans.back(), meant, diagnostics::suggested(false)});
+    const std::string meant = diagnostics::nearest_spelling(parameter.name.parts.back(), candidates);
+    if (!meant.empty())
+        finding.fixes.push_back({parameter.name.spans.back(), meant, diagnostics::suggestion_verb(false)});
     finding.notes.push_back({context.name_span, fmt::format("`{}` is declared here", context.name)});
     return nullptr;
 }
 
-void AssertionResolver::value(AssertionParameter& parameter) {
+void AssertionResolver::check_value(AssertionParameter& parameter) {
     Surroundings around{{file_, nullptr}, nullptr, nullptr, nullptr, {}};
-    const TypePtr given = typer_.type(parameter.value, around);
+    const TypePtr given = typer_.assign_type(parameter.value, around);
     const auto* variable = static_cast<const Variable*>(parameter.target);
-    if (variable == nullptr || !given || !variable->type || compatible(given, variable->type)) return;
+    if (variable == nullptr || !given || !variable->type || is_compatible(given, variable->type)) return;
     finder_.out()
         .report(rules::constant_type, parameter.value->span,
                 {variable->name, to_string(variable->type), to_string(given)})
         .notes.push_back({variable->name_span, "it is declared here"});
 }
 
-void AssertionResolver::parameter(AssertionParameter& parameter) {
+void AssertionResolver::resolve_parameter(AssertionParameter& parameter) {
     parameter.target = nullptr;
-    parameter.context_path = context(parameter.context);
+    parameter.context_path = find_context(parameter.context);
     if (!parameter.context_path.steps.empty())
-        if (const Declaration* behind = follow(parameter.context_path.steps.back()))
-            parameter.target = constant(parameter, *behind);
-    value(parameter);
+        if (const Declaration* behind = follow_reference(parameter.context_path.steps.back()))
+            parameter.target = find_constant(parameter, *behind);
+    check_value(parameter);
 }
 
 void AssertionResolver::report_repeated(const Assertion& assertion) {
@@ -396,7 +398,7 @@ void AssertionResolver::report_open(const Assertion& assertion, const ComponentP
 
 // ---------------------------------------------------------------- assertions
 
-void AssertionResolver::assertion(Assertion& assertion) {
+void AssertionResolver::resolve_assertion(Assertion& assertion) {
     assertion.subject_path = {};
     assertion.other_path = {};
     assertion.state = nullptr;
@@ -404,15 +406,15 @@ void AssertionResolver::assertion(Assertion& assertion) {
     assertion.missed = nullptr;
     const bool binary = assertion.kind == AssertionKind::refines || assertion.kind == AssertionKind::equals;
     if (assertion.kind == AssertionKind::clock_initialised) {
-        clock(assertion);
+        resolve_clock(assertion);
     } else if (assertion.kind == AssertionKind::event_missed) {
         missed_event(assertion);
     } else {
-        assertion.subject_path = component(assertion.subject, assertion.kind != AssertionKind::conforms);
-        if (assertion.kind == AssertionKind::reachable) reachable(assertion);
-        if (binary) assertion.other_path = component(assertion.other, true);
+        assertion.subject_path = find_component(assertion.subject, assertion.kind != AssertionKind::conforms);
+        if (assertion.kind == AssertionKind::reachable) resolve_reachable(assertion);
+        if (binary) assertion.other_path = find_component(assertion.other, true);
     }
-    for (AssertionParameter& item : assertion.parameters) parameter(item);
+    for (AssertionParameter& item : assertion.parameters) resolve_parameter(item);
     report_repeated(assertion);
     report_open(assertion, assertion.subject_path, assertion.subject);
     if (binary) report_open(assertion, assertion.other_path, assertion.other);
@@ -423,9 +425,9 @@ void AssertionResolver::run(File& file) {
     reported_open_.clear();
     for (CspBlock& block : file.csp_blocks) {
         block.associated_paths.clear();
-        for (const QualifiedName& name : block.associated) block.associated_paths.push_back(component(name, true));
+        for (const QualifiedName& name : block.associated) block.associated_paths.push_back(find_component(name, true));
     }
-    for (Assertion& assertion : file.assertions) this->assertion(assertion);
+    for (Assertion& assertion : file.assertions) this->resolve_assertion(assertion);
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ void Resolver::function_body(File& file, Function& function) {
     // RoboTool ignores contracts. A wrong contract is therefore dropped as a whole, and the function counts as
     // undefined.
     diagnostics::Diagnostics found;
-    diagnostics::Diagnostics& out = finder_.redirect(found);
-    for (const ExprPtr& condition : function.preconditions) typer_.boolean(condition, around, "a precondition");
-    for (const ExprPtr& condition : function.postconditions) typer_.boolean(condition, around, "a postcondition");
-    finder_.redirect(out);
-    for (const diagnostics::Diagnostic& finding : found.sorted()) {
+    diagnostics::Diagnostics& out = finder_.redirect_reports(found);
+    for (const ExprPtr& condition : function.preconditions) typer_.check_boolean(condition, around, "a precondition");
+    for (const ExprPtr& condition : function.postconditions) typer_.check_boolean(condition, around, "a postcondition");
+    finder_.redirect_reports(out);
+    for (const diagnostics::Diagnostic& finding : found.sorted_findings()) {
         if (finding.rule->severity == diagnostics::Severity::error) {
             out.report(rules::wrong_contract, finding.span, {function.name, finding.message()}).notes = finding.notes;
         } else {
@@ -41,8 +41,8 @@ void Resolver::context_body(File& file, Context& context) {
     Surroundings around{{&file, &context}, &scope, nullptr, machine, {}};
     for (auto& variable : context.variables) {
         if (!variable->initial) continue;
-        const TypePtr value = typer_.type(variable->initial, around);
-        if (value && variable->type && !compatible(value, variable->type))
+        const TypePtr value = typer_.assign_type(variable->initial, around);
+        if (value && variable->type && !is_compatible(value, variable->type))
             finder_.out().report(rules::initial_type, variable->initial->span,
                                  {variable->name, to_string(variable->type), to_string(value)});
     }
@@ -50,49 +50,49 @@ void Resolver::context_body(File& file, Context& context) {
 }
 
 void Resolver::machine_body(Machine& machine, Surroundings& around) {
-    for (const ExprPtr& condition : machine.preconditions) typer_.boolean(condition, around, "a precondition");
-    for (const ExprPtr& condition : machine.postconditions) typer_.boolean(condition, around, "a postcondition");
-    container(machine, machine, around);
+    for (const ExprPtr& condition : machine.preconditions) typer_.check_boolean(condition, around, "a precondition");
+    for (const ExprPtr& condition : machine.postconditions) typer_.check_boolean(condition, around, "a postcondition");
+    resolve_container(machine, machine, around);
 }
 
-void Resolver::container(NodeContainer& container, const Machine& machine, Surroundings& around) {
+void Resolver::resolve_container(NodeContainer& container, const Machine& machine, Surroundings& around) {
     for (auto& state : container.nodes) {
         for (Action& action : state->actions)
-            if (action.statement) typer_.statement(*action.statement, around);
-        this->container(*state, machine, around);
+            if (action.statement) typer_.check_statement(*action.statement, around);
+        this->resolve_container(*state, machine, around);
     }
     NodeNames names;
     for (const auto& node : container.nodes) names.emplace(node->name, node.get());
-    for (auto& transition : container.transitions) this->transition(*transition, names, machine, around);
+    for (auto& transition : container.transitions) this->resolve_transition(*transition, names, machine, around);
 }
 
-void Resolver::transition(Transition& transition, const NodeNames& names, const Machine& machine,
-                          Surroundings& around) {
-    transition.source = node(transition.from, transition, "source", names, machine);
-    transition.target = node(transition.to, transition, "target", names, machine);
-    if (transition.trigger) typer_.communication(*transition.trigger, around, true);
-    if (transition.probability) typer_.type(transition.probability, around);
-    for (Transition::Reset& reset : transition.resets) reset.clock = typer_.clock(reset.name, around, rules::ts1);
+void Resolver::resolve_transition(Transition& transition, const NodeNames& names, const Machine& machine,
+                                  Surroundings& around) {
+    transition.source = find_node(transition.from, transition, "source", names, machine);
+    transition.target = find_node(transition.to, transition, "target", names, machine);
+    if (transition.trigger) typer_.check_communication(*transition.trigger, around, true);
+    if (transition.probability) typer_.assign_type(transition.probability, around);
+    for (Transition::Reset& reset : transition.resets) reset.clock = typer_.find_clock(reset.name, around, rules::ts1);
     if (transition.deadline) {
-        const TypePtr bound = simplify(typer_.type(transition.deadline, around));
-        if (bound && !compatible(bound, make_type(TypeForm::real)))
+        const TypePtr bound = simplify_type(typer_.assign_type(transition.deadline, around));
+        if (bound && !is_compatible(bound, make_type(TypeForm::real)))
             finder_.out().report(rules::deadline_type, transition.deadline->span, {to_string(bound)});
     }
     if (transition.condition) {
-        const TypePtr condition = typer_.type(transition.condition, around);
-        if (condition && !compatible(condition, make_type(TypeForm::boolean)))
+        const TypePtr condition = typer_.assign_type(transition.condition, around);
+        if (condition && !is_compatible(condition, make_type(TypeForm::boolean)))
             finder_.out().report(rules::condition_type, transition.condition->span, {to_string(condition)});
     }
-    if (transition.action) typer_.statement(*transition.action, around);
+    if (transition.action) typer_.check_statement(*transition.action, around);
 }
 
 /// A node of the transition's own container (T1). If the node is elsewhere, the message says where.
-const State* Resolver::node(const QualifiedName& name, const Transition& transition, std::string_view role,
-                            const NodeNames& names, const Machine& machine) {
+const State* Resolver::find_node(const QualifiedName& name, const Transition& transition, std::string_view role,
+                                 const NodeNames& names, const Machine& machine) {
     if (name.empty()) return nullptr;
     if (const auto found = names.find(name.parts.front()); found != names.end()) return found->second;
     const State* elsewhere = nullptr;
-    walk(machine, [&](const NodeContainer& other) {
+    walk_tree(machine, [&](const NodeContainer& other) {
         const auto found =
             std::ranges::find_if(other.nodes, [&](const auto& n) { return n->name == name.parts.front(); });
         if (elsewhere == nullptr && found != other.nodes.end()) elsewhere = found->get();
@@ -105,13 +105,14 @@ const State* Resolver::node(const QualifiedName& name, const Transition& transit
                               fmt::format("`{}` is declared here, in `{}`", elsewhere->name, elsewhere->parent->name)});
         return nullptr;
     }
-    finder_.unknown(name, "node", fmt::format("beside transition `{}`", transition.name), finder_.keys(names));
+    finder_.report_unknown(name, "node", fmt::format("beside transition `{}`", transition.name),
+                           finder_.keys_of(names));
     return nullptr;
 }
 
 // ---------------------------------------------------------------- connections
 
-void Resolver::connections(Component& component) {
+void Resolver::resolve_connections(Component& component) {
     Ends ends{component, {}, {}};
     for (const Declaration* part : component.order) ends.parts.emplace(part->name, part);
     for (auto& connection : component.connections) {
@@ -126,7 +127,7 @@ void Resolver::connection_end(Connection::End& end, Ends& ends) {
     const auto part = ends.parts.find(end.node.text());
     if (part != ends.parts.end()) end.node_target = part->second;
     if (!is_module && end.node_target == nullptr && end.node.text() == component.name) end.node_target = &component;
-    const Declaration* behind = follow(end.node_target);
+    const Declaration* behind = follow_reference(end.node_target);
     const bool known = end.node_target != nullptr && behind == nullptr;  // an unresolved reference, which is reported
                                                                          // where it is declared
     const bool fits =
@@ -141,21 +142,21 @@ void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
     const Component& component = ends.component;
     const bool is_module = component.kind == DeclKind::module;
     const bool exists = end.node_target != nullptr || end.node.text() == component.name ||
-                        finder_.names().anywhere(end.node.parts.back(),
-                                                 {DeclKind::state_machine, DeclKind::controller, DeclKind::platform,
-                                                  DeclKind::reference, DeclKind::module}) != nullptr;
+                        finder_.names().find_anywhere(
+                            end.node.parts.back(), {DeclKind::state_machine, DeclKind::controller, DeclKind::platform,
+                                                    DeclKind::reference, DeclKind::module}) != nullptr;
     end.node_target = nullptr;
     if (exists) {
         finder_.out().report(is_module ? rules::cn1 : rules::cn3, end.node.span, {end.node.text(), component.name});
         return;
     }
-    finder_.unknown(end.node, "component", fmt::format("in {} `{}`", to_text(component.kind), component.name),
-                    finder_.keys(ends.parts));
+    finder_.report_unknown(end.node, "component", fmt::format("in {} `{}`", to_text(component.kind), component.name),
+                           finder_.keys_of(ends.parts));
 }
 
 /// Finds the event of a connection end in the component at that end. `check_ends` reports an unknown event.
 void Resolver::connection_event(Connection::End& end, Ends& ends) {
-    const auto* behind = followed<Context>(end.node_target);
+    const auto* behind = follow_to<Context>(end.node_target);
     if (behind == nullptr) return;
     auto known = ends.scopes.find(behind);
     if (known == ends.scopes.end()) known = ends.scopes.emplace(behind, scope_of(*behind)).first;

@@ -13,7 +13,7 @@ std::string QualifiedName::text() const {
     return out;
 }
 
-bool defines(const CspBlock& block, std::string_view name) {
+bool defines_name(const CspBlock& block, std::string_view name) {
     std::istringstream lines(block.text);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());

@@ -516,7 +516,7 @@ struct CspBlock final {
     Span text_span;
 };
 /// True if a line of the block begins with the name, followed by a parameter or `=`, so that it defines the name.
-[[nodiscard]] bool defines(const CspBlock&, std::string_view name);
+[[nodiscard]] bool defines_name(const CspBlock&, std::string_view name);
 
 // ---------------------------------------------------------------- probabilistic assertions
 

@@ -12,14 +12,14 @@ void for_children(const Expr& expr, const std::function<void(const Expr&)>& visi
         if (binding.value) visit(*binding.value);
 }
 
-void walk(const Expr& expr, const std::function<void(const Expr&)>& visit) {
+void walk_tree(const Expr& expr, const std::function<void(const Expr&)>& visit) {
     visit(expr);
-    for_children(expr, [&](const Expr& child) { walk(child, visit); });
+    for_children(expr, [&](const Expr& child) { walk_tree(child, visit); });
 }
 
-void walk(const Stmt& statement, const std::function<void(const Stmt&)>& visit) {
+void walk_tree(const Stmt& statement, const std::function<void(const Stmt&)>& visit) {
     visit(statement);
-    for (const StmtPtr& inner : statement.body) walk(*inner, visit);
+    for (const StmtPtr& inner : statement.body) walk_tree(*inner, visit);
 }
 
 void for_expressions(const Stmt& statement, const std::function<void(const Expr&)>& visit) {
@@ -31,13 +31,13 @@ void for_expressions(const Stmt& statement, const std::function<void(const Expr&
     if (statement.communication->predicate) visit(*statement.communication->predicate);
 }
 
-void walk(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit) {
+void walk_tree(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit) {
     visit(top);
-    for (const auto& node : top.nodes) walk(*node, visit);
+    for (const auto& node : top.nodes) walk_tree(*node, visit);
 }
 
 void for_actions(const NodeContainer& top, const std::function<void(const Stmt&)>& visit) {
-    walk(top, [&](const NodeContainer& container) {
+    walk_tree(top, [&](const NodeContainer& container) {
         for (const auto& node : container.nodes)
             for (const Action& action : node->actions)
                 if (action.statement) visit(*action.statement);

@@ -9,16 +9,16 @@
 namespace robochart::frontend {
 
 /// Calls `visit` for the expression and everything below it, outermost first.
-void walk(const Expr& expr, const std::function<void(const Expr&)>& visit);
+void walk_tree(const Expr& expr, const std::function<void(const Expr&)>& visit);
 /// Calls `visit` for the direct parts of an expression.
 void for_children(const Expr& expr, const std::function<void(const Expr&)>& visit);
 /// Calls `visit` for the statement and every statement inside it.
-void walk(const Stmt& statement, const std::function<void(const Stmt&)>& visit);
+void walk_tree(const Stmt& statement, const std::function<void(const Stmt&)>& visit);
 /// Calls `visit` for the expressions of a statement, without those of the statements inside it.
 void for_expressions(const Stmt& statement, const std::function<void(const Expr&)>& visit);
 /// Calls `visit` for every container of a machine: the machine first, then composite states from outside in, in textual
 /// order.
-void walk(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit);
+void walk_tree(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit);
 /// Calls `visit` for every action of the states and transitions of a machine.
 void for_actions(const NodeContainer& top, const std::function<void(const Stmt&)>& visit);
 

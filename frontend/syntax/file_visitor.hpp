@@ -15,190 +15,190 @@ public:
 
     /// `File` is `File` or `const File`; values inside vectors are visited with the same constness.
     template <class AnyFile>
-    void file(AnyFile& file) {
+    void visit_file(AnyFile& file) {
         for (auto& import : file.imports) visitor_.visit(import);
-        for (auto& declaration : file.declarations) this->declaration(*declaration);
+        for (auto& declaration : file.declarations) this->visit_declaration(*declaration);
         for (auto& assertion : file.assertions) {
             visitor_.visit(assertion);
             for (auto& parameter : assertion.parameters) {
                 visitor_.visit(parameter);
-                expression(parameter.value);
+                visit_expression(parameter.value);
             }
         }
         for (auto& block : file.csp_blocks) visitor_.visit(block);
-        for (auto& definition : file.probabilistic_definitions) this->definition(definition);
+        for (auto& definition : file.probabilistic_definitions) this->visit_definition(definition);
         for (auto& assertion : file.probabilistic_assertions) {
             for (const ExprPtr* part :
                  {&assertion.property, &assertion.path.steps, &assertion.path.repeats, &assertion.path.limit})
-                expression(*part);
-            for (auto& clause : assertion.clauses) definition(clause.definition);
+                visit_expression(*part);
+            for (auto& clause : assertion.clauses) visit_definition(clause.definition);
         }
     }
 
 private:
     template <class AnyDefinition>
-    void definition(AnyDefinition& definition) {
-        if (definition.constant) variable(*definition.constant);
-        expression(definition.value);
+    void visit_definition(AnyDefinition& definition) {
+        if (definition.constant) visit_variable(*definition.constant);
+        visit_expression(definition.value);
         for (auto& each : definition.constants) {
-            expression(each.constant);
-            expression(each.value);
+            visit_expression(each.constant);
+            visit_expression(each.value);
         }
         for (auto& item : definition.rewards)
-            for (const ExprPtr* part : {&item.event, &item.guard, &item.value}) expression(*part);
+            for (const ExprPtr* part : {&item.event, &item.guard, &item.value}) visit_expression(*part);
         for (auto& function : definition.functions) {
-            for (auto& parameter : function.parameters) variable(*parameter);
-            expression(function.result);
-            updates(function.updates);
+            for (auto& parameter : function.parameters) visit_variable(*parameter);
+            visit_expression(function.result);
+            visit_updates(function.updates);
         }
         for (auto& module : definition.modules) {
             for (auto& each : module.variables) {
-                variable(*each.variable);
-                expression(each.low);
-                expression(each.high);
+                visit_variable(*each.variable);
+                visit_expression(each.low);
+                visit_expression(each.high);
             }
             for (auto& command : module.commands) {
-                expression(command.event);
-                expression(command.guard);
-                updates(command.updates);
+                visit_expression(command.event);
+                visit_expression(command.guard);
+                visit_updates(command.updates);
             }
         }
     }
 
     template <class Updates>
-    void updates(Updates& list) {
+    void visit_updates(Updates& list) {
         for (auto& update : list)
-            for (const ExprPtr* part : {&update.probability, &update.variable, &update.value}) expression(*part);
+            for (const ExprPtr* part : {&update.probability, &update.variable, &update.value}) visit_expression(*part);
     }
 
-    void declaration(Declaration& any) {
+    void visit_declaration(Declaration& any) {
         if (auto* type = dynamic_cast<TypeDeclaration*>(&any)) return type_declaration(*type);
-        if (auto* function = dynamic_cast<Function*>(&any)) return this->function(*function);
-        if (auto* machine = dynamic_cast<Machine*>(&any)) return this->machine(*machine);
-        if (auto* component = dynamic_cast<Component*>(&any)) return this->component(*component);
+        if (auto* function = dynamic_cast<Function*>(&any)) return this->visit_function(*function);
+        if (auto* machine = dynamic_cast<Machine*>(&any)) return this->visit_machine(*machine);
+        if (auto* component = dynamic_cast<Component*>(&any)) return this->visit_component(*component);
         if (auto* plain = dynamic_cast<Context*>(&any)) {
             visitor_.visit(*plain);
-            context(*plain);
+            visit_context(*plain);
         }
     }
 
     void type_declaration(TypeDeclaration& declaration) {
         visitor_.visit(declaration);
-        variables(declaration.fields);
+        visit_variables(declaration.fields);
         for (auto& literal : declaration.literals) {
             visitor_.visit(*literal);
-            for (auto& argument : literal->arguments) type(argument);
+            for (auto& argument : literal->arguments) visit_type(argument);
         }
     }
 
-    void function(Function& function) {
+    void visit_function(Function& function) {
         visitor_.visit(function);
-        variables(function.parameters);
-        type(function.result_expr);
-        expressions(function.preconditions);
-        expressions(function.postconditions);
+        visit_variables(function.parameters);
+        visit_type(function.result_expr);
+        visit_expressions(function.preconditions);
+        visit_expressions(function.postconditions);
     }
 
-    void context(Context& context) {
+    void visit_context(Context& context) {
         for (auto& clause : context.interfaces) visitor_.visit(clause);
-        variables(context.variables);
+        visit_variables(context.variables);
         for (auto& event : context.events) {
             visitor_.visit(*event);
-            type(event->type_expr);
+            visit_type(event->type_expr);
         }
         for (auto& clock : context.clocks) visitor_.visit(*clock);
         for (auto& signature : context.signatures) {
             visitor_.visit(*signature);
-            variables(signature->parameters);
+            visit_variables(signature->parameters);
         }
     }
 
-    void machine(Machine& machine) {
+    void visit_machine(Machine& machine) {
         visitor_.visit(machine);
-        variables(machine.parameters);
-        context(machine);
-        expressions(machine.preconditions);
-        expressions(machine.postconditions);
-        nodes(machine);
+        visit_variables(machine.parameters);
+        visit_context(machine);
+        visit_expressions(machine.preconditions);
+        visit_expressions(machine.postconditions);
+        visit_nodes(machine);
     }
 
-    void component(Component& component) {
+    void visit_component(Component& component) {
         visitor_.visit(component);
-        context(component);
-        for (auto& part : component.platforms) declaration(*part);
-        for (auto& part : component.controllers) declaration(*part);
-        for (auto& part : component.machines) declaration(*part);
-        for (auto& part : component.operations) declaration(*part);
+        visit_context(component);
+        for (auto& part : component.platforms) visit_declaration(*part);
+        for (auto& part : component.controllers) visit_declaration(*part);
+        for (auto& part : component.machines) visit_declaration(*part);
+        for (auto& part : component.operations) visit_declaration(*part);
         for (auto& reference : component.references) visitor_.visit(*reference);
         for (auto& connection : component.connections) visitor_.visit(*connection);
     }
 
-    void nodes(NodeContainer& container) {
+    void visit_nodes(NodeContainer& container) {
         for (auto& state : container.nodes) {
             visitor_.visit(*state);
-            for (auto& action : state->actions) statement(action.statement);
-            nodes(*state);
+            for (auto& action : state->actions) visit_statement(action.statement);
+            visit_nodes(*state);
         }
         for (auto& transition : container.transitions) {
             visitor_.visit(*transition);
-            if (transition->trigger) communication(*transition->trigger);
-            expression(transition->probability);
-            expression(transition->deadline);
-            expression(transition->condition);
-            statement(transition->action);
+            if (transition->trigger) visit_communication(*transition->trigger);
+            visit_expression(transition->probability);
+            visit_expression(transition->deadline);
+            visit_expression(transition->condition);
+            visit_statement(transition->action);
         }
     }
 
-    void variables(std::vector<VariablePtr>& list) {
-        for (auto& variable : list) this->variable(*variable);
+    void visit_variables(std::vector<VariablePtr>& list) {
+        for (auto& variable : list) this->visit_variable(*variable);
     }
-    void variable(Variable& variable) {
+    void visit_variable(Variable& variable) {
         visitor_.visit(variable);
-        type(variable.type_expr);
-        expression(variable.initial);
+        visit_type(variable.type_expr);
+        visit_expression(variable.initial);
     }
 
-    void type(TypeExprPtr& written) {
+    void visit_type(TypeExprPtr& written) {
         if (!written) return;
         visitor_.visit(*written);
-        for (auto& arg : written->args) type(arg);
-        expressions(written->sizes);
+        for (auto& arg : written->args) visit_type(arg);
+        visit_expressions(written->sizes);
     }
 
-    void expressions(std::vector<ExprPtr>& list) {
-        for (auto& each : list) expression(each);
+    void visit_expressions(std::vector<ExprPtr>& list) {
+        for (auto& each : list) visit_expression(each);
     }
-    void expression(const ExprPtr& expr) {
+    void visit_expression(const ExprPtr& expr) {
         if (!expr) return;
         visitor_.visit(*expr);
-        expression(expr->callee);
-        type(expr->type_expr);
+        visit_expression(expr->callee);
+        visit_type(expr->type_expr);
         for (Binding& binding : expr->bindings) {
             // The names in a record literal refer to fields and declare nothing; the visitor sees them with the
             // literal. The names in a simulation are parameters of its method.
             const bool declares = expr->kind != ExprKind::record && expr->kind != ExprKind::simulation;
-            if (declares) variable(*binding.variable);
-            expression(binding.value);
+            if (declares) visit_variable(*binding.variable);
+            visit_expression(binding.value);
         }
-        for (auto& arg : expr->args) expression(arg);
+        for (auto& arg : expr->args) visit_expression(arg);
     }
 
-    void communication(Communication& communication) {
+    void visit_communication(Communication& communication) {
         visitor_.visit(communication);
-        expression(communication.value);
-        expression(communication.predicate);
+        visit_expression(communication.value);
+        visit_expression(communication.predicate);
     }
 
-    void statement(const StmtPtr& statement) {
+    void visit_statement(const StmtPtr& statement) {
         if (!statement) return;
         visitor_.visit(*statement);
-        expression(statement->condition);
-        expression(statement->target);
-        expression(statement->value);
-        expression(statement->upper);
-        if (statement->communication) communication(*statement->communication);
-        for (auto& arg : statement->args) expression(arg);
-        for (auto& inner : statement->body) this->statement(inner);
+        visit_expression(statement->condition);
+        visit_expression(statement->target);
+        visit_expression(statement->value);
+        visit_expression(statement->upper);
+        if (statement->communication) visit_communication(*statement->communication);
+        for (auto& arg : statement->args) visit_expression(arg);
+        for (auto& inner : statement->body) this->visit_statement(inner);
     }
 
     Visitor& visitor_;

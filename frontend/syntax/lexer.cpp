@@ -46,7 +46,7 @@ bool is_reserved(std::string_view word) {
     return std::ranges::binary_search(words, word);
 }
 
-std::string shorten(std::string_view text) {
+std::string shorten_token(std::string_view text) {
     constexpr std::size_t limit = 40;
     std::string out;
     std::size_t shown = 0;
@@ -106,25 +106,25 @@ private:
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
-    [[nodiscard]] bool starts(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
+    [[nodiscard]] bool starts_with(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
     [[nodiscard]] Span span_from(std::size_t begin) const {
         return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
     }
     void add(TokenKind kind, std::size_t begin, bool escaped = false);
     bool refuse_binary();
     void skip_space();
-    bool comment();
+    bool read_comment();
     void block_comment(std::size_t begin);
-    void word();
+    void read_word();
     void csp_code(std::size_t begin);
-    void number();
+    void read_number();
     void check_integer(std::size_t begin);
     void check_real(std::size_t begin);
-    void string();
-    bool symbol();
-    void unexpected();
-    bool mathematical();
-    void token();
+    void read_string();
+    bool read_symbol();
+    void skip_unexpected();
+    bool read_mathematical_sign();
+    void read_token();
     bool too_long();
 
     std::string_view text_;
@@ -172,13 +172,13 @@ void Lexer::block_comment(std::size_t begin) {
     stream_.comments.push_back(span_from(begin));
 }
 
-bool Lexer::comment() {
+bool Lexer::read_comment() {
     const std::size_t begin = at_;
-    if (starts("/*")) {
+    if (starts_with("/*")) {
         block_comment(begin);
         return true;
     }
-    if (!starts("//")) return false;
+    if (!starts_with("//")) return false;
     at_ = std::min(text_.size(), text_.find_first_of("\r\n", at_));
     stream_.comments.push_back(span_from(begin));
     return true;
@@ -195,14 +195,14 @@ void Lexer::csp_code(std::size_t begin) {
     add(TokenKind::csp_code, begin);
 }
 
-void Lexer::word() {
+void Lexer::read_word() {
     const std::size_t begin = at_;
     const bool escaped = peek() == '^';
     if (escaped) ++at_;
     const std::size_t name = at_;
     while (is_letter(peek()) || is_digit(peek())) ++at_;
     const std::string_view text = text_.substr(name, at_ - name);
-    if (is_assertions_ && text == "csp" && starts("-begin")) {
+    if (is_assertions_ && text == "csp" && starts_with("-begin")) {
         at_ += std::string_view("-begin").size();
         return csp_code(begin);
     }
@@ -217,7 +217,7 @@ void Lexer::check_integer(std::size_t begin) {
     const std::string_view digits = text_.substr(begin, at_ - begin);
     std::int64_t value = 0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (result.ec != std::errc()) out_.report(syntax::huge_integer, span_from(begin), {shorten(digits)});
+    if (result.ec != std::errc()) out_.report(syntax::huge_integer, span_from(begin), {shorten_token(digits)});
 }
 
 /// Reals are stored exactly, as decimals of at most 18 digits.
@@ -225,10 +225,10 @@ void Lexer::check_real(std::size_t begin) {
     std::string_view digits = text_.substr(begin, at_ - begin);
     const std::size_t leading = std::min(digits.find_first_not_of('0'), digits.find('.'));
     digits.remove_prefix(leading);
-    if (digits.size() - 1 > 18) out_.report(syntax::long_real, span_from(begin), {shorten(digits)});
+    if (digits.size() - 1 > 18) out_.report(syntax::long_real, span_from(begin), {shorten_token(digits)});
 }
 
-void Lexer::number() {
+void Lexer::read_number() {
     const std::size_t begin = at_;
     while (is_digit(peek())) ++at_;
     const bool real = peek() == '.' && is_digit(peek(1));
@@ -242,7 +242,7 @@ void Lexer::number() {
     add(real ? TokenKind::real : TokenKind::integer, begin);
 }
 
-void Lexer::string() {
+void Lexer::read_string() {
     const std::size_t begin = at_;
     const char quote = text_[at_++];
     while (at_ < text_.size() && text_[at_] != quote) at_ += text_[at_] == '\\' ? 2U : 1U;
@@ -258,10 +258,10 @@ void Lexer::string() {
     add(TokenKind::string, begin);
 }
 
-bool Lexer::symbol() {
+bool Lexer::read_symbol() {
     const std::size_t known = is_assertions_ ? symbols.size() : model_symbols;
     for (std::size_t i = 0; i < known; ++i) {
-        if (symbols[i].front() != text_[at_] || !starts(symbols[i])) continue;
+        if (symbols[i].front() != text_[at_] || !starts_with(symbols[i])) continue;
         const std::size_t begin = at_;
         at_ += symbols[i].size();
         add(TokenKind::symbol, begin);
@@ -271,7 +271,7 @@ bool Lexer::symbol() {
 }
 
 /// Reads a mathematical sign such as ≤ as RoboChart's equivalent, and reports it.
-bool Lexer::mathematical() {
+bool Lexer::read_mathematical_sign() {
     struct Sign {
         std::string_view written;
         std::string_view own;
@@ -285,7 +285,7 @@ bool Lexer::mathematical() {
                                          {"\u2192", "->"},
                                          {"\u00D7", "*"},
                                          {"\u2212", "-"}}};
-    const auto* const sign = std::ranges::find_if(signs, [&](const Sign& each) { return starts(each.written); });
+    const auto* const sign = std::ranges::find_if(signs, [&](const Sign& each) { return starts_with(each.written); });
     if (sign == signs.end()) return false;
     const std::size_t begin = at_;
     at_ += sign->written.size();
@@ -295,34 +295,34 @@ bool Lexer::mathematical() {
     const std::size_t index = stream_.tokens.size();
     add(word ? TokenKind::keyword : TokenKind::symbol, begin);
     if (stream_.tokens.size() > index)
-        stream_.tokens.correct(index, word ? TokenKind::keyword : TokenKind::symbol, sign->own);
+        stream_.tokens.correct_token(index, word ? TokenKind::keyword : TokenKind::symbol, sign->own);
     return true;
 }
 
 /// Consecutive bytes that begin no token are reported as one mistake. If they are inside a name, the mistake includes
 /// the rest of the name.
-void Lexer::unexpected() {
+void Lexer::skip_unexpected() {
     const std::size_t begin = at_;
     const auto strange = [](char c) {
         return static_cast<unsigned char>(c) >= 0x80U || static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
     };
     const bool inside_name =
-        last_end_ == begin && !stream_.tokens.empty() && stream_.tokens.back().kind == TokenKind::identifier;
+        last_end_ == begin && !stream_.tokens.empty() && stream_.tokens.last_token().kind == TokenKind::identifier;
     const auto goes_on = [&](char c) {
         return (strange(c) && !is_space(c)) || (inside_name && (is_letter(c) || is_digit(c)));
     };
     do ++at_;
     while (at_ < text_.size() && goes_on(text_[at_]));
-    out_.report(syntax::strange_character, span_from(begin), {shorten(text_.substr(begin, at_ - begin))});
+    out_.report(syntax::strange_character, span_from(begin), {shorten_token(text_.substr(begin, at_ - begin))});
 }
 
-void Lexer::token() {
+void Lexer::read_token() {
     const char c = peek();
-    if (comment()) return;
-    if (is_letter(c) || (c == '^' && is_letter(peek(1)))) return word();
-    if (is_digit(c)) return number();
-    if (c == '"' || c == '\'') return string();
-    if (!symbol() && !mathematical()) unexpected();
+    if (read_comment()) return;
+    if (is_letter(c) || (c == '^' && is_letter(peek(1)))) return read_word();
+    if (is_digit(c)) return read_number();
+    if (c == '"' || c == '\'') return read_string();
+    if (!read_symbol() && !read_mathematical_sign()) skip_unexpected();
 }
 
 bool Lexer::too_long() {
@@ -337,7 +337,7 @@ TokenStream Lexer::run() {
     if (!refuse_binary()) {
         for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) {
             out_.poll();
-            token();
+            read_token();
         }
     }
     add(TokenKind::end, at_);
@@ -384,7 +384,7 @@ void TokenList::add(TokenKind kind, Span span, bool escaped, bool first_on_line)
     items_.push_back({span.begin, span.end, kind, escaped, first_on_line, 0});
 }
 
-void TokenList::correct(std::size_t index, TokenKind kind, std::string_view word) {
+void TokenList::correct_token(std::size_t index, TokenKind kind, std::string_view word) {
     items_[index].kind = kind;
     items_[index].escaped = false;
     items_[index].word = static_cast<std::uint16_t>(index_of(word) + 1);
@@ -397,7 +397,7 @@ void TokenList::drop_first_character(std::size_t index) {
 }
 
 TokenStream tokenize(const diagnostics::SourceManager& sources, SourceId source, bool is_assertions, Diagnostics& out) {
-    return Lexer(sources.text(source), source, is_assertions, out).run();
+    return Lexer(sources.source_text(source), source, is_assertions, out).run();
 }
 
 }  // namespace robochart::frontend

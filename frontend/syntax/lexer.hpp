@@ -37,7 +37,7 @@ struct Token {
     std::string_view text;
     diagnostics::Span span;
 
-    [[nodiscard]] bool is(std::string_view word) const {
+    [[nodiscard]] bool is_word(std::string_view word) const {
         return (kind == TokenKind::keyword || kind == TokenKind::symbol) && text == word;
     }
 };
@@ -52,14 +52,14 @@ public:
     [[nodiscard]] std::size_t size() const { return items_.size(); }
     [[nodiscard]] bool empty() const { return items_.empty(); }
     [[nodiscard]] Token operator[](std::size_t index) const;
-    [[nodiscard]] Token at(std::size_t index) const { return (*this)[std::min(index, size() - 1)]; }
-    [[nodiscard]] Token back() const { return (*this)[size() - 1]; }
+    [[nodiscard]] Token token_at(std::size_t index) const { return (*this)[std::min(index, size() - 1)]; }
+    [[nodiscard]] Token last_token() const { return (*this)[size() - 1]; }
     /// The kind, without reading the text.
     [[nodiscard]] TokenKind kind(std::size_t index) const { return items_[index].kind; }
 
     void add(TokenKind kind, diagnostics::Span span, bool escaped, bool first_on_line);
     /// Replaces the token by a reserved word or symbol.
-    void correct(std::size_t index, TokenKind kind, std::string_view word);
+    void correct_token(std::size_t index, TokenKind kind, std::string_view word);
     /// Removes the first character of the token (`<{` becomes `{`, `^b` becomes `b`).
     void drop_first_character(std::size_t index);
 
@@ -123,6 +123,6 @@ inline constexpr std::size_t max_tokens = 16'000'000;
 [[nodiscard]] std::span<const std::string_view> symbol_words();
 
 /// Shortens a piece of source text for a message: one line, at most 40 characters.
-[[nodiscard]] std::string shorten(std::string_view text);
+[[nodiscard]] std::string shorten_token(std::string_view text);
 
 }  // namespace robochart::frontend

@@ -34,7 +34,7 @@ bool among_neural(std::string_view word) {
 }
 
 template <class Words>
-bool among(const Token& token, const Words& words) {
+bool is_among(const Token& token, const Words& words) {
     return token.kind == TokenKind::keyword && std::ranges::find(words, token.text) != words.end();
 }
 
@@ -43,16 +43,16 @@ bool among(const Token& token, const Words& words) {
 Parser::Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
                diagnostics::Diagnostics& out)
     : sources_(sources), source_(source), is_assertions_(is_assertions), out_(out) {
-    const std::size_t errors = out.errors();
+    const std::size_t errors = out.error_count();
     TokenStream stream = tokenize(sources, source, is_assertions, out);
     tokens_ = std::move(stream.tokens);
     comments_ = std::move(stream.comments);
-    lexical_errors_ = out.errors() > errors;
+    lexical_errors_ = out.error_count() > errors;
     if (lexical_errors_)
-        for (const diagnostics::Diagnostic& finding : out.sorted())
+        for (const diagnostics::Diagnostic& finding : out.sorted_findings())
             if (finding.span.source == source && finding.rule == &syntax::strange_character)
                 strange_.push_back(finding.span.begin);
-    const std::string_view text = sources.text(source);
+    const std::string_view text = sources.source_text(source);
     for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] == '\n' || text[i] == '\r') line_begins_.push_back(i + 1);
     for (const Token& token : tokens_) {
@@ -75,33 +75,33 @@ bool Parser::at_word(std::string_view word, std::size_t ahead) const {
     return word_like && !token.escaped && token.text == word;
 }
 
-Token Parser::advance() {
+Token Parser::advance_token() {
     out_.poll();
     const Token token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
     return token;
 }
 
-bool Parser::accept(std::string_view word) {
-    if (!at(word)) return false;
-    advance();
+bool Parser::accept_token(std::string_view word) {
+    if (!at_token(word)) return false;
+    advance_token();
     return true;
 }
 
 bool Parser::accept_word(std::string_view word) {
     if (!at_word(word)) return false;
-    advance();
+    advance_token();
     return true;
 }
 
-Span Parser::expect(std::string_view word) {
-    if (at(word)) return advance().span;
+Span Parser::expect_token(std::string_view word) {
+    if (at_token(word)) return advance_token().span;
     const Span place = missing_place();
-    diagnostics::Diagnostic* finding = missing(fmt::format("`{}`", word));
-    const bool stray = peek(1).is(word) && !at("{") && !at("}") && !peek(1).first_on_line;
+    diagnostics::Diagnostic* finding = report_missing(fmt::format("`{}`", word));
+    const bool stray = peek(1).is_word(word) && !at_token("{") && !at_token("}") && !peek(1).first_on_line;
     if (stray) {
-        advance();
-        return advance().span;
+        advance_token();
+        return advance_token().span;
     }
     const bool closes = word == ")" || word == "]" || word == "|)" || word == "|]";
     if (finding != nullptr && closes) {
@@ -113,10 +113,10 @@ Span Parser::expect(std::string_view word) {
 
 void Parser::expect_word(std::string_view word) {
     if (accept_word(word)) return;
-    missing(fmt::format("`{}`", word));
+    report_missing(fmt::format("`{}`", word));
     if (!at_word(word, 1)) return;
-    advance();
-    advance();
+    advance_token();
+    advance_token();
 }
 
 void Parser::name(Declaration& declaration) {
@@ -134,7 +134,7 @@ QualifiedName Parser::simple_name(std::string_view what) {
 
 QualifiedName Parser::plain_name(std::string_view what) {
     QualifiedName result = simple_name(what);
-    if (!at("::")) return result;
+    if (!at_token("::")) return result;
     const std::size_t start = at_ - 1;
     at_ = start;
     const QualifiedName written = qualified_name(what);
@@ -142,15 +142,15 @@ QualifiedName Parser::plain_name(std::string_view what) {
     last.parts.push_back(written.parts.back());
     last.spans.push_back(written.spans.back());
     last.span = written.spans.back();
-    if (diagnostics::Diagnostic* finding = report(syntax::plain_name, written.span, {shorten(written.text())}))
+    if (diagnostics::Diagnostic* finding = report(syntax::plain_name, written.span, {shorten_token(written.text())}))
         finding->fixes.push_back({written.span, last.parts.front(), "leave out what it is in"});
     return last;
 }
 
 QualifiedName Parser::qualified_name(std::string_view what) {
     QualifiedName result = simple_name(what);
-    while (at("::") && !peek(1).is("*")) {
-        advance();
+    while (at_token("::") && !peek(1).is_word("*")) {
+        advance_token();
         if (result.parts.size() >= max_depth) too_deep(max_depth);
         add_part(result, "a name after `::`");
     }
@@ -162,8 +162,8 @@ QualifiedName Parser::qualified_name(std::string_view what) {
 void Parser::add_part(QualifiedName& result, std::string_view what) {
     const Token token = peek();
     const bool reserved = token.kind == TokenKind::keyword && !token.first_on_line && at_ >= quiet_until_;
-    const bool followed =
-        peek(1).is("{") || peek(1).is(":") || peek(1).is("(") || peek(1).is("=") || result.parts.empty();
+    const bool followed = peek(1).is_word("{") || peek(1).is_word(":") || peek(1).is_word("(") ||
+                          peek(1).is_word("=") || result.parts.empty();
     std::string part(token.text);
     Span span = token.span;
     bool written = true;
@@ -175,13 +175,13 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
         span = missing_place();
         span.end = span.begin;
         part = fmt::format("?{}", span.begin);
-        missing(what);
+        report_missing(what);
         written = token.kind == TokenKind::integer || token.kind == TokenKind::real || token.kind == TokenKind::string;
     }
     result.parts.push_back(std::move(part));
     result.spans.push_back(span);
-    result.span = diagnostics::join(result.span, span);
-    if (written) advance();
+    result.span = diagnostics::join_spans(result.span, span);
+    if (written) advance_token();
 }
 
 /// True if the next word follows a name, so that the name before it is missing.
@@ -190,11 +190,11 @@ bool Parser::at_follower() const {
                                                            "condition", "action", "is",   "in"};
     constexpr std::array<std::string_view, 8> members = {"var",  "const",    "event",    "clock",
                                                          "uses", "requires", "provides", "transition"};
-    if (among(peek(), members) && peek(1).kind == TokenKind::identifier && !peek(1).first_on_line) return true;
-    return among(peek(), followers) && (peek(1).kind == TokenKind::identifier || peek(1).kind == TokenKind::keyword);
+    if (is_among(peek(), members) && peek(1).kind == TokenKind::identifier && !peek(1).first_on_line) return true;
+    return is_among(peek(), followers) && (peek(1).kind == TokenKind::identifier || peek(1).kind == TokenKind::keyword);
 }
 
-std::string Parser::found() const {
+std::string Parser::describe_token() const {
     const Token& token = peek();
     switch (token.kind) {
         case TokenKind::end:
@@ -206,7 +206,7 @@ std::string Parser::found() const {
         case TokenKind::csp_code:
             return "a CSP block";
         default:
-            return fmt::format("`{}`", shorten(token.text));
+            return fmt::format("`{}`", shorten_token(token.text));
     }
 }
 
@@ -249,7 +249,7 @@ std::optional<std::size_t> Parser::unclosed_brace(bool& by_indentation) const {
         const Token token = tokens_[i];
         if (token.text == "{" || token.text == "<{") open.push_back(i);
         if (token.text != "}" || open.empty()) continue;
-        by_indentation = token.first_on_line && indentation(i) < indentation(open.back());
+        by_indentation = token.first_on_line && indentation_of(i) < indentation_of(open.back());
         if (by_indentation) return open.back();
         open.pop_back();
     }
@@ -261,20 +261,20 @@ void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& findi
     bool by_indentation = false;
     const auto open = unclosed_brace(by_indentation);
     if (!open) return;
-    finding.notes.push_back({tokens_.at(*open).span, by_indentation
-                                                         ? "this `{` is probably the one that is not closed: the `}` "
-                                                           "that would close it stands further left"
-                                                         : "this `{` is not closed"});
+    finding.notes.push_back(
+        {tokens_.token_at(*open).span, by_indentation ? "this `{` is probably the one that is not closed: the `}` "
+                                                        "that would close it stands further left"
+                                                      : "this `{` is not closed"});
 }
 
 /// If invalid characters were skipped here, the message about them is enough.
 bool Parser::behind_strange_characters() const {
-    const std::uint32_t from = at_ > 0 ? previous().span.end : 0;
+    const std::uint32_t from = at_ > 0 ? previous_token().span.end : 0;
     const auto first = std::ranges::lower_bound(strange_, from);
     return first != strange_.end() && *first < std::max(from + 1, peek().span.begin);
 }
 
-void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
+void Parser::report_and_throw(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
     report(rule, span, std::move(arguments));
     throw SyntaxError{};
 }
@@ -289,28 +289,28 @@ void Parser::too_deep(std::size_t limit) {
 Span Parser::missing_place() const {
     const Span span = peek().span;
     if (at_ == 0 || !(peek().first_on_line || at_end())) return span;
-    return {source_, previous().span.end, previous().span.end};
+    return {source_, previous_token().span.end, previous_token().span.end};
 }
 
-void Parser::expected(std::string_view what) {
-    fail(syntax::unexpected, missing_place(), {std::string(what), found()});
+void Parser::fail_expecting(std::string_view what) {
+    report_and_throw(syntax::unexpected, missing_place(), {std::string(what), describe_token()});
 }
 
-diagnostics::Diagnostic* Parser::missing(std::string_view what) {
-    if (at_ < quiet_until_) expected(what);
-    return report(syntax::unexpected, missing_place(), {std::string(what), found()});
+diagnostics::Diagnostic* Parser::report_missing(std::string_view what) {
+    if (at_ < quiet_until_) fail_expecting(what);
+    return report(syntax::unexpected, missing_place(), {std::string(what), describe_token()});
 }
 
 /// Reports a part that needs parentheses, because the tree has no other reading.
 void Parser::needs_parentheses(std::string_view what, Span span) {
     diagnostics::Diagnostic* finding = report(syntax::needs_parentheses, span, {std::string(what)});
     if (finding == nullptr) return;
-    const std::string text(sources_.text(source_).substr(span.begin, span.end - span.begin));
+    const std::string text(sources_.source_text(source_).substr(span.begin, span.end - span.begin));
     finding->fixes.push_back({span, "(" + text + ")", "write"});
 }
 
 /// Names in a part that could not be parsed may be declared there, so they are not reported as unknown.
-void Parser::forget(std::size_t begin, std::size_t end) {
+void Parser::mark_lost_names(std::size_t begin, std::size_t end) {
     if (failures_ == forgotten_) return;
     forgotten_ = failures_;
     for (std::size_t i = begin; i < end && i < tokens_.size(); ++i)
@@ -321,23 +321,23 @@ void Parser::forget(std::size_t begin, std::size_t end) {
 bool Parser::neural_construct() {
     const Token token = peek();
     const bool begins = token.kind == TokenKind::identifier && peek(1).kind == TokenKind::identifier &&
-                        (peek(2).is("{") || peek(2).is("(") || peek(2).is("="));
+                        (peek(2).is_word("{") || peek(2).is_word("(") || peek(2).is_word("="));
     if (!begins || !among_neural(token.text)) return false;
-    report(syntax::neural, diagnostics::join(token.span, peek(1).span), {std::string(token.text)});
-    const bool has_body = peek(2).is("{") || peek(2).is("(");
-    while (has_body && !at_end() && !at("{")) advance();
+    report(syntax::neural, diagnostics::join_spans(token.span, peek(1).span), {std::string(token.text)});
+    const bool has_body = peek(2).is_word("{") || peek(2).is_word("(");
+    while (has_body && !at_end() && !at_token("{")) advance_token();
     if (has_body)
         skip_balanced();
     else
-        for (int i = 0; i < 4; ++i) advance();
+        for (int i = 0; i < 4; ++i) advance_token();
     quiet_until_ = 0;
     return true;
 }
 
-std::size_t Parser::indentation(std::size_t token) const {
-    const std::size_t end = tokens_.at(token).span.begin;
+std::size_t Parser::indentation_of(std::size_t token) const {
+    const std::size_t end = tokens_.token_at(token).span.begin;
     const std::size_t begin = *std::prev(std::ranges::upper_bound(line_begins_, end));
-    const std::string_view line = sources_.text(source_).substr(begin, end - begin);
+    const std::string_view line = sources_.source_text(source_).substr(begin, end - begin);
     return std::min(line.size(), line.find_first_not_of(" \t"));
 }
 
@@ -345,19 +345,19 @@ std::size_t Parser::indentation(std::size_t token) const {
 bool Parser::stray_brace(std::size_t open) const {
     if (surplus_ >= 0) return false;
     const std::string_view body =
-        sources_.text(source_).substr(0, peek().span.begin).substr(tokens_.at(open).span.begin);
+        sources_.source_text(source_).substr(0, peek().span.begin).substr(tokens_.token_at(open).span.begin);
     if (body.find('\n') == std::string_view::npos) return false;
     const Token next = peek(1);
-    if (next.is("}") || next.kind == TokenKind::end) return false;
+    if (next.is_word("}") || next.kind == TokenKind::end) return false;
     if (!next.first_on_line) return true;
-    return !peek().first_on_line && indentation(at_ + 1) > indentation(open);
+    return !peek().first_on_line && indentation_of(at_ + 1) > indentation_of(open);
 }
 
 void Parser::pass_stray_brace() {
     if (diagnostics::Diagnostic* finding = report(syntax::stray_bracket, peek().span))
         finding->fixes.push_back({peek().span, "", "remove it"});
     ++surplus_;
-    advance();
+    advance_token();
     quiet_until_ = at_ + 3;
 }
 
@@ -367,7 +367,7 @@ std::string_view Parser::meant_word() {
     if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
     std::vector<std::string> words(member_words.begin(), member_words.end());
     words.insert(words.end(), top_level_words.begin(), top_level_words.end());
-    const std::string meant = diagnostics::nearest(peek().text, words);
+    const std::string meant = diagnostics::nearest_spelling(peek().text, words);
     const auto& reserved = reserved_words();
     const auto word = std::ranges::lower_bound(reserved, meant);
     return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
@@ -376,14 +376,14 @@ std::string_view Parser::meant_word() {
 bool Parser::correct_word(std::initializer_list<std::string_view> keywords) {
     if (peek().kind != TokenKind::identifier || peek().escaped || at_ < quiet_until_) return false;
     const std::vector<std::string> words(keywords.begin(), keywords.end());
-    const std::string meant = diagnostics::nearest(peek().text, words);
+    const std::string meant = diagnostics::nearest_spelling(peek().text, words);
     const auto* const keyword = std::ranges::find(keywords, meant);
     if (keyword == keywords.end()) return false;
     const bool certain = diagnostics::is_certain(peek().text, meant, words);
     diagnostics::Diagnostic* const finding =
-        report(syntax::unexpected, peek().span, {fmt::format("`{}`", meant), found()});
-    if (finding != nullptr) finding->fixes.push_back({peek().span, meant, diagnostics::suggested(certain)});
-    tokens_.correct(at_, TokenKind::keyword, *keyword);
+        report(syntax::unexpected, peek().span, {fmt::format("`{}`", meant), describe_token()});
+    if (finding != nullptr) finding->fixes.push_back({peek().span, meant, diagnostics::suggestion_verb(certain)});
+    tokens_.correct_token(at_, TokenKind::keyword, *keyword);
     quiet_until_ = 0;
     return true;
 }
@@ -399,27 +399,27 @@ void Parser::wrong_word(std::string_view what, std::initializer_list<ForeignPlac
     const std::string_view meant = meant_word();
     const std::vector<std::string> words(member_words.begin(), member_words.end());
     const bool certain = diagnostics::is_certain(peek().text, meant, words);
-    diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
+    diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), describe_token()});
     if (finding == nullptr || meant.empty()) throw SyntaxError{};
-    finding->fixes.push_back({span, std::string(meant), diagnostics::suggested(certain)});
-    tokens_.correct(at_, TokenKind::keyword, meant);
+    finding->fixes.push_back({span, std::string(meant), diagnostics::suggestion_verb(certain)});
+    tokens_.correct_token(at_, TokenKind::keyword, meant);
     quiet_until_ = 0;
     corrected_ = true;
     throw SyntaxError{};
 }
 
-bool Parser::corrected() {
+bool Parser::take_correction() {
     const bool result = corrected_;
     corrected_ = false;
     return result;
 }
 
 bool Parser::at_top_level_word() const {
-    return among(peek(), top_level_words);
+    return is_among(peek(), top_level_words);
 }
 
 bool Parser::at_member_word() const {
-    return among(peek(), member_words);
+    return is_among(peek(), member_words);
 }
 
 /// Skips from an opening brace to the position after its closing brace. A word that begins top-level declarations ends
@@ -428,31 +428,31 @@ void Parser::skip_balanced() {
     std::size_t open = 0;
     while (!at_end()) {
         if (open > 0 && at_top_level_word() && peek().first_on_line) return;
-        if (at("{") || at("<{")) ++open;
-        if (at("}") && --open == 0) {
-            advance();
+        if (at_token("{") || at_token("<{")) ++open;
+        if (at_token("}") && --open == 0) {
+            advance_token();
             return;
         }
-        advance();
+        advance_token();
     }
 }
 
 void Parser::skip_to_member() {
     while (!at_end() && !at_member_word() && !at_top_level_word()) {
-        if (at("}")) {
+        if (at_token("}")) {
             if (surplus_ >= 0) return;
             ++surplus_;  // its opening brace was closed too early
-            advance();
+            advance_token();
             continue;
         }
         if (peek().first_on_line && !meant_word().empty()) {
             quiet_until_ = 0;  // a separate mistake
             return;
         }
-        if (at("{") || at("<{"))
+        if (at_token("{") || at_token("<{"))
             skip_balanced();
         else
-            advance();
+            advance_token();
     }
 }
 
@@ -464,21 +464,21 @@ bool Parser::closes_missing_brace(unsigned members) const {
     constexpr std::array<std::string_view, 8> context_words = {"uses",  "requires", "provides",   "var",
                                                                "const", "event",    "_broadcast", "clock"};
     // In an interface, `operation f()` without a body is a signature with a superfluous keyword.
-    const bool signature = members == context_members && at("operation") && peek(2).is("(");
+    const bool signature = members == context_members && at_token("operation") && peek(2).is_word("(");
     if (signature)
-        if (const auto behind = behind_brackets(2); behind && !peek(*behind).is("{")) return false;
+        if (const auto behind = behind_brackets(2); behind && !peek(*behind).is_word("{")) return false;
     const bool holds_parts = (members & (controller_members | module_members)) != 0;
     const bool holds_context = (members & context_members) != 0;
-    return (!holds_parts && among(peek(), part_words)) ||
-           (!holds_parts && !holds_context && among(peek(), context_words));
+    return (!holds_parts && is_among(peek(), part_words)) ||
+           (!holds_parts && !holds_context && is_among(peek(), context_words));
 }
 
-std::unique_ptr<File> Parser::file() {
+std::unique_ptr<File> Parser::parse_file() {
     auto result = std::make_unique<File>();
     result->source = source_;
     result->is_assertions = is_assertions_;
     try {
-        guarded([&] { package_clause(*result); });
+        catch_syntax_error([&] { package_clause(*result); });
         while (!at_end()) is_assertions_ ? assertion_member(*result) : top_level(*result);
     } catch (const GiveUp&) {
         // The reason has been reported; the part read so far is kept.
@@ -505,7 +505,7 @@ std::string folder_of(const std::string& path) {
 
 std::unique_ptr<File> parse(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
                             diagnostics::Diagnostics& out) {
-    std::unique_ptr<File> file = Parser(sources, source, is_assertions, out).file();
+    std::unique_ptr<File> file = Parser(sources, source, is_assertions, out).parse_file();
     file->folder = folder_of(sources.path(source));
     return file;
 }

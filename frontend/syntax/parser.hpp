@@ -34,7 +34,7 @@ class Parser {
 public:
     Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
            diagnostics::Diagnostics& out);
-    std::unique_ptr<File> file();
+    std::unique_ptr<File> parse_file();
 
 private:
     struct SyntaxError {};
@@ -60,17 +60,17 @@ private:
     };
 
     // Tokens (parser.cpp)
-    [[nodiscard]] Token peek(std::size_t ahead = 0) const { return tokens_.at(at_ + ahead); }
-    [[nodiscard]] Token previous() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
-    [[nodiscard]] bool at(std::string_view word) const { return peek().is(word); }
+    [[nodiscard]] Token peek(std::size_t ahead = 0) const { return tokens_.token_at(at_ + ahead); }
+    [[nodiscard]] Token previous_token() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
+    [[nodiscard]] bool at_token(std::string_view word) const { return peek().is_word(word); }
     /// True if the next token is this word, reserved or not: assertions reserve more words than models.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
-    Token advance();
-    bool accept(std::string_view word);
+    Token advance_token();
+    bool accept_token(std::string_view word);
     bool accept_word(std::string_view word);
     /// Takes the word and returns its place; if it is missing, it is reported.
-    Span expect(std::string_view word);
+    Span expect_token(std::string_view word);
     void expect_word(std::string_view word);
     void name(Declaration& declaration);
     QualifiedName simple_name(std::string_view what);
@@ -78,24 +78,27 @@ private:
     QualifiedName plain_name(std::string_view what);
     QualifiedName qualified_name(std::string_view what);
     void add_part(QualifiedName& name, std::string_view what);
-    [[nodiscard]] Span since(const Span& begin) const { return diagnostics::join(begin, previous().span); }
-    [[nodiscard]] std::string found() const;
+    [[nodiscard]] Span span_since(const Span& begin) const {
+        return diagnostics::join_spans(begin, previous_token().span);
+    }
+    [[nodiscard]] std::string describe_token() const;
     [[nodiscard]] bool at_follower() const;
 
     // Mistakes and recovery (parser.cpp)
     /// The finding; null if the mistake follows from one that was reported already.
     diagnostics::Diagnostic* report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
-    [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
+    [[noreturn]] void report_and_throw(const diagnostics::Rule& rule, Span span,
+                                       std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
-    [[noreturn]] void expected(std::string_view what);
+    [[noreturn]] void fail_expecting(std::string_view what);
     /// Reports a missing token; parsing continues as if the token were present. A second failure in a row is thrown.
-    diagnostics::Diagnostic* missing(std::string_view what);
+    diagnostics::Diagnostic* report_missing(std::string_view what);
     [[nodiscard]] Span missing_place() const;
     void needs_parentheses(std::string_view what, Span span);
     [[nodiscard]] bool behind_strange_characters() const;
-    void forget(std::size_t begin, std::size_t end);
+    void mark_lost_names(std::size_t begin, std::size_t end);
     bool neural_construct();
-    [[nodiscard]] std::size_t indentation(std::size_t token) const;
+    [[nodiscard]] std::size_t indentation_of(std::size_t token) const;
     /// If a closing bracket was expected, adds a note at the opening bracket if it is on another line.
     void point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const;
     /// The advice of foreign_forms() about the tokens here; "" if there is none.
@@ -134,14 +137,14 @@ private:
     void bracketed_event(Event& event);
     void clock_with_value();
     [[nodiscard]] bool bare_async();
-    [[nodiscard]] bool percentage(Expr& number);
+    [[nodiscard]] bool parse_percentage(Expr& number);
     [[nodiscard]] bool body_left_out();
     [[nodiscard]] std::string_view meant_word();
-    [[nodiscard]] bool corrected();
+    [[nodiscard]] bool take_correction();
     template <class Body>
-    bool guarded(Body body);
+    bool catch_syntax_error(Body body);
     template <class Read>
-    auto watched(Read read);
+    auto note_failures(Read read);
     void skip_balanced();
     void skip_to_member();
     [[nodiscard]] bool at_top_level_word() const;
@@ -150,67 +153,67 @@ private:
 
     // Declarations (parser_declarations.cpp)
     void package_clause(File& file);
-    void import(File& file);
-    void diagram(File& file);
+    void parse_import(File& file);
+    void parse_diagram(File& file);
     void top_level(File& file);
-    std::unique_ptr<Declaration> declaration();
+    std::unique_ptr<Declaration> parse_declaration();
     std::unique_ptr<Declaration> type_declaration();
     std::unique_ptr<Declaration> record_type();
-    std::unique_ptr<Declaration> enumeration();
+    std::unique_ptr<Declaration> parse_enumeration();
     void pass_separator(std::string_view reason);
-    std::unique_ptr<Declaration> function();
-    std::unique_ptr<Declaration> interface();
-    std::unique_ptr<Context> platform();
-    void variable(std::vector<VariablePtr>& list, DeclKind kind);
+    std::unique_ptr<Declaration> parse_function();
+    std::unique_ptr<Declaration> parse_interface();
+    std::unique_ptr<Context> parse_platform();
+    void parse_variable(std::vector<VariablePtr>& list, DeclKind kind);
     void type_before_name(Variable& variable);
     [[nodiscard]] static bool names_core_type(std::string_view word);
-    std::vector<VariablePtr> parameters();
+    std::vector<VariablePtr> parse_parameters();
     template <class Member>
-    void braces(Member member, unsigned members);
+    void parse_braces(Member member, unsigned members);
 
     // Contexts, components, machines (parser_components.cpp)
     bool context_member(Context& context);
     void interface_clause(Context& context);
     void old_list(Span comma, std::string_view word);
     void variable_list(Context& context);
-    void event(Context& context);
-    void clock(Context& context);
+    void parse_event(Context& context);
+    void parse_clock(Context& context);
     void operation_signature(Context& context);
-    std::unique_ptr<Machine> machine();
-    std::unique_ptr<Machine> operation();
-    std::unique_ptr<Component> controller();
-    std::unique_ptr<Component> module();
+    std::unique_ptr<Machine> parse_machine();
+    std::unique_ptr<Machine> parse_operation();
+    std::unique_ptr<Component> parse_controller();
+    std::unique_ptr<Component> parse_module();
     void controller_member(Component& component);
     void module_member(Component& component);
-    std::unique_ptr<Reference> reference();
-    std::unique_ptr<Connection> connection();
+    std::unique_ptr<Reference> parse_reference();
+    std::unique_ptr<Connection> parse_connection();
     void connection_end(Connection::End& end);
     bool machine_part(Component& component);
     bool contract_member(Machine& machine);
     bool node_member(NodeContainer& container);
-    void node(NodeContainer& container, DeclKind kind);
+    void parse_node(NodeContainer& container, DeclKind kind);
     void state_body(State& state);
-    void action(State& state);
-    void transition(NodeContainer& container);
+    void parse_action(State& state);
+    void parse_transition(NodeContainer& container);
     void transition_body(Transition& transition, bool braced = true);
     void unbraced_transition(Transition& transition);
     int transition_clause(Transition& transition);
     [[nodiscard]] diagnostics::FixIt moved_before(std::size_t clause, const std::array<std::size_t, 6>& begins,
                                                   int kind) const;
-    void trigger(Transition& transition);
+    void parse_trigger(Transition& transition);
     void reset(Transition& transition);
 
     // Types (parser_types.cpp)
-    TypeExprPtr type();
+    TypeExprPtr parse_type();
     TypeExprPtr function_type();
     TypeExprPtr product_type();
     TypeExprPtr vector_type();
     TypeExprPtr atomic_type();
     TypeExprPtr spaced_set();
-    TypeExprPtr wrap(TypeKind kind, TypeExprPtr first, Span begin);
+    TypeExprPtr wrap_type(TypeKind kind, TypeExprPtr first, Span begin);
 
     // Statements (parser_statements.cpp)
-    StmtPtr statement();
+    StmtPtr parse_statement();
     [[nodiscard]] bool at_statement() const;
     bool missing_semicolon();
     [[nodiscard]] bool at_body_end() const;
@@ -221,29 +224,29 @@ private:
     StmtPtr wait_statement();
     StmtPtr name_statement();
     StmtPtr communication_statement();
-    StmtPtr assignment();
+    StmtPtr parse_assignment();
     [[nodiscard]] bool looks_like_assignment() const;
     [[nodiscard]] std::optional<std::size_t> behind_brackets(std::size_t ahead) const;
-    std::unique_ptr<Communication> communication();
+    std::unique_ptr<Communication> parse_communication();
     [[nodiscard]] bool repair_assignment();
     void communication_predicate(Communication& communication);
     ExprPtr communicated_value();
 
     // Operators (parser_expressions.cpp)
-    ExprPtr expression();
-    ExprPtr quantified();
-    ExprPtr operand(int level);
-    ExprPtr prefix(int level);
+    ExprPtr parse_expression();
+    ExprPtr parse_quantified();
+    ExprPtr parse_operand(int level);
+    ExprPtr parse_prefix(int level);
     ExprPtr logical_not(int level);
-    ExprPtr description(int level);
-    ExprPtr let(int level);
-    ExprPtr conditional(int level);
-    ExprPtr negation();
-    ExprPtr postfix();
-    ExprPtr steps(ExprPtr left, bool assigned);
-    ExprPtr call();
-    ExprPtr infix(ExprPtr left, BinaryOp op, int level);
-    ExprPtr cast(ExprPtr left);
+    ExprPtr parse_description(int level);
+    ExprPtr parse_let(int level);
+    ExprPtr parse_conditional(int level);
+    ExprPtr parse_negation();
+    ExprPtr parse_postfix();
+    ExprPtr parse_steps(ExprPtr left, bool assigned);
+    ExprPtr parse_call();
+    ExprPtr parse_infix(ExprPtr left, BinaryOp op, int level);
+    ExprPtr parse_cast(ExprPtr left);
     [[nodiscard]] std::optional<std::pair<BinaryOp, int>> operator_here() const;
     [[nodiscard]] bool at_quantifier() const;
     [[nodiscard]] bool at_member_step() const;
@@ -252,33 +255,33 @@ private:
     void report_c_operator(std::string_view meant);
     bool missing_comma();
     ExprPtr missing_expression();
-    void bindings(Expr& expr);
+    void parse_bindings(Expr& expr);
     void such_that(Expr& expr);
     void expression_list(std::vector<ExprPtr>& list, std::string_view close);
-    ExprPtr make(ExprKind kind);
-    ExprPtr finish(ExprPtr expr, Span begin);
+    ExprPtr make_expression(ExprKind kind);
+    ExprPtr finish_node(ExprPtr expr, Span begin);
 
     // Atoms (parser_atoms.cpp)
-    ExprPtr atom();
-    ExprPtr literal(ExprKind kind);
+    ExprPtr parse_atom();
+    ExprPtr parse_literal(ExprKind kind);
     void pass_suffix();
-    ExprPtr named();
-    ExprPtr record(QualifiedName name);
-    ExprPtr bracketed();
+    ExprPtr parse_named();
+    ExprPtr parse_record(QualifiedName name);
+    ExprPtr parse_bracketed();
     ExprPtr parenthesised_or_range();
     ExprPtr closed_range();
-    ExprPtr tuple();
-    ExprPtr sequence();
+    ExprPtr parse_tuple();
+    ExprPtr parse_sequence();
     ExprPtr sequence_element();
-    ExprPtr set();
-    ExprPtr comprehension(Span begin);
-    ExprPtr matrix();
+    ExprPtr parse_set();
+    ExprPtr parse_comprehension(Span begin);
+    ExprPtr parse_matrix();
     ExprPtr keyword_atom();
     void range_end(Expr& range);
 
     // Assertions (parser_assertions.cpp)
     void assertion_member(File& file);
-    void assertion(File& file, AssertionTime time);
+    void parse_assertion(File& file, AssertionTime time);
     void assertion_name(Assertion& assertion);
     void rule_assertion(File& file);
     void assertion_body(Assertion& assertion, Span time_word);
@@ -292,7 +295,7 @@ private:
     void assertion_parameters(Assertion& assertion);
     AssertionParameter assertion_parameter();
     void csp_block(File& file, AssertionTime time);
-    void keep(File& file);
+    void keep_as_text(File& file);
     void hyphenated_word(std::string_view first, std::string_view second);
     [[nodiscard]] bool at_foreign_assertion() const;
     void foreign_assertion(File& file);
@@ -317,22 +320,22 @@ private:
     ProbabilisticFunction probabilistic_function();
     ProbabilisticModule probabilistic_module();
     ModuleVariable module_variable();
-    Command command();
-    Update update();
-    std::vector<Update> updates();
+    Command parse_command();
+    Update parse_update();
+    std::vector<Update> parse_updates();
     ExprPtr action_label();
     void prism_query();
     [[nodiscard]] std::string prism_path(std::size_t begin, std::size_t end) const;
     ExprPtr probabilistic_atom();
     [[nodiscard]] bool at_path_prefix() const;
     ExprPtr path_prefix();
-    ExprPtr until(ExprPtr left);
+    ExprPtr parse_until(ExprPtr left);
     void step_bound(Expr& path);
-    ExprPtr quantitative(ExprKind kind);
+    ExprPtr parse_quantitative(ExprKind kind);
     ExprPtr reward_path();
-    ExprPtr simulation();
+    ExprPtr parse_simulation();
     ExprPtr path_quantifier(ExprKind kind);
-    ExprPtr marked();
+    ExprPtr parse_marked();
     ExprPtr behind_name(ExprPtr name);
 
     const diagnostics::SourceManager& sources_;
@@ -362,7 +365,7 @@ private:
 
 /// Parses one member and catches a mistake in it. Returns true if it was parsed to its end.
 template <class Body>
-bool Parser::guarded(Body body) {
+bool Parser::catch_syntax_error(Body body) {
     try {
         body();
         return true;
@@ -373,7 +376,7 @@ bool Parser::guarded(Body body) {
 
 /// Parses a declaration and marks it as broken if it contains a mistake.
 template <class Read>
-auto Parser::watched(Read read) {
+auto Parser::note_failures(Read read) {
     const std::size_t before = failures_;
     auto declared = read();
     if (declared && failures_ != before) declared->broken = true;
@@ -383,37 +386,37 @@ auto Parser::watched(Read read) {
 /// `{ member* }`; each member recovers separately. A closing brace is missing if a member is indented no deeper than
 /// the owner of the body.
 template <class Member>
-void Parser::braces(Member member, unsigned members) {
+void Parser::parse_braces(Member member, unsigned members) {
     const std::size_t open = at_;
-    expect("{");
+    expect_token("{");
     const Nesting nesting(*this);
-    const std::size_t own = indentation(open);
+    const std::size_t own = indentation_of(open);
     bool deeper = false;
     for (;;) {
-        if (at("}")) {
+        if (at_token("}")) {
             if (!stray_brace(open)) break;
             pass_stray_brace();
             continue;
         }
-        const bool outside = surplus_ > 0 && deeper && peek().first_on_line && indentation(at_) <= own;
+        const bool outside = surplus_ > 0 && deeper && peek().first_on_line && indentation_of(at_) <= own;
         if (outside || closes_missing_brace(members)) {
-            guarded([&] { missing("`}`"); });
+            catch_syntax_error([&] { report_missing("`}`"); });
             if (surplus_ > 0) --surplus_;
             return;
         }
-        deeper = deeper || (peek().first_on_line && indentation(at_) > own);
+        deeper = deeper || (peek().first_on_line && indentation_of(at_) > own);
         const std::size_t start = at_;
         // If all its tokens were missing, a member is parsed without consuming one; it does not count.
-        const bool taken = guarded(member) && at_ != start;
-        const bool read = taken || corrected();
+        const bool taken = catch_syntax_error(member) && at_ != start;
+        const bool read = taken || take_correction();
         if (!read) {
-            if (at_ == start && !at("{") && !at("<{")) advance();
+            if (at_ == start && !at_token("{") && !at_token("<{")) advance_token();
             skip_to_member();
         }
-        forget(start, at_);
+        mark_lost_names(start, at_);
         if (read && peek().first_on_line) quiet_until_ = 0;  // parsing has recovered
     }
-    advance();
+    advance_token();
 }
 
 }  // namespace robochart::frontend

@@ -17,7 +17,7 @@ namespace robochart::frontend {
 bool Parser::at_kept_part() const {
     if (at_word("instantiate")) {
         std::size_t ahead = 2;
-        while (peek(ahead).is("::")) ahead += 2;
+        while (peek(ahead).is_word("::")) ahead += 2;
         if (peek(1).kind == TokenKind::identifier && at_word("as", ahead)) return true;
     }
     constexpr std::array<std::string_view, 5> words = {"label", "formula", "rewards", "defs", "pmodules"};
@@ -36,13 +36,13 @@ bool Parser::at_foreign_assertion() const {
 void Parser::foreign_assertion(File& file) {
     const Span begin = peek().span;
     const std::string word(peek().text);
-    advance();
-    advance();
+    advance_token();
+    advance_token();
     const std::string name(peek().text);
-    KeptPart part{word + " assertion", name, diagnostics::join(begin, peek().span), true, {}, {}};
-    while (!at_end() && !at_assertion_member()) advance();
-    part.whole = {begin.source, begin.begin, since(begin).end};
-    part.text = sources_.text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
+    KeptPart part{word + " assertion", name, diagnostics::join_spans(begin, peek().span), true, {}, {}};
+    while (!at_end() && !at_assertion_member()) advance_token();
+    part.whole = {begin.source, begin.begin, span_since(begin).end};
+    part.text = sources_.source_text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
     report(syntax::foreign_assertion, part.whole, {name, word});
     quiet_until_ = 0;
     file.kept.push_back(std::move(part));
@@ -50,7 +50,7 @@ void Parser::foreign_assertion(File& file) {
 
 bool Parser::at_assertion_member() const {
     if (at_foreign_assertion()) return true;
-    if (at("import") || at("package") || at_probabilistic_part() || at_kept_part()) return true;
+    if (at_token("import") || at_token("package") || at_probabilistic_part() || at_kept_part()) return true;
     if (at_word("timed") || at_word("untimed"))
         return at_word("assertion", 1) || at_word("csp", 1) || at_word("sleec", 1);
     if (at_word("sleec")) return at_word("assertion", 1);
@@ -59,11 +59,11 @@ bool Parser::at_assertion_member() const {
 
 void Parser::assertion_member(File& file) {
     const std::size_t start = at_;
-    const bool read = guarded([&] {
-        if (at("import")) return import(file);
-        if (at("package")) {
+    const bool read = catch_syntax_error([&] {
+        if (at_token("import")) return parse_import(file);
+        if (at_token("package")) {
             report(syntax::late_package, peek().span);
-            advance();
+            advance_token();
             qualified_name("the package's name");
             return;
         }
@@ -72,16 +72,16 @@ void Parser::assertion_member(File& file) {
                                                             : AssertionTime::both;
         if (time == AssertionTime::both && at_foreign_assertion()) return foreign_assertion(file);
         if (neural_construct()) return;
-        if (at_word("assertion")) return assertion(file, time);
+        if (at_word("assertion")) return parse_assertion(file, time);
         if (at_word("sleec") && time != AssertionTime::untimed) return rule_assertion(file);
         if (at_word("csp")) return csp_block(file, time);
         if (at_probabilistic_part() && time == AssertionTime::both) return probabilistic_part(file);
-        if (at_kept_part() && time == AssertionTime::both) return keep(file);
-        expected("`assertion`, `csp` or `import`");
+        if (at_kept_part() && time == AssertionTime::both) return keep_as_text(file);
+        fail_expecting("`assertion`, `csp` or `import`");
     });
     if (read) return;
-    if (at_ == start) advance();
-    while (!at_end() && !at_assertion_member()) advance();
+    if (at_ == start) advance_token();
+    while (!at_end() && !at_assertion_member()) advance_token();
 }
 
 /// `instantiate P::T`, `label "…"`: the head of a part that is kept as text. A qualified name is read as a whole.
@@ -90,11 +90,11 @@ KeptPart Parser::kept_part() const {
     std::size_t at = 1;
     const auto take = [&] {
         part.name += peek(at).text;
-        part.span = diagnostics::join(part.span, peek(at).span);
+        part.span = diagnostics::join_spans(part.span, peek(at).span);
         ++at;
     };
     if (peek(at).kind == TokenKind::identifier || peek(at).kind == TokenKind::string) take();
-    while (peek(at).is("::") && peek(at + 1).kind == TokenKind::identifier) {
+    while (peek(at).is_word("::") && peek(at + 1).kind == TokenKind::identifier) {
         take();
         take();
     }
@@ -102,15 +102,15 @@ KeptPart Parser::kept_part() const {
 }
 
 /// Keeps a part as text, up to the next member.
-void Parser::keep(File& file) {
+void Parser::keep_as_text(File& file) {
     const Span begin = peek().span;
     const bool rewards = at_word("rewards");
     KeptPart part = kept_part();
-    advance();
-    while (!at_end() && (rewards ? !at_word("endrewards") : !at_assertion_member())) advance();
+    advance_token();
+    while (!at_end() && (rewards ? !at_word("endrewards") : !at_assertion_member())) advance_token();
     if (rewards) accept_word("endrewards");
-    part.whole = since(begin);
-    part.text = sources_.text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
+    part.whole = span_since(begin);
+    part.text = sources_.source_text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
     file.kept.push_back(std::move(part));
 }
 
@@ -128,10 +128,10 @@ void Parser::csp_block(File& file, AssertionTime time) {
     if (accept_word("associated")) {
         expect_word("to");
         do block.associated.push_back(qualified_name("the name of a component"));
-        while (accept(","));
+        while (accept_token(","));
     }
-    if (peek().kind != TokenKind::csp_code) expected("`csp-begin`");
-    const Token code = advance();
+    if (peek().kind != TokenKind::csp_code) fail_expecting("`csp-begin`");
+    const Token code = advance_token();
     std::string_view text = code.text;
     text.remove_prefix(open.size());
     if (text.size() >= close.size() && text.substr(text.size() - close.size()) == close)
@@ -139,7 +139,7 @@ void Parser::csp_block(File& file, AssertionTime time) {
     const auto begin = code.span.begin + static_cast<std::uint32_t>(open.size());
     block.text_span = {source_, begin, begin + static_cast<std::uint32_t>(text.size())};
     block.text = std::string(text);
-    block.span = since(block.span);
+    block.span = span_since(block.span);
     file.csp_blocks.push_back(std::move(block));
 }
 
@@ -148,7 +148,7 @@ void Parser::assertion_name(Assertion& assertion) {
     const QualifiedName name = simple_name("the assertion's name");
     assertion.name = name.text();
     assertion.name_span = name.span;
-    expect(":");
+    expect_token(":");
 }
 
 /// `sleec assertion N : C conforms to R`, `C does not conform to R`. It is about time, with or without `timed` before
@@ -163,29 +163,29 @@ void Parser::rule_assertion(File& file) {
     assertion.subject = qualified_name("the name of a component");
     assertion.negated = accept_word("does");
     if (assertion.negated) {
-        expect("not");
+        expect_token("not");
         expect_word("conform");
     } else {
         expect_word("conforms");
     }
     expect_word("to");
     assertion.other = simple_name("the name of a rule");
-    accept(".");
-    assertion.span = since(assertion.span);
+    accept_token(".");
+    assertion.span = span_since(assertion.span);
     file.assertions.push_back(std::move(assertion));
 }
 
-void Parser::assertion(File& file, AssertionTime time) {
+void Parser::parse_assertion(File& file, AssertionTime time) {
     Assertion assertion;
     assertion.time = time;
-    const Span time_word = previous().span;
+    const Span time_word = previous_token().span;
     assertion.span = peek().span;
     assertion_name(assertion);
     assertion_body(assertion, time_word);
     assertion_model(assertion);
     assertion_parameters(assertion);
-    accept(".");
-    assertion.span = since(assertion.span);
+    accept_token(".");
+    assertion.span = span_since(assertion.span);
     file.assertions.push_back(std::move(assertion));
 }
 
@@ -198,43 +198,43 @@ void Parser::refuse_time(AssertionTime time, Span word) {
 }
 
 void Parser::assertion_body(Assertion& assertion, Span time_word) {
-    if (at("clock")) {
+    if (at_token("clock")) {
         if (assertion.time != AssertionTime::both) refuse_time(assertion.time, time_word);
-        advance();
+        advance_token();
         assertion.kind = AssertionKind::clock_initialised;
         assertion.other = qualified_name("the name of a clock");
-        expect("is");
-        assertion.negated = accept("not");
+        expect_token("is");
+        assertion.negated = accept_token("not");
         return expect_word("initialised");
     }
-    if (at("event")) return assertion_event(assertion);
+    if (at_token("event")) return assertion_event(assertion);
     assertion.subject = qualified_name("the name of a component");
-    if (accept("is")) return assertion_is(assertion);
+    if (accept_token("is")) return assertion_is(assertion);
     if (accept_word("does")) return assertion_does(assertion);
     if (accept_word("terminates")) {
         assertion.kind = AssertionKind::terminates;
         return;
     }
     const bool refines = at_word("refines");
-    if (!refines && !at_word("equals")) expected("`is`, `does`, `terminates`, `refines` or `equals`");
-    advance();
+    if (!refines && !at_word("equals")) fail_expecting("`is`, `does`, `terminates`, `refines` or `equals`");
+    advance_token();
     assertion.kind = refines ? AssertionKind::refines : AssertionKind::equals;
     assertion.other = qualified_name("the name of a component or CSP process");
 }
 
 /// `event E is not missed in S for N time units`
 void Parser::assertion_event(Assertion& assertion) {
-    advance();
+    advance_token();
     assertion.kind = AssertionKind::event_missed;
     assertion.event = simple_name("the name of an event");
-    expect("is");
-    assertion.negated = accept("not");
+    expect_token("is");
+    assertion.negated = accept_token("not");
     expect_word("missed");
-    expect("in");
+    expect_token("in");
     assertion.other = qualified_name("the name of a state machine or state");
     if (!accept_word("for")) return;
-    if (peek().kind != TokenKind::integer) return expected("a number of time units");
-    const Token units = advance();
+    if (peek().kind != TokenKind::integer) return fail_expecting("a number of time units");
+    const Token units = advance_token();
     std::int64_t value = 0;  // the lexer reports a number that is too large
     std::from_chars(units.text.data(), units.text.data() + units.text.size(), value);
     assertion.time_units = value;
@@ -249,7 +249,7 @@ void Parser::assertion_is(Assertion& assertion) {
         {{"deadlock", AssertionKind::deadlock_free},
          {"divergence", AssertionKind::divergence_free},
          {"timelock", AssertionKind::timelock_free}}};
-    assertion.negated = accept("not");
+    assertion.negated = accept_token("not");
     for (const auto& [word, kind] : hyphenated) {
         if (!at_word(word)) continue;
         assertion.kind = kind;
@@ -259,11 +259,11 @@ void Parser::assertion_is(Assertion& assertion) {
         assertion.kind = AssertionKind::deterministic;
     } else if (accept_word("reachable")) {
         assertion.kind = AssertionKind::reachable;
-        expect("in");
+        expect_token("in");
         assertion.other = std::move(assertion.subject);
         assertion.subject = qualified_name("the name of a component");
     } else if (assertion.negated && accept_word("equal")) {
-        expect("to");
+        expect_token("to");
         assertion.kind = AssertionKind::equals;
         assertion.other = qualified_name("the name of a component or CSP process");
     } else {
@@ -275,24 +275,24 @@ void Parser::unknown_property() {
     static const std::vector<std::string> words = {"deadlock",      "divergence", "timelock",
                                                    "deterministic", "reachable",  "initialised"};
     constexpr std::string_view expected = "a property such as `deadlock-free`";
-    const std::string meant = form_meant(expected).empty() ? diagnostics::nearest(peek().text, words) : "";
+    const std::string meant = form_meant(expected).empty() ? diagnostics::nearest_spelling(peek().text, words) : "";
     diagnostics::Diagnostic* const finding =
-        report(syntax::unexpected, missing_place(), {std::string(expected), found()});
+        report(syntax::unexpected, missing_place(), {std::string(expected), describe_token()});
     if (finding != nullptr && !meant.empty())
         finding->fixes.push_back(
-            {peek().span, meant, diagnostics::suggested(diagnostics::is_certain(peek().text, meant, words))});
+            {peek().span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(peek().text, meant, words))});
     throw SyntaxError{};
 }
 
 /// Parses what follows `X does`: `not terminate` or `not refine Y`.
 void Parser::assertion_does(Assertion& assertion) {
-    expect("not");
+    expect_token("not");
     assertion.negated = true;
     if (accept_word("terminate")) {
         assertion.kind = AssertionKind::terminates;
         return;
     }
-    if (!accept_word("refine")) expected("`terminate` or `refine`");
+    if (!accept_word("refine")) fail_expecting("`terminate` or `refine`");
     assertion.kind = AssertionKind::refines;
     assertion.other = qualified_name("the name of a component or CSP process");
 }
@@ -300,11 +300,11 @@ void Parser::assertion_does(Assertion& assertion) {
 /// `deadlock-free` and `tick-tock` are one word.
 void Parser::hyphenated_word(std::string_view first, std::string_view second) {
     const Span begin = peek().span;
-    advance();
-    const bool hyphen = accept("-");
+    advance_token();
+    const bool hyphen = accept_token("-");
     if (!at_word(second)) return expect_word(fmt::format("{}-{}", first, second));
-    advance();
-    const Span span = since(begin);
+    advance_token();
+    const Span span = span_since(begin);
     const std::string word = fmt::format("{}-{}", first, second);
     if (hyphen && span.end - span.begin == word.size()) return;
     if (diagnostics::Diagnostic* finding = report(syntax::hyphenated, span, {word}))
@@ -314,7 +314,7 @@ void Parser::hyphenated_word(std::string_view first, std::string_view second) {
 
 /// `in the traces model`
 void Parser::assertion_model(Assertion& assertion) {
-    if (!accept("in")) return;
+    if (!accept_token("in")) return;
     expect_word("the");
     if (at_word("tick")) {
         hyphenated_word("tick", "tock");
@@ -325,20 +325,20 @@ void Parser::assertion_model(Assertion& assertion) {
         pass_model_hyphen();
         assertion.model = accept_word("divergences") ? AssertionModel::failures_divergences : AssertionModel::failures;
     } else {
-        expected("`traces`, `failures`, `failures divergences` or `tick-tock`");
+        fail_expecting("`traces`, `failures`, `failures divergences` or `tick-tock`");
     }
     expect_word("model");
 }
 
 /// `failures-divergences`
 void Parser::pass_model_hyphen() {
-    if (!at("-") || !at_word("divergences", 1)) return;
+    if (!at_token("-") || !at_word("divergences", 1)) return;
     const Span hyphen = peek().span;
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, hyphen, {"-", "this model is written `failures divergences`"});
     if (finding != nullptr) finding->fixes.push_back({hyphen, " ", "write a blank"});
     quiet_until_ = 0;
-    advance();
+    advance_token();
 }
 
 /// `with P`, `with P, P and P`
@@ -346,8 +346,8 @@ void Parser::assertion_parameters(Assertion& assertion) {
     if (!accept_word("with")) return;
     assertion.parameters.push_back(assertion_parameter());
     bool closed = true;
-    while (at(",") || at_word("and")) {
-        accept(",");
+    while (at_token(",") || at_word("and")) {
+        accept_token(",");
         closed = accept_word("and");
         assertion.parameters.push_back(assertion_parameter());
         if (closed) return;
@@ -358,18 +358,18 @@ void Parser::assertion_parameters(Assertion& assertion) {
 AssertionParameter Parser::assertion_parameter() {
     AssertionParameter parameter;
     parameter.constant = at_word("constant");
-    if (!accept_word("constant") && !accept_word("parameter")) expected("`constant` or `parameter`");
+    if (!accept_word("constant") && !accept_word("parameter")) fail_expecting("`constant` or `parameter`");
     parameter.name = plain_name("the name of a constant or parameter");
     expect_word("of");
     parameter.context = qualified_name("the name of a component");
     if (accept_word("set")) {
-        expect("to");
+        expect_token("to");
     } else if (accept_word("with")) {
         expect_word("value");
     } else if (!accept_word("assigned")) {
-        expected("`set to`, `assigned` or `with value`");
+        fail_expecting("`set to`, `assigned` or `with value`");
     }
-    parameter.value = expression();
+    parameter.value = parse_expression();
     return parameter;
 }
 

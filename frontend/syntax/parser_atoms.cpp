@@ -7,22 +7,22 @@
 
 namespace robochart::frontend {
 
-ExprPtr Parser::atom() {
+ExprPtr Parser::parse_atom() {
     if (probabilistic_)
         if (ExprPtr read = probabilistic_atom()) return read;
     switch (peek().kind) {
         case TokenKind::integer:
-            return literal(ExprKind::integer);
+            return parse_literal(ExprKind::integer);
         case TokenKind::real:
-            return literal(ExprKind::real);
+            return parse_literal(ExprKind::real);
         case TokenKind::string:
-            return literal(ExprKind::string);
+            return parse_literal(ExprKind::string);
         case TokenKind::identifier:
-            return named();
+            return parse_named();
         case TokenKind::keyword:
             return keyword_atom();
         case TokenKind::symbol:
-            return bracketed();
+            return parse_bracketed();
         default:
             return missing_expression();
     }
@@ -31,15 +31,15 @@ ExprPtr Parser::atom() {
 /// No expression begins here; an error node takes its place.
 ExprPtr Parser::missing_expression() {
     const Span place = missing_place();
-    missing("an expression");
+    report_missing("an expression");
     auto result = std::make_unique<Expr>();
     result->span = {source_, place.begin, place.begin};
     return result;
 }
 
-ExprPtr Parser::literal(ExprKind kind) {
-    ExprPtr result = make(kind);
-    result->text = std::string(advance().text);
+ExprPtr Parser::parse_literal(ExprKind kind) {
+    ExprPtr result = make_expression(kind);
+    result->text = std::string(advance_token().text);
     if (kind == ExprKind::integer || kind == ExprKind::real) pass_suffix();
     return result;
 }
@@ -47,7 +47,7 @@ ExprPtr Parser::literal(ExprKind kind) {
 /// Skips a suffix of a number, as in `30.5f`.
 void Parser::pass_suffix() {
     const Token suffix = peek();
-    const bool adjacent = suffix.span.begin == previous().span.end && !suffix.escaped;
+    const bool adjacent = suffix.span.begin == previous_token().span.end && !suffix.escaped;
     constexpr std::string_view letters = "fFlLuU";
     if (suffix.kind != TokenKind::identifier || !adjacent) return;
     if (suffix.text.find_first_not_of(letters) != std::string_view::npos) return;  // `1e5` is not 1 with a suffix
@@ -55,196 +55,196 @@ void Parser::pass_suffix() {
         report(syntax::other_notation, suffix.span, {std::string(suffix.text), "a number has no suffix"});
     if (finding != nullptr) finding->fixes.push_back({suffix.span, "", "leave it out"});
     quiet_until_ = 0;
-    advance();
+    advance_token();
 }
 
 /// `x`, `E::L`, or a record `R(| f = e |)`.
-ExprPtr Parser::named() {
-    ExprPtr result = make(ExprKind::name);
+ExprPtr Parser::parse_named() {
+    ExprPtr result = make_expression(ExprKind::name);
     QualifiedName read = qualified_name("a name");
-    if (at("(|")) return record(std::move(read));
+    if (at_token("(|")) return parse_record(std::move(read));
     result->span = read.span;
     result->name = std::move(read);
     return probabilistic_ ? behind_name(std::move(result)) : std::move(result);
 }
 
-ExprPtr Parser::record(QualifiedName type_name) {
-    ExprPtr result = make(ExprKind::record);
+ExprPtr Parser::parse_record(QualifiedName type_name) {
+    ExprPtr result = make_expression(ExprKind::record);
     const Span begin = type_name.span;
     result->name = std::move(type_name);
-    expect("(|");
+    expect_token("(|");
     do {
         Binding binding;
         binding.variable = std::make_unique<Variable>(DeclKind::field);
         binding.variable->span = peek().span;
         name(*binding.variable);
-        expect("=");
-        binding.value = expression();
+        expect_token("=");
+        binding.value = parse_expression();
         result->bindings.push_back(std::move(binding));
-    } while (accept(","));
-    expect("|)");
-    return finish(std::move(result), begin);
+    } while (accept_token(","));
+    expect_token("|)");
+    return finish_node(std::move(result), begin);
 }
 
 ExprPtr Parser::keyword_atom() {
-    if (at("true") || at("false")) return literal(ExprKind::boolean);
-    const ExprKind kind = at("result")       ? ExprKind::result
-                          : at("to")         ? ExprKind::to
-                          : at("from")       ? ExprKind::from
-                          : at("inverse")    ? ExprKind::inverse
-                          : at("transpose")  ? ExprKind::transpose
-                          : at("since")      ? ExprKind::since
-                          : at("sinceEntry") ? ExprKind::since_entry
-                                             : ExprKind::error;
+    if (at_token("true") || at_token("false")) return parse_literal(ExprKind::boolean);
+    const ExprKind kind = at_token("result")       ? ExprKind::result
+                          : at_token("to")         ? ExprKind::to
+                          : at_token("from")       ? ExprKind::from
+                          : at_token("inverse")    ? ExprKind::inverse
+                          : at_token("transpose")  ? ExprKind::transpose
+                          : at_token("since")      ? ExprKind::since
+                          : at_token("sinceEntry") ? ExprKind::since_entry
+                                                   : ExprKind::error;
     if (kind == ExprKind::error) return missing_expression();
-    ExprPtr result = make(kind);
-    const Span begin = advance().span;
+    ExprPtr result = make_expression(kind);
+    const Span begin = advance_token().span;
     if (kind == ExprKind::result || kind == ExprKind::to || kind == ExprKind::from) return result;
-    expect("(");
+    expect_token("(");
     if (kind == ExprKind::since)
         result->name = plain_name("the name of a clock");
     else if (kind == ExprKind::since_entry)
         result->name = qualified_name("the name of a state");
     else
-        result->args.push_back(expression());
-    expect(")");
-    return finish(std::move(result), begin);
+        result->args.push_back(parse_expression());
+    expect_token(")");
+    return finish_node(std::move(result), begin);
 }
 
-ExprPtr Parser::bracketed() {
-    if (at("(")) return parenthesised_or_range();
-    if (at("[")) return closed_range();
-    if (at("(|")) return tuple();
-    if (at("[|")) return matrix();
-    if (at("{")) return set();
-    if (at("<") || at("<{")) return sequence();
+ExprPtr Parser::parse_bracketed() {
+    if (at_token("(")) return parenthesised_or_range();
+    if (at_token("[")) return closed_range();
+    if (at_token("(|")) return parse_tuple();
+    if (at_token("[|")) return parse_matrix();
+    if (at_token("{")) return parse_set();
+    if (at_token("<") || at_token("<{")) return parse_sequence();
     return missing_expression();
 }
 
 /// Parses the rest of a range after its comma: `b]` or `b)`.
 void Parser::range_end(Expr& range) {
-    range.args.push_back(expression());
-    range.upper_closed = at("]");
-    if (!accept("]") && !accept(")")) expected("`]` or `)`");
+    range.args.push_back(parse_expression());
+    range.upper_closed = at_token("]");
+    if (!accept_token("]") && !accept_token(")")) fail_expecting("`]` or `)`");
 }
 
 /// `(e)`, `(a, b]`, `(a, b)`
 ExprPtr Parser::parenthesised_or_range() {
-    ExprPtr result = make(ExprKind::parenthesised);
-    const Span begin = expect("(");
-    result->args.push_back(expression());
-    if (accept(",")) {
+    ExprPtr result = make_expression(ExprKind::parenthesised);
+    const Span begin = expect_token("(");
+    result->args.push_back(parse_expression());
+    if (accept_token(",")) {
         result->kind = ExprKind::range;
         result->lower_closed = false;
         range_end(*result);
     } else {
-        expect(")");
+        expect_token(")");
     }
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
 /// `[a, b]`, `[a, b)`
 ExprPtr Parser::closed_range() {
-    ExprPtr result = make(ExprKind::range);
-    const Span begin = expect("[");
-    result->args.push_back(expression());
-    expect(",");
+    ExprPtr result = make_expression(ExprKind::range);
+    const Span begin = expect_token("[");
+    result->args.push_back(parse_expression());
+    expect_token(",");
     range_end(*result);
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
 /// `(| a, b |)`
-ExprPtr Parser::tuple() {
-    ExprPtr result = make(ExprKind::tuple);
-    const Span begin = expect("(|");
+ExprPtr Parser::parse_tuple() {
+    ExprPtr result = make_expression(ExprKind::tuple);
+    const Span begin = expect_token("(|");
     expression_list(result->args, "|)");
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
 /// `< a, b >`. Elements are parsed from the level of `+`, so that `>` closes the sequence. A sequence that begins with
 /// a set arrives as the token `<{` of deadlines, which is split here.
-ExprPtr Parser::sequence() {
+ExprPtr Parser::parse_sequence() {
     const Nesting nesting(*this);
-    ExprPtr result = make(ExprKind::sequence);
+    ExprPtr result = make_expression(ExprKind::sequence);
     const Span begin = peek().span;
-    if (at("<{")) {
+    if (at_token("<{")) {
         tokens_.drop_first_character(at_);
     } else {
-        expect("<");
+        expect_token("<");
     }
-    if (!at(">")) {
+    if (!at_token(">")) {
         do result->args.push_back(sequence_element());
-        while (accept(",") || missing_comma());
+        while (accept_token(",") || missing_comma());
     }
-    expect(">");
-    return finish(std::move(result), begin);
+    expect_token(">");
+    return finish_node(std::move(result), begin);
 }
 
 /// A weaker operator is reported and read as intended.
 ExprPtr Parser::sequence_element() {
     constexpr int plus_level = 10;
-    ExprPtr element = operand(plus_level);
+    ExprPtr element = parse_operand(plus_level);
     bool weaker = false;
-    while (!at(">") && (operator_here() || at("as") || at("is"))) {
+    while (!at_token(">") && (operator_here() || at_token("as") || at_token("is"))) {
         weaker = true;
         if (const auto next = operator_here())
-            element = infix(std::move(element), next->first, plus_level - 1);
+            element = parse_infix(std::move(element), next->first, plus_level - 1);
         else
-            element = cast(std::move(element));
+            element = parse_cast(std::move(element));
     }
     if (weaker) needs_parentheses("an operator weaker than `+` in a sequence", element->span);
     return element;
 }
 
 /// `{a, b}`, `{a to b}`, `{v:T | p @ e}`
-ExprPtr Parser::set() {
-    ExprPtr result = make(ExprKind::set);
-    const Span begin = expect("{");
-    if (peek().kind == TokenKind::identifier && peek(1).is(":")) return comprehension(begin);
-    if (accept("}")) return finish(std::move(result), begin);
-    result->args.push_back(expression());
-    if (accept("to")) {
+ExprPtr Parser::parse_set() {
+    ExprPtr result = make_expression(ExprKind::set);
+    const Span begin = expect_token("{");
+    if (peek().kind == TokenKind::identifier && peek(1).is_word(":")) return parse_comprehension(begin);
+    if (accept_token("}")) return finish_node(std::move(result), begin);
+    result->args.push_back(parse_expression());
+    if (accept_token("to")) {
         result->kind = ExprKind::set_range;
-        result->args.push_back(expression());
+        result->args.push_back(parse_expression());
         if (probabilistic_ && accept_word("by")) {
             expect_word("step");
-            result->args.push_back(expression());
+            result->args.push_back(parse_expression());
         }
     } else {
-        while (accept(",")) result->args.push_back(expression());
+        while (accept_token(",")) result->args.push_back(parse_expression());
     }
-    expect("}");
-    return finish(std::move(result), begin);
+    expect_token("}");
+    return finish_node(std::move(result), begin);
 }
 
-ExprPtr Parser::comprehension(Span begin) {
-    ExprPtr result = make(ExprKind::set_comprehension);
-    bindings(*result);
+ExprPtr Parser::parse_comprehension(Span begin) {
+    ExprPtr result = make_expression(ExprKind::set_comprehension);
+    parse_bindings(*result);
     such_that(*result);
-    result->args.push_back(accept("@") ? expression() : nullptr);
-    expect("}");
-    return finish(std::move(result), begin);
+    result->args.push_back(accept_token("@") ? parse_expression() : nullptr);
+    expect_token("}");
+    return finish_node(std::move(result), begin);
 }
 
 /// `[| a, b; c, d |]`; without `;` it is a vector.
-ExprPtr Parser::matrix() {
-    ExprPtr result = make(ExprKind::matrix);
-    const Span begin = expect("[|");
+ExprPtr Parser::parse_matrix() {
+    ExprPtr result = make_expression(ExprKind::matrix);
+    const Span begin = expect_token("[|");
     bool ragged = false;
     do {
         const Span row = peek().span;
         const std::size_t before = result->args.size();
-        do result->args.push_back(expression());
-        while (accept(","));
+        do result->args.push_back(parse_expression());
+        while (accept_token(","));
         const std::size_t entries = result->args.size() - before;
         if (before == 0) result->columns = entries;
         if (entries == result->columns) continue;
         ragged = true;
-        report(syntax::ragged_matrix, since(row), {std::to_string(entries), std::to_string(result->columns)});
-    } while (accept(";"));
-    expect("|]");
+        report(syntax::ragged_matrix, span_since(row), {std::to_string(entries), std::to_string(result->columns)});
+    } while (accept_token(";"));
+    expect_token("|]");
     if (ragged) result->columns = 0;  // the matrix has no type
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
 }  // namespace robochart::frontend

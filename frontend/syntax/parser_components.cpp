@@ -9,30 +9,32 @@ namespace robochart::frontend {
 
 /// Parses a member that the grammar allows in any context, or that a rule (STM6, C7, C9, RP3) rejects there.
 bool Parser::context_member(Context& context) {
-    if (at("uses") || at("requires") || at("provides")) return interface_clause(context), true;
-    if (at("var") || at("const")) return variable_list(context), true;
-    if (at("event") || at("_broadcast")) return event(context), true;
-    if (at("clock")) return clock(context), true;
-    if (peek().kind == TokenKind::identifier && peek(1).is("(")) return operation_signature(context), true;
+    if (at_token("uses") || at_token("requires") || at_token("provides")) return interface_clause(context), true;
+    if (at_token("var") || at_token("const")) return variable_list(context), true;
+    if (at_token("event") || at_token("_broadcast")) return parse_event(context), true;
+    if (at_token("clock")) return parse_clock(context), true;
+    if (peek().kind == TokenKind::identifier && peek(1).is_word("(")) return operation_signature(context), true;
     return false;
 }
 
 /// RoboChart.xtext allows one name after each keyword; old models have lists.
 void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
-    clause.use = at("uses") ? InterfaceUse::uses : at("requires") ? InterfaceUse::requires_ : InterfaceUse::provides;
-    advance();
-    const std::string_view word = previous().text;
+    clause.use = at_token("uses")       ? InterfaceUse::uses
+                 : at_token("requires") ? InterfaceUse::requires_
+                                        : InterfaceUse::provides;
+    advance_token();
+    const std::string_view word = previous_token().text;
     for (;;) {
         clause.name = qualified_name("the name of an interface");
         if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;  // its members are unknown, too
         context.interfaces.push_back(clause);
-        if (!at(",")) return;
+        if (!at_token(",")) return;
         const Token next = peek(1);
-        if (next.is("uses") || next.is("requires") || next.is("provides"))
+        if (next.is_word("uses") || next.is_word("requires") || next.is_word("provides"))
             return pass_superfluous("members are not separated by anything");
         old_list(peek().span, word);
-        advance();
+        advance_token();
     }
 }
 
@@ -44,30 +46,30 @@ void Parser::old_list(Span comma, std::string_view word) {
 }
 
 void Parser::variable_list(Context& context) {
-    const DeclKind kind = at("var") ? DeclKind::variable : DeclKind::constant;
-    advance();
-    do variable(context.variables, kind);
-    while (accept(","));
+    const DeclKind kind = at_token("var") ? DeclKind::variable : DeclKind::constant;
+    advance_token();
+    do parse_variable(context.variables, kind);
+    while (accept_token(","));
 }
 
-void Parser::event(Context& context) {
+void Parser::parse_event(Context& context) {
     auto owned = std::make_unique<Event>();
     Event& event = *owned;
     event.span = peek().span;
-    event.broadcast = accept("_broadcast");
-    expect("event");
+    event.broadcast = accept_token("_broadcast");
+    expect_token("event");
     name(event);
     context.events.push_back(std::move(owned));
-    if (at("(")) bracketed_event(event);
-    if (accept(":")) event.type_expr = type();
-    event.span = since(event.span);
+    if (at_token("(")) bracketed_event(event);
+    if (accept_token(":")) event.type_expr = parse_type();
+    event.span = span_since(event.span);
 }
 
-void Parser::clock(Context& context) {
+void Parser::parse_clock(Context& context) {
     auto clock = std::make_unique<Clock>();
-    clock->span = expect("clock");
+    clock->span = expect_token("clock");
     name(*clock);
-    clock->span = since(clock->span);
+    clock->span = span_since(clock->span);
     clock_with_value();
     context.clocks.push_back(std::move(clock));
 }
@@ -76,46 +78,47 @@ void Parser::operation_signature(Context& context) {
     auto signature = std::make_unique<OperationSignature>();
     signature->span = peek().span;
     name(*signature);
-    signature->parameters = parameters();
-    if (accept("[")) {
-        expect("terminates");
-        expect("]");
+    signature->parameters = parse_parameters();
+    if (accept_token("[")) {
+        expect_token("terminates");
+        expect_token("]");
         signature->terminates = true;
     }
-    signature->span = since(signature->span);
+    signature->span = span_since(signature->span);
     context.signatures.push_back(std::move(signature));
 }
 
 // ---------------------------------------------------------------- controllers and modules
 
-std::unique_ptr<Component> Parser::controller() {
+std::unique_ptr<Component> Parser::parse_controller() {
     auto controller = std::make_unique<Component>(DeclKind::controller);
-    controller->span = expect("controller");
+    controller->span = expect_token("controller");
     name(*controller);
-    guarded([&] { braces([&] { controller_member(*controller); }, context_members | controller_members); });
-    controller->span = since(controller->span);
+    catch_syntax_error(
+        [&] { parse_braces([&] { controller_member(*controller); }, context_members | controller_members); });
+    controller->span = span_since(controller->span);
     return controller;
 }
 
 /// Parses `stm …` or a reference as a part of a component.
 bool Parser::machine_part(Component& component) {
-    if (at("stm")) {
-        component.machines.push_back(watched([&] { return machine(); }));
+    if (at_token("stm")) {
+        component.machines.push_back(note_failures([&] { return parse_machine(); }));
         component.order.push_back(component.machines.back().get());
         return true;
     }
-    if (!at("sref") && !at("opref") && !at("cref") && !at("rref")) return false;
-    component.references.push_back(reference());
+    if (!at_token("sref") && !at_token("opref") && !at_token("cref") && !at_token("rref")) return false;
+    component.references.push_back(parse_reference());
     component.order.push_back(component.references.back().get());
     return true;
 }
 
 void Parser::controller_member(Component& component) {
-    const bool wrong_reference = at("cref") || at("rref");
+    const bool wrong_reference = at_token("cref") || at_token("rref");
     if (context_member(component)) return;
-    if (at("connection")) return component.connections.push_back(connection());
-    if (at("operation")) {
-        component.operations.push_back(watched([&] { return operation(); }));
+    if (at_token("connection")) return component.connections.push_back(parse_connection());
+    if (at_token("operation")) {
+        component.operations.push_back(note_failures([&] { return parse_operation(); }));
         component.order.push_back(component.operations.back().get());
         return;
     }
@@ -123,80 +126,80 @@ void Parser::controller_member(Component& component) {
     if (wrong_reference || !machine_part(component)) wrong_word("a member of a controller", {ForeignPlace::member});
 }
 
-std::unique_ptr<Component> Parser::module() {
+std::unique_ptr<Component> Parser::parse_module() {
     auto module = std::make_unique<Component>(DeclKind::module);
-    module->span = expect("module");
+    module->span = expect_token("module");
     name(*module);
-    guarded([&] { braces([&] { module_member(*module); }, module_members); });
-    module->span = since(module->span);
+    catch_syntax_error([&] { parse_braces([&] { module_member(*module); }, module_members); });
+    module->span = span_since(module->span);
     return module;
 }
 
 void Parser::module_member(Component& component) {
-    if (at("connection")) return component.connections.push_back(connection());
-    if (at("robotic")) {
-        component.platforms.push_back(watched([&] { return platform(); }));
+    if (at_token("connection")) return component.connections.push_back(parse_connection());
+    if (at_token("robotic")) {
+        component.platforms.push_back(note_failures([&] { return parse_platform(); }));
         component.order.push_back(component.platforms.back().get());
         return;
     }
-    if (at("controller")) {
-        component.controllers.push_back(watched([&] { return controller(); }));
+    if (at_token("controller")) {
+        component.controllers.push_back(note_failures([&] { return parse_controller(); }));
         component.order.push_back(component.controllers.back().get());
         return;
     }
     if (neural_construct()) return;
-    if (at("opref") || !machine_part(component))
+    if (at_token("opref") || !machine_part(component))
         wrong_word("a platform, controller, reference or connection of the module", {ForeignPlace::member});
 }
 
-std::unique_ptr<Reference> Parser::reference() {
+std::unique_ptr<Reference> Parser::parse_reference() {
     auto reference = std::make_unique<Reference>();
-    reference->refers_to = at("sref")   ? DeclKind::state_machine
-                           : at("cref") ? DeclKind::controller
-                           : at("rref") ? DeclKind::platform
-                                        : DeclKind::operation;
-    reference->span = advance().span;
+    reference->refers_to = at_token("sref")   ? DeclKind::state_machine
+                           : at_token("cref") ? DeclKind::controller
+                           : at_token("rref") ? DeclKind::platform
+                                              : DeclKind::operation;
+    reference->span = advance_token().span;
     name(*reference);
-    if (at(":") && peek(1).kind == TokenKind::identifier) {
+    if (at_token(":") && peek(1).kind == TokenKind::identifier) {
         const Span colon = peek().span;
         diagnostics::Diagnostic* const finding =
             report(syntax::other_notation, colon, {":", "what a reference refers to stands behind `=`"});
         if (finding != nullptr) finding->fixes.push_back({colon, "=", "write"});
         quiet_until_ = 0;
-        tokens_.correct(at_, TokenKind::symbol, "=");
+        tokens_.correct_token(at_, TokenKind::symbol, "=");
     }
-    expect("=");
+    expect_token("=");
     reference->target_name = qualified_name("the name of what is referred to");
-    reference->span = since(reference->span);
+    reference->span = span_since(reference->span);
     return reference;
 }
 
 void Parser::connection_end(Connection::End& end) {
     end.node = plain_name("the name of a component");
-    expect("on");
+    expect_token("on");
     end.event = plain_name("the name of an event");
 }
 
-std::unique_ptr<Connection> Parser::connection() {
+std::unique_ptr<Connection> Parser::parse_connection() {
     auto connection = std::make_unique<Connection>();
-    connection->span = expect("connection");
+    connection->span = expect_token("connection");
     connection_end(connection->from);
-    expect("to");
+    expect_token("to");
     connection_end(connection->to);
-    if (accept("(")) {
+    if (accept_token("(")) {
         (void)correct_word({"_async"});
-        expect("_async");
-        expect(")");
+        expect_token("_async");
+        expect_token(")");
         connection->async = true;
     } else if (bare_async()) {
         connection->async = true;
     }
-    if (accept("[")) {
-        expect("mult");
-        expect("]");
+    if (accept_token("[")) {
+        expect_token("mult");
+        expect_token("]");
         connection->multiple = true;
     }
-    connection->span = since(connection->span);
+    connection->span = span_since(connection->span);
     return connection;
 }
 

@@ -10,152 +10,154 @@
 namespace robochart::frontend {
 
 void Parser::package_clause(File& file) {
-    if (!accept("package")) return;
+    if (!accept_token("package")) return;
     file.package = qualified_name("the package's name");
     pass_separator("nothing ends the package clause");
 }
 
-void Parser::import(File& file) {
+void Parser::parse_import(File& file) {
     Import import;
-    import.span = expect("import");
+    import.span = expect_token("import");
     import.name = qualified_name("the name of a package");
-    if (at("::")) {
-        advance();
-        expect("*");
+    if (at_token("::")) {
+        advance_token();
+        expect_token("*");
         import.wildcard = true;
     }
-    import.span = since(import.span);
+    import.span = span_since(import.span);
     pass_separator("nothing ends an import");
     file.imports.push_back(std::move(import));
 }
 
-void Parser::diagram(File& file) {
-    expect("diagram");
+void Parser::parse_diagram(File& file) {
+    expect_token("diagram");
     file.diagrams.push_back(simple_name("the diagram's name").text());
 }
 
 /// Parses one member of a file; after a mistake, skips to the next declaration.
 void Parser::top_level(File& file) {
     const std::size_t start = at_;
-    const bool orphan =
-        at("}") || (at_member_word() && !at("stm") && !at("operation") && !at("controller") && !at("robotic"));
+    const bool orphan = at_token("}") || (at_member_word() && !at_token("stm") && !at_token("operation") &&
+                                          !at_token("controller") && !at_token("robotic"));
     // If a body was closed too early, its remaining members are reported as one mistake.
     if (orphan && orphans_) quiet_until_ = std::max(quiet_until_, at_ + 1);
     orphans_ = orphan;
-    const bool read = guarded([&] {
-        if (at("import")) return import(file);
-        if (at("diagram")) return diagram(file);
-        if (at("package")) {
+    const bool read = catch_syntax_error([&] {
+        if (at_token("import")) return parse_import(file);
+        if (at_token("diagram")) return parse_diagram(file);
+        if (at_token("package")) {
             report(syntax::late_package, peek().span);
-            advance();
+            advance_token();
             qualified_name("the package's name");
             return;
         }
         if (neural_construct()) return;
-        if (auto declared = watched([&] { return declaration(); })) file.declarations.push_back(std::move(declared));
+        if (auto declared = note_failures([&] { return parse_declaration(); }))
+            file.declarations.push_back(std::move(declared));
     });
-    if (read || corrected()) return forget(start, at_);
-    if (at_ == start && !at("{")) advance();
+    if (read || take_correction()) return mark_lost_names(start, at_);
+    if (at_ == start && !at_token("{")) advance_token();
     while (!at_end() && !at_member_word() && !at_top_level_word()) {
-        if (at("{"))
+        if (at_token("{"))
             skip_balanced();
         else
-            advance();
+            advance_token();
     }
-    forget(start, at_);
+    mark_lost_names(start, at_);
 }
 
-std::unique_ptr<Declaration> Parser::declaration() {
-    if (at("interface")) return interface();
-    if (at("robotic")) return platform();
-    if (at("controller")) return controller();
-    if (at("stm")) return machine();
-    if (at("operation")) return operation();
-    if (at("function")) return function();
-    if (at("module")) return module();
-    if (at("}")) fail(syntax::stray_bracket, peek().span);
+std::unique_ptr<Declaration> Parser::parse_declaration() {
+    if (at_token("interface")) return parse_interface();
+    if (at_token("robotic")) return parse_platform();
+    if (at_token("controller")) return parse_controller();
+    if (at_token("stm")) return parse_machine();
+    if (at_token("operation")) return parse_operation();
+    if (at_token("function")) return parse_function();
+    if (at_token("module")) return parse_module();
+    if (at_token("}")) report_and_throw(syntax::stray_bracket, peek().span);
     return type_declaration();
 }
 
 std::unique_ptr<Declaration> Parser::type_declaration() {
-    if (at("datatype") || at("record")) return record_type();
-    if (at("enumeration")) return enumeration();
-    if (!at("type")) wrong_word("a declaration", {ForeignPlace::declaration});
+    if (at_token("datatype") || at_token("record")) return record_type();
+    if (at_token("enumeration")) return parse_enumeration();
+    if (!at_token("type")) wrong_word("a declaration", {ForeignPlace::declaration});
     auto type = std::make_unique<TypeDeclaration>(DeclKind::primitive_type);
-    type->span = expect("type");
+    type->span = expect_token("type");
     name(*type);
-    type->span = since(type->span);
+    type->span = span_since(type->span);
     return type;
 }
 
 std::unique_ptr<Declaration> Parser::record_type() {
     auto type = std::make_unique<TypeDeclaration>(DeclKind::record_type);
-    type->record_keyword = at("record");
-    type->span = advance().span;
+    type->record_keyword = at_token("record");
+    type->span = advance_token().span;
     name(*type);
     const auto field = [&] {
-        variable(type->fields, DeclKind::field);
+        parse_variable(type->fields, DeclKind::field);
         pass_separator("between the fields of a type stands a blank");
     };
-    guarded([&] { braces(field, 0); });
-    type->span = since(type->span);
+    catch_syntax_error([&] { parse_braces(field, 0); });
+    type->span = span_since(type->span);
     return type;
 }
 
-std::unique_ptr<Declaration> Parser::enumeration() {
+std::unique_ptr<Declaration> Parser::parse_enumeration() {
     auto type = std::make_unique<TypeDeclaration>(DeclKind::enumeration);
-    type->span = expect("enumeration");
+    type->span = expect_token("enumeration");
     name(*type);
     const auto literal = [&] {
         auto entry = std::make_unique<EnumLiteral>();
         entry->span = peek().span;
         name(*entry);
-        if (accept("(")) {
-            do entry->arguments.push_back(this->type());
-            while (accept(","));
-            expect(")");
+        if (accept_token("(")) {
+            do entry->arguments.push_back(this->parse_type());
+            while (accept_token(","));
+            expect_token(")");
         }
-        entry->span = since(entry->span);
+        entry->span = span_since(entry->span);
         type->literals.push_back(std::move(entry));
         pass_separator("between the literals of an enumeration stands a blank");
     };
-    guarded([&] { braces(literal, 0); });
-    type->span = since(type->span);
+    catch_syntax_error([&] { parse_braces(literal, 0); });
+    type->span = span_since(type->span);
     return type;
 }
 
 /// Skips a superfluous separator, as in `{ NEAR, FAR }` and `package p;`.
 void Parser::pass_separator(std::string_view reason) {
-    if (at(",") || at(";")) pass_superfluous(reason);
+    if (at_token(",") || at_token(";")) pass_superfluous(reason);
 }
 
 /// `( p:T, … )`
-std::vector<VariablePtr> Parser::parameters() {
+std::vector<VariablePtr> Parser::parse_parameters() {
     std::vector<VariablePtr> list;
-    expect("(");
-    if (!at(")")) {
-        do variable(list, DeclKind::parameter);
-        while (accept(",") || missing_comma());
+    expect_token("(");
+    if (!at_token(")")) {
+        do parse_variable(list, DeclKind::parameter);
+        while (accept_token(",") || missing_comma());
     }
-    expect(")");
+    expect_token(")");
     return list;
 }
 
 /// `v:T`, and `= e` for variables and constants. The variable is declared even if its type cannot be parsed.
-void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
+void Parser::parse_variable(std::vector<VariablePtr>& list, DeclKind kind) {
     auto owned = std::make_unique<Variable>(kind);
     Variable& variable = *owned;
     variable.span = peek().span;
     name(variable);
     list.push_back(std::move(owned));
     type_before_name(variable);
-    if (at("=") || at(")") || at(",")) expected("`:` and a type");
-    expect(":");
-    variable.type_expr = type();
+    if (at_token("=") || at_token(")") || at_token(",")) fail_expecting("`:` and a type");
+    expect_token(":");
+    variable.type_expr = parse_type();
     const bool may_have_value = kind == DeclKind::variable || kind == DeclKind::constant;
-    const bool like_pascal = at(":") && peek(1).is("=");
-    if (may_have_value && ((like_pascal && repair_assignment()) || accept("="))) variable.initial = expression();
-    variable.span = since(variable.span);
+    const bool like_pascal = at_token(":") && peek(1).is_word("=");
+    if (may_have_value && ((like_pascal && repair_assignment()) || accept_token("=")))
+        variable.initial = parse_expression();
+    variable.span = span_since(variable.span);
 }
 
 /// `var nat x` is read as `var x : nat`.
@@ -163,7 +165,7 @@ void Parser::type_before_name(Variable& variable) {
     const Token name = peek();
     const bool swapped = name.kind == TokenKind::identifier && !name.first_on_line && names_core_type(variable.name);
     if (!swapped) return;
-    const Span span = diagnostics::join(variable.name_span, name.span);
+    const Span span = diagnostics::join_spans(variable.name_span, name.span);
     const std::string own = fmt::format("{} : {}", name.text, variable.name);
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, span,
@@ -173,49 +175,49 @@ void Parser::type_before_name(Variable& variable) {
     throw SyntaxError{};
 }
 
-std::unique_ptr<Declaration> Parser::function() {
+std::unique_ptr<Declaration> Parser::parse_function() {
     auto function = std::make_unique<Function>();
-    function->span = expect("function");
+    function->span = expect_token("function");
     name(*function);
     const auto member = [&] {
-        if (accept("precondition")) return function->preconditions.push_back(expression());
-        if (accept("postcondition")) return function->postconditions.push_back(expression());
-        expected("`precondition`, `postcondition` or `}`");
+        if (accept_token("precondition")) return function->preconditions.push_back(parse_expression());
+        if (accept_token("postcondition")) return function->postconditions.push_back(parse_expression());
+        fail_expecting("`precondition`, `postcondition` or `}`");
     };
-    guarded([&] {
-        function->parameters = parameters();
-        expect(":");
-        function->result_expr = type();
-        braces(member, contract_members);
+    catch_syntax_error([&] {
+        function->parameters = parse_parameters();
+        expect_token(":");
+        function->result_expr = parse_type();
+        parse_braces(member, contract_members);
     });
-    function->span = since(function->span);
+    function->span = span_since(function->span);
     return function;
 }
 
-std::unique_ptr<Declaration> Parser::interface() {
+std::unique_ptr<Declaration> Parser::parse_interface() {
     auto interface = std::make_unique<Context>(DeclKind::interface);
-    interface->span = expect("interface");
+    interface->span = expect_token("interface");
     name(*interface);
     const auto member = [&] {
-        const bool clause = at("uses") || at("requires") || at("provides");
+        const bool clause = at_token("uses") || at_token("requires") || at_token("provides");
         if (clause || !context_member(*interface))
             wrong_word("an operation, event, variable, constant or clock", {ForeignPlace::member});
     };
-    guarded([&] { braces(member, context_members); });
-    interface->span = since(interface->span);
+    catch_syntax_error([&] { parse_braces(member, context_members); });
+    interface->span = span_since(interface->span);
     return interface;
 }
 
-std::unique_ptr<Context> Parser::platform() {
+std::unique_ptr<Context> Parser::parse_platform() {
     auto platform = std::make_unique<Context>(DeclKind::platform);
-    platform->span = expect("robotic");
-    expect("platform");
+    platform->span = expect_token("robotic");
+    expect_token("platform");
     name(*platform);
     const auto member = [&] {
         if (!context_member(*platform)) wrong_word("a member of a robotic platform", {ForeignPlace::member});
     };
-    guarded([&] { braces(member, context_members); });
-    platform->span = since(platform->span);
+    catch_syntax_error([&] { parse_braces(member, context_members); });
+    platform->span = span_since(platform->span);
     return platform;
 }
 

@@ -18,7 +18,7 @@ int own_level(const Expr& expr) {
     return expr.kind == ExprKind::cast || expr.kind == ExprKind::is_type ? cast_level : concat_level;
 }
 
-std::string_view described(const Expr& expr) {
+std::string_view describe_form(const Expr& expr) {
     return expr.kind == ExprKind::if_then_else ? "an `if` before an operator" : "a cast before another operator";
 }
 
@@ -28,7 +28,7 @@ std::uint32_t height(const ExprPtr& expr) {
 
 }  // namespace
 
-ExprPtr Parser::make(ExprKind kind) {
+ExprPtr Parser::make_expression(ExprKind kind) {
     auto expr = std::make_unique<Expr>();
     expr->kind = kind;
     expr->span = peek().span;
@@ -36,8 +36,8 @@ ExprPtr Parser::make(ExprKind kind) {
 }
 
 /// Completes a node: its span and the height of the tree, which bounds every later traversal.
-ExprPtr Parser::finish(ExprPtr expr, Span begin) {
-    expr->span = since(begin);
+ExprPtr Parser::finish_node(ExprPtr expr, Span begin) {
+    expr->span = span_since(begin);
     std::uint32_t below = height(expr->callee);
     for (const ExprPtr& arg : expr->args) below = std::max(below, height(arg));
     for (const Binding& binding : expr->bindings) below = std::max(below, height(binding.value));
@@ -53,108 +53,109 @@ std::optional<std::pair<BinaryOp, int>> Parser::operator_here() const {
 }
 
 bool Parser::at_quantifier() const {
-    return at("forall") || at("exists") || at("exists1") || at("lambda");
+    return at_token("forall") || at_token("exists") || at_token("exists1") || at_token("lambda");
 }
 
-ExprPtr Parser::expression() {
+ExprPtr Parser::parse_expression() {
     const Nesting nesting(*this);
-    return at_quantifier() ? quantified() : operand(0);
+    return at_quantifier() ? parse_quantified() : parse_operand(0);
 }
 
 /// `forall v:T, … | p @ e`, and the same form with exists, exists1 and lambda.
-ExprPtr Parser::quantified() {
-    ExprPtr result = make(at("forall")    ? ExprKind::forall
-                          : at("exists")  ? ExprKind::exists
-                          : at("exists1") ? ExprKind::exists_unique
-                                          : ExprKind::lambda);
-    advance();
-    bindings(*result);
+ExprPtr Parser::parse_quantified() {
+    ExprPtr result = make_expression(at_token("forall")    ? ExprKind::forall
+                                     : at_token("exists")  ? ExprKind::exists
+                                     : at_token("exists1") ? ExprKind::exists_unique
+                                                           : ExprKind::lambda);
+    advance_token();
+    parse_bindings(*result);
     such_that(*result);
-    expect("@");
-    result->args.push_back(expression());
+    expect_token("@");
+    result->args.push_back(parse_expression());
     const Span begin = result->span;
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
-void Parser::bindings(Expr& expr) {
+void Parser::parse_bindings(Expr& expr) {
     do {
         std::vector<VariablePtr> read;
-        variable(read, DeclKind::bound_variable);
+        parse_variable(read, DeclKind::bound_variable);
         expr.bindings.push_back({std::move(read.front()), nullptr});
-    } while (accept(","));
+    } while (accept_token(","));
 }
 
 void Parser::such_that(Expr& expr) {
-    expr.args.push_back(accept("|") ? expression() : nullptr);
+    expr.args.push_back(accept_token("|") ? parse_expression() : nullptr);
 }
 
 /// An expression whose operators bind at least as tightly as `level`.
-ExprPtr Parser::operand(int level) {
-    ExprPtr left = prefix(level);
+ExprPtr Parser::parse_operand(int level) {
+    ExprPtr left = parse_prefix(level);
     for (;;) {
         if (probabilistic_ && at_word("Until") && level <= not_level) {
-            left = until(std::move(left));
+            left = parse_until(std::move(left));
             continue;
         }
-        const bool casts = (at("as") || at("is")) && level <= cast_level;
-        if (!casts && (repair_equality(level) || foreign_operator() || percentage(*left))) continue;
+        const bool casts = (at_token("as") || at_token("is")) && level <= cast_level;
+        if (!casts && (repair_equality(level) || foreign_operator() || parse_percentage(*left))) continue;
         const auto next = operator_here();
         if (!casts && (!next || next->second < level)) return left;
         const int binding = casts ? cast_level + 1 : next->second;
         if (binding > own_level(*left) && own_level(*left) < concat_level)
-            needs_parentheses(described(*left), left->span);
-        left = casts ? cast(std::move(left)) : infix(std::move(left), next->first, next->second);
+            needs_parentheses(describe_form(*left), left->span);
+        left = casts ? parse_cast(std::move(left)) : parse_infix(std::move(left), next->first, next->second);
     }
 }
 
 /// `=` between expressions is read as `==`.
 bool Parser::repair_equality(int level) {
-    if (!at("=") || level > compare_level) return false;
+    if (!at_token("=") || level > compare_level) return false;
     const Span span = peek().span;
-    if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span); finding != nullptr && !peek(1).is("?"))
+    if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span);
+        finding != nullptr && !peek(1).is_word("?"))
         finding->fixes.push_back({span, "==", "write"});
-    tokens_.correct(at_, TokenKind::symbol, "==");
+    tokens_.correct_token(at_, TokenKind::symbol, "==");
     quiet_until_ = 0;
     return true;
 }
 
-ExprPtr Parser::infix(ExprPtr left, BinaryOp op, int level) {
-    if (at("&&") || at("||")) report_c_operator(at("&&") ? "/\\" : "\\/");
+ExprPtr Parser::parse_infix(ExprPtr left, BinaryOp op, int level) {
+    if (at_token("&&") || at_token("||")) report_c_operator(at_token("&&") ? "/\\" : "\\/");
     if (peek().escaped)
         tokens_.drop_first_character(at_);
     else
-        advance();
-    ExprPtr result = make(ExprKind::binary);
+        advance_token();
+    ExprPtr result = make_expression(ExprKind::binary);
     const Span begin = left->span;
     result->binary = op;
     result->args.push_back(std::move(left));
-    result->args.push_back(operand(level + 1));
-    return finish(std::move(result), begin);
+    result->args.push_back(parse_operand(level + 1));
+    return finish_node(std::move(result), begin);
 }
 
-ExprPtr Parser::cast(ExprPtr left) {
-    ExprPtr result = make(at("as") ? ExprKind::cast : ExprKind::is_type);
+ExprPtr Parser::parse_cast(ExprPtr left) {
+    ExprPtr result = make_expression(at_token("as") ? ExprKind::cast : ExprKind::is_type);
     const Span begin = left->span;
-    advance();
+    advance_token();
     result->args.push_back(std::move(left));
-    result->type_expr = type();
-    return finish(std::move(result), begin);
+    result->type_expr = parse_type();
+    return finish_node(std::move(result), begin);
 }
 
-ExprPtr Parser::prefix(int level) {
-    if (at("not")) return logical_not(level);
-    if (at("the")) return description(level);
-    if (at("let")) return let(level);
-    if (at("if")) return conditional(level);
+ExprPtr Parser::parse_prefix(int level) {
+    if (at_token("not")) return logical_not(level);
+    if (at_token("the")) return parse_description(level);
+    if (at_token("let")) return parse_let(level);
+    if (at_token("if")) return parse_conditional(level);
     if (probabilistic_ && at_path_prefix()) return path_prefix();
-    if (at("!") && peek(1).kind != TokenKind::end) {
+    if (at_token("!") && peek(1).kind != TokenKind::end) {
         report_c_operator("not ");
-        tokens_.correct(at_, TokenKind::keyword, "not");
+        tokens_.correct_token(at_, TokenKind::keyword, "not");
         return logical_not(level);
     }
-    if (!at_quantifier()) return negation();
+    if (!at_quantifier()) return parse_negation();
     const Token word = peek();
-    ExprPtr result = expression();
+    ExprPtr result = parse_expression();
     check_weak_prefix(word, *result, 1, 0);
     return result;
 }
@@ -164,7 +165,7 @@ void Parser::check_weak_prefix(const Token& word, const Expr& read, int level, i
     if (level <= own_level) return;
     diagnostics::Diagnostic* finding = report(syntax::bare_quantifier, word.span, {std::string(word.text)});
     if (finding == nullptr) return;
-    const std::string text(sources_.text(source_).substr(read.span.begin, read.span.end - read.span.begin));
+    const std::string text(sources_.source_text(source_).substr(read.span.begin, read.span.end - read.span.begin));
     finding->fixes.push_back({read.span, "(" + text + ")", "write"});
 }
 
@@ -178,143 +179,143 @@ void Parser::report_c_operator(std::string_view meant) {
 
 ExprPtr Parser::logical_not(int level) {
     const Nesting nesting(*this);
-    ExprPtr result = make(ExprKind::unary);
+    ExprPtr result = make_expression(ExprKind::unary);
     const Token word = peek();
-    const Span begin = expect("not");
+    const Span begin = expect_token("not");
     result->unary = UnaryOp::logical_not;
-    const bool again = at("not") || at("!");
-    result->args.push_back(again ? prefix(not_level) : operand(probabilistic_ ? not_level : compare_level));
-    result = finish(std::move(result), begin);
+    const bool again = at_token("not") || at_token("!");
+    result->args.push_back(again ? parse_prefix(not_level) : parse_operand(probabilistic_ ? not_level : compare_level));
+    result = finish_node(std::move(result), begin);
     check_weak_prefix(word, *result, level, not_level);
     return result;
 }
 
 /// `the v:T | p @ e`
-ExprPtr Parser::description(int level) {
+ExprPtr Parser::parse_description(int level) {
     const Nesting nesting(*this);
-    ExprPtr result = make(ExprKind::the);
+    ExprPtr result = make_expression(ExprKind::the);
     const Token word = peek();
-    const Span begin = expect("the");
-    bindings(*result);
+    const Span begin = expect_token("the");
+    parse_bindings(*result);
     such_that(*result);
-    expect("@");
-    result->args.push_back(operand(the_level));
-    result = finish(std::move(result), begin);
+    expect_token("@");
+    result->args.push_back(parse_operand(the_level));
+    result = finish_node(std::move(result), begin);
     check_weak_prefix(word, *result, level, the_level);
     return result;
 }
 
 /// `let x == e, … @ e`
-ExprPtr Parser::let(int level) {
+ExprPtr Parser::parse_let(int level) {
     const Nesting nesting(*this);
-    ExprPtr result = make(ExprKind::let);
+    ExprPtr result = make_expression(ExprKind::let);
     const Token word = peek();
-    const Span begin = expect("let");
+    const Span begin = expect_token("let");
     do {
         Binding binding;
         binding.variable = std::make_unique<Variable>(DeclKind::bound_variable);
         binding.variable->span = peek().span;
         name(*binding.variable);
         if (!repair_equality(0))
-            expect("==");
+            expect_token("==");
         else
-            advance();
-        binding.value = expression();
-        binding.variable->span = since(binding.variable->span);
+            advance_token();
+        binding.value = parse_expression();
+        binding.variable->span = span_since(binding.variable->span);
         result->bindings.push_back(std::move(binding));
-    } while (accept(","));
-    expect("@");
-    result->args.push_back(operand(let_level));
-    result = finish(std::move(result), begin);
+    } while (accept_token(","));
+    expect_token("@");
+    result->args.push_back(parse_operand(let_level));
+    result = finish_node(std::move(result), begin);
     check_weak_prefix(word, *result, level, let_level);
     return result;
 }
 
 /// `if c then a else b end`
-ExprPtr Parser::conditional(int level) {
-    ExprPtr result = make(ExprKind::if_then_else);
+ExprPtr Parser::parse_conditional(int level) {
+    ExprPtr result = make_expression(ExprKind::if_then_else);
     const Token word = peek();
-    const Span begin = expect("if");
-    result->args.push_back(expression());
-    expect("then");
-    result->args.push_back(expression());
-    expect("else");
-    result->args.push_back(expression());
-    expect("end");
-    result = finish(std::move(result), begin);
+    const Span begin = expect_token("if");
+    result->args.push_back(parse_expression());
+    expect_token("then");
+    result->args.push_back(parse_expression());
+    expect_token("else");
+    result->args.push_back(parse_expression());
+    expect_token("end");
+    result = finish_node(std::move(result), begin);
     check_weak_prefix(word, *result, level, if_level);
     return result;
 }
 
-ExprPtr Parser::negation() {
-    if (!at("-")) return postfix();
+ExprPtr Parser::parse_negation() {
+    if (!at_token("-")) return parse_postfix();
     const Nesting nesting(*this);
-    ExprPtr result = make(ExprKind::unary);
-    const Span begin = expect("-");
+    ExprPtr result = make_expression(ExprKind::unary);
+    const Span begin = expect_token("-");
     result->unary = UnaryOp::negate;
-    result->args.push_back(negation());
-    return finish(std::move(result), begin);
+    result->args.push_back(parse_negation());
+    return finish_node(std::move(result), begin);
 }
 
 /// In assertion files `.` may also end the assertion; there, a field must follow `.` directly.
 bool Parser::at_member_step() const {
     const Token next = peek(1);
     const bool field = next.kind == TokenKind::identifier && next.span.begin == peek().span.end;
-    return at(".") && (!is_assertions_ || field);
+    return at_token(".") && (!is_assertions_ || field);
 }
 
-ExprPtr Parser::postfix() {
-    return steps(call(), false);
+ExprPtr Parser::parse_postfix() {
+    return parse_steps(parse_call(), false);
 }
 
 /// Member and index steps: `e.f`, `e[i, j]`. In expressions, at most one index is allowed, before the members.
-ExprPtr Parser::steps(ExprPtr left, bool assigned) {
-    while (at_member_step() || at("[")) {
+ExprPtr Parser::parse_steps(ExprPtr left, bool assigned) {
+    while (at_member_step() || at_token("[")) {
         const bool stepped = left->kind == ExprKind::member || left->kind == ExprKind::index;
-        if (at("[") && stepped && !assigned)
+        if (at_token("[") && stepped && !assigned)
             needs_parentheses("what is indexed after a field or another index", left->span);
-        ExprPtr step = make(at(".") ? ExprKind::member : ExprKind::index);
+        ExprPtr step = make_expression(at_token(".") ? ExprKind::member : ExprKind::index);
         const Span begin = left->span;
         step->args.push_back(std::move(left));
-        if (accept(".")) {
+        if (accept_token(".")) {
             step->name = simple_name("the name of a field");
             step->text = step->name.parts.front();
         } else {
-            expect("[");
-            do step->args.push_back(expression());
-            while (accept(","));
-            expect("]");
+            expect_token("[");
+            do step->args.push_back(parse_expression());
+            while (accept_token(","));
+            expect_token("]");
         }
-        left = finish(std::move(step), begin);
+        left = finish_node(std::move(step), begin);
     }
     return left;
 }
 
 /// `f(a, …)`; the function is a name or any other atom.
-ExprPtr Parser::call() {
-    ExprPtr function = atom();
-    while (at("(")) {
+ExprPtr Parser::parse_call() {
+    ExprPtr function = parse_atom();
+    while (at_token("(")) {
         if (function->kind == ExprKind::call) needs_parentheses("a call that is called again", function->span);
-        ExprPtr result = make(ExprKind::call);
+        ExprPtr result = make_expression(ExprKind::call);
         const Span begin = function->span;
-        advance();
+        advance_token();
         if (function->kind == ExprKind::name)
             result->name = std::move(function->name);
         else
             result->callee = std::move(function);
         expression_list(result->args, ")");
-        function = finish(std::move(result), begin);
+        function = finish_node(std::move(result), begin);
     }
     return function;
 }
 
 /// `e, …` up to and including the closing token; may be empty.
 void Parser::expression_list(std::vector<ExprPtr>& list, std::string_view close) {
-    if (!at(close)) {
-        do list.push_back(expression());
-        while (accept(",") || missing_comma());
+    if (!at_token(close)) {
+        do list.push_back(parse_expression());
+        while (accept_token(",") || missing_comma());
     }
-    expect(close);
+    expect_token(close);
 }
 
 /// True if two items are adjacent, so that the comma between them is missing.
@@ -322,9 +323,9 @@ bool Parser::missing_comma() {
     const TokenKind kind = peek().kind;
     const bool item = kind == TokenKind::identifier || kind == TokenKind::integer || kind == TokenKind::real;
     if (!item || peek().first_on_line || peek().escaped || at_ < quiet_until_) return false;
-    if (peek().span.begin == previous().span.end) return false;  // `1e5` is not a list
-    const Span place{source_, previous().span.end, previous().span.end};
-    diagnostics::Diagnostic* finding = report(syntax::unexpected, peek().span, {"`,`", found()});
+    if (peek().span.begin == previous_token().span.end) return false;  // `1e5` is not a list
+    const Span place{source_, previous_token().span.end, previous_token().span.end};
+    diagnostics::Diagnostic* finding = report(syntax::unexpected, peek().span, {"`,`", describe_token()});
     if (finding != nullptr) finding->fixes.push_back({place, ",", "insert"});
     inserted_ = finding;
     return true;

@@ -9,50 +9,50 @@
 
 namespace robochart::frontend {
 
-std::unique_ptr<Machine> Parser::machine() {
+std::unique_ptr<Machine> Parser::parse_machine() {
     auto machine = std::make_unique<Machine>(DeclKind::state_machine);
-    machine->span = expect("stm");
+    machine->span = expect_token("stm");
     name(*machine);
     const auto member = [&] {
         if (!context_member(*machine) && !node_member(*machine))
             wrong_word("a member of a state machine", {ForeignPlace::member});
     };
-    guarded([&] { braces(member, context_members | node_members); });
-    machine->span = since(machine->span);
+    catch_syntax_error([&] { parse_braces(member, context_members | node_members); });
+    machine->span = span_since(machine->span);
     return machine;
 }
 
-std::unique_ptr<Machine> Parser::operation() {
+std::unique_ptr<Machine> Parser::parse_operation() {
     auto operation = std::make_unique<Machine>(DeclKind::operation);
-    operation->span = expect("operation");
+    operation->span = expect_token("operation");
     name(*operation);
     const auto member = [&] {
         if (!context_member(*operation) && !node_member(*operation) && !contract_member(*operation))
             wrong_word("a member of an operation", {ForeignPlace::member});
     };
-    guarded([&] {
-        operation->parameters = parameters();
-        braces(member, context_members | node_members | contract_members);
+    catch_syntax_error([&] {
+        operation->parameters = parse_parameters();
+        parse_braces(member, context_members | node_members | contract_members);
     });
     operation->has_body = !operation->nodes.empty();
-    operation->span = since(operation->span);
+    operation->span = span_since(operation->span);
     return operation;
 }
 
 bool Parser::contract_member(Machine& machine) {
-    if (accept("terminates")) {
+    if (accept_token("terminates")) {
         machine.terminates = true;
         return true;
     }
-    const bool before = at("precondition");
-    if (!before && !at("postcondition")) return false;
-    advance();
-    (before ? machine.preconditions : machine.postconditions).push_back(expression());
+    const bool before = at_token("precondition");
+    if (!before && !at_token("postcondition")) return false;
+    advance_token();
+    (before ? machine.preconditions : machine.postconditions).push_back(parse_expression());
     return true;
 }
 
 bool Parser::node_member(NodeContainer& container) {
-    if (at("transition")) return transition(container), true;
+    if (at_token("transition")) return parse_transition(container), true;
     constexpr std::array<std::pair<std::string_view, DeclKind>, 5> kinds = {
         {{"state", DeclKind::state},
          {"initial", DeclKind::initial},
@@ -60,110 +60,113 @@ bool Parser::node_member(NodeContainer& container) {
          {"junction", DeclKind::junction},
          {"probabilistic", DeclKind::probabilistic}}};
     for (const auto& [word, kind] : kinds)
-        if (at(word)) return node(container, kind), true;
+        if (at_token(word)) return parse_node(container, kind), true;
     return false;
 }
 
 /// A final node with a body is parsed, too, so that FS2 and FS3 can report it.
-void Parser::node(NodeContainer& container, DeclKind kind) {
+void Parser::parse_node(NodeContainer& container, DeclKind kind) {
     auto owned = std::make_unique<State>(kind);
     State& state = *owned;
-    state.span = advance().span;
-    if (pseudo_state(kind)) return node(container, DeclKind::state);
+    state.span = advance_token().span;
+    if (pseudo_state(kind)) return parse_node(container, DeclKind::state);
     name(state);
     container.nodes.push_back(std::move(owned));
-    if (at(":") && peek(1).is("{")) pass_superfluous("what a node has stands in braces behind its name");
+    if (at_token(":") && peek(1).is_word("{")) pass_superfluous("what a node has stands in braces behind its name");
     if (kind == DeclKind::state && body_left_out()) return;
-    if (kind == DeclKind::state || (kind == DeclKind::final && at("{"))) guarded([&] { state_body(state); });
-    state.span = since(state.span);
+    if (kind == DeclKind::state || (kind == DeclKind::final && at_token("{")))
+        catch_syntax_error([&] { state_body(state); });
+    state.span = span_since(state.span);
 }
 
 void Parser::state_body(State& state) {
     const auto member = [&] {
-        if (at("entry") || at("during") || at("exit")) return action(state);
+        if (at_token("entry") || at_token("during") || at_token("exit")) return parse_action(state);
         if (!node_member(state))
             wrong_word("a node, transition or action of the state", {ForeignPlace::state_part, ForeignPlace::member});
     };
-    braces(member, node_members | action_members);
+    parse_braces(member, node_members | action_members);
 }
 
-void Parser::action(State& state) {
+void Parser::parse_action(State& state) {
     Action action;
-    action.kind = at("entry") ? ActionKind::entry : at("during") ? ActionKind::during : ActionKind::exit;
-    action.span = advance().span;
-    if (at("/")) pass_superfluous("an action follows its word at once: `entry skip`");
+    action.kind = at_token("entry") ? ActionKind::entry : at_token("during") ? ActionKind::during : ActionKind::exit;
+    action.span = advance_token().span;
+    if (at_token("/")) pass_superfluous("an action follows its word at once: `entry skip`");
     pass_sign_behind_word();
-    action.statement = statement();
-    action.span = since(action.span);
+    action.statement = parse_statement();
+    action.span = span_since(action.span);
     state.actions.push_back(std::move(action));
 }
 
 // ---------------------------------------------------------------- transitions
 
-void Parser::transition(NodeContainer& container) {
+void Parser::parse_transition(NodeContainer& container) {
     auto owned = std::make_unique<Transition>();
     Transition& transition = *owned;
-    transition.span = expect("transition");
+    transition.span = expect_token("transition");
     name(transition);
     container.transitions.push_back(std::move(owned));
-    if (at(":") && peek(1).is("{")) pass_superfluous("what a transition does stands in braces behind its name");
-    if (at("from") || at_word("source")) {
-        guarded([&] { unbraced_transition(transition); });
-        transition.span = since(transition.span);
+    if (at_token(":") && peek(1).is_word("{"))
+        pass_superfluous("what a transition does stands in braces behind its name");
+    if (at_token("from") || at_word("source")) {
+        catch_syntax_error([&] { unbraced_transition(transition); });
+        transition.span = span_since(transition.span);
         return;
     }
-    guarded([&] {
-        expect("{");
-        if (!guarded([&] { transition_body(transition); })) {
-            while (!at_end() && !at("}") && !at_member_word() && !at_top_level_word())
-                at("{") || at("<{") ? skip_balanced() : static_cast<void>(advance());
-            if (at("}")) advance();
+    catch_syntax_error([&] {
+        expect_token("{");
+        if (!catch_syntax_error([&] { transition_body(transition); })) {
+            while (!at_end() && !at_token("}") && !at_member_word() && !at_top_level_word())
+                at_token("{") || at_token("<{") ? skip_balanced() : static_cast<void>(advance_token());
+            if (at_token("}")) advance_token();
             return;
         }
-        expect("}");
+        expect_token("}");
     });
-    transition.span = since(transition.span);
+    transition.span = span_since(transition.span);
 }
 
 /// `transition t from A to B` without its braces, or without the opening one.
 void Parser::unbraced_transition(Transition& transition) {
     const std::size_t failures = failures_;
     const Span begin = peek().span;
-    diagnostics::Diagnostic* const finding = report(syntax::unexpected, missing_place(), {"`{`", found()});
+    diagnostics::Diagnostic* const finding = report(syntax::unexpected, missing_place(), {"`{`", describe_token()});
     quiet_until_ = 0;
     transition_body(transition, false);
-    const bool closed = surplus_ < 0 && at("}");
+    const bool closed = surplus_ < 0 && at_token("}");
     if (finding != nullptr && failures_ == failures + 1) {
-        const Span span = since(begin);
-        const std::string_view text = sources_.text(source_).substr(span.begin, span.end - span.begin);
+        const Span span = span_since(begin);
+        const std::string_view text = sources_.source_text(source_).substr(span.begin, span.end - span.begin);
         finding->fixes.push_back({span, fmt::format("{{ {}{}", text, closed ? "" : " }"), "write"});
     }
     if (!closed) return;
     ++surplus_;
-    advance();
+    advance_token();
 }
 
 void Parser::transition_body(Transition& transition, bool braced) {
-    if (peek().kind == TokenKind::identifier && peek(1).is("->")) {
+    if (peek().kind == TokenKind::identifier && peek(1).is_word("->")) {
         ends_by_arrow(transition);
     } else {
         if (at_word("source")) (void)replace_foreign(ForeignPlace::clause);
-        expect("from");
+        expect_token("from");
         transition.from = plain_name("the transition's source");
-        if (peek(1).is("to")) pass_separator("clauses of a transition are not separated by anything");
+        if (peek(1).is_word("to")) pass_separator("clauses of a transition are not separated by anything");
         if (at_word("target")) (void)replace_foreign(ForeignPlace::clause);
-        expect("to");
+        expect_token("to");
         transition.to = plain_name("the transition's target");
     }
     constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
     int last = 0;
     std::array<std::size_t, 6> begins{};  // the first token of each kind of clause
-    while (!at("}") && !at_end() && (braced || !(at_member_word() || at_top_level_word()))) {
+    while (!at_token("}") && !at_end() && (braced || !(at_member_word() || at_top_level_word()))) {
         const Token next = peek(1);
-        const bool clause_follows = next.is("trigger") || next.is("probability") || next.is("#") || next.is("<{") ||
-                                    next.is("condition") || next.is("action") || next.is("}");
+        const bool clause_follows = next.is_word("trigger") || next.is_word("probability") || next.is_word("#") ||
+                                    next.is_word("<{") || next.is_word("condition") || next.is_word("action") ||
+                                    next.is_word("}");
         if (clause_follows) pass_separator("clauses of a transition are not separated by anything");
-        if (at("}")) break;
+        if (at_token("}")) break;
         const std::size_t begin = at_;
         const int clause = transition_clause(transition);
         std::size_t& first = begins.at(static_cast<std::size_t>(clause));
@@ -189,8 +192,8 @@ diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std
         if (begins.at(i) != 0) later = std::min(later, begins.at(i));
     const std::uint32_t from = tokens_[later].span.begin;
     const std::uint32_t own = tokens_[clause].span.begin;
-    const std::uint32_t end = previous().span.end;
-    const std::string_view text = sources_.text(source_);
+    const std::uint32_t end = previous_token().span.end;
+    const std::string_view text = sources_.source_text(source_);
     std::string between(text.substr(from, own - from));
     const std::size_t last = between.find_last_not_of(" \t\r\n");
     const std::string gap = between.substr(last + 1);
@@ -200,53 +203,54 @@ diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std
 
 /// Parses a clause and returns its position in the order of clauses.
 int Parser::transition_clause(Transition& transition) {
-    if (at("trigger")) return trigger(transition), 1;
-    if (accept("probability")) {
+    if (at_token("trigger")) return parse_trigger(transition), 1;
+    if (accept_token("probability")) {
         pass_sign_behind_word();
-        transition.probability = expression();
+        transition.probability = parse_expression();
         return 1;
     }
-    if (at("#")) return reset(transition), 2;
-    if (accept("<{")) {
-        transition.deadline = expression();
-        expect("}");
+    if (at_token("#")) return reset(transition), 2;
+    if (accept_token("<{")) {
+        transition.deadline = parse_expression();
+        expect_token("}");
         return 3;
     }
-    if (accept("condition")) {
+    if (accept_token("condition")) {
         pass_sign_behind_word();
-        transition.otherwise = accept("else");
-        if (!transition.otherwise) transition.condition = expression();
+        transition.otherwise = accept_token("else");
+        if (!transition.otherwise) transition.condition = parse_expression();
         return 4;
     }
-    if (accept("action")) {
+    if (accept_token("action")) {
         pass_sign_behind_word();
-        transition.action = statement();
+        transition.action = parse_statement();
         return 5;
     }
-    if (at("[")) return bracketed_guard(transition), 4;
+    if (at_token("[")) return bracketed_guard(transition), 4;
     if (called_reset(transition)) return 2;
     if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
     if (const int clause = forgotten_trigger(transition); clause > 0) return clause;
     if (correct_word({"trigger", "probability", "condition", "action"})) return transition_clause(transition);
-    expected("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
+    fail_expecting("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
 
 /// `trigger e…`; the old forms `trigger` and `trigger #C` wait for no event.
-void Parser::trigger(Transition& transition) {
-    const Span word = expect("trigger");
+void Parser::parse_trigger(Transition& transition) {
+    const Span word = expect_token("trigger");
     pass_sign_behind_word();
     if (peek().kind == TokenKind::identifier) {
-        transition.trigger = communication();
+        transition.trigger = parse_communication();
         return;
     }
-    if (!at("#") && !at("condition") && !at("action") && !at("<{") && !at("}")) expected("the name of an event");
+    if (!at_token("#") && !at_token("condition") && !at_token("action") && !at_token("<{") && !at_token("}"))
+        fail_expecting("the name of an event");
     transition.legacy_trigger = true;
     inserted_ = nullptr;
     out_.report(syntax::legacy_trigger, word).fixes.push_back({word, "", "leave out `trigger`"});
 }
 
 void Parser::reset(Transition& transition) {
-    expect("#");
+    expect_token("#");
     transition.resets.push_back({plain_name("the name of a clock"), nullptr});
 }
 

@@ -47,7 +47,7 @@ bool Parser::at_probabilistic_part() const {
     if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
     const auto* form = std::ranges::find_if(definition_words, [&](const auto& each) { return at_word(each.first); });
     if (form == definition_words.end() || peek(1).kind != TokenKind::identifier) return false;
-    return peek(2).is(form->second) || peek().first_on_line;
+    return peek(2).is_word(form->second) || peek().first_on_line;
 }
 
 void Parser::probabilistic_part(File& file) {
@@ -70,17 +70,17 @@ void Parser::probabilistic_assertion(File& file) {
     expect_word("prob");
     const bool path = accept_word("generate");
     expect_word(path ? "path" : "property");
-    assertion.span = since(begin);
+    assertion.span = span_since(begin);
     definition_name(assertion.name, assertion.name_span);
-    assertion.span = since(begin);
-    expect(":");
+    assertion.span = span_since(begin);
+    expect_token(":");
     if (path)
         assertion.path = path_generation();
     else
-        assertion.property = expression();
-    assertion.span = since(begin);
+        assertion.property = parse_expression();
+    assertion.span = span_since(begin);
     probabilistic_clauses(assertion);
-    assertion.span = since(begin);
+    assertion.span = span_since(begin);
     assertion.broken = failures_ != before;
 }
 
@@ -91,17 +91,17 @@ PathGeneration Parser::path_generation() {
         const bool clause = at_word("constant", 1) || at_word("constants", 1) || at_word("definitions", 1) ||
                             at_word("modules", 1) || at_word("cmdoptions", 1);
         if (at_word("with") && !clause) {
-            advance();
-            path.repeats = operand(plus_level);
+            advance_token();
+            path.repeats = parse_operand(plus_level);
             expect_word("repeats");
         }
     } else {
-        path.steps = operand(plus_level);
+        path.steps = parse_operand(plus_level);
         expect_word("steps");
     }
     if (!accept_word("up")) return path;
-    expect("to");
-    path.limit = operand(plus_level);
+    expect_token("to");
+    path.limit = parse_operand(plus_level);
     expect_word("steps");
     return path;
 }
@@ -111,16 +111,16 @@ void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
     std::string last;
     int order = -1;
     while (at_word("with")) {
-        advance();
+        advance_token();
         const Token word = peek();
         const int clause = at_word("constants") || at_word("constant") ? 0
                            : at_word("definitions")                    ? 1
                            : at_word("modules")                        ? 2
                            : at_word("cmdoptions")                     ? 3
                                                                        : -1;
-        if (clause < 0) expected("`constants`, `definitions`, `modules` or `cmdoptions`");
+        if (clause < 0) fail_expecting("`constants`, `definitions`, `modules` or `cmdoptions`");
         const std::string text(word.text);
-        advance();
+        advance_token();
         if (clause <= order) {
             report(syntax::probabilistic_clause_order, word.span, {text, last});
             quiet_until_ = 0;
@@ -133,8 +133,8 @@ void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
             assertion.clauses.push_back(probabilistic_clause(kinds.at(static_cast<std::size_t>(clause))));
             continue;
         }
-        if (peek().kind != TokenKind::string) expected("the options in quotation marks");
-        assertion.options = std::string(advance().text);
+        if (peek().kind != TokenKind::string) fail_expecting("the options in quotation marks");
+        assertion.options = std::string(advance_token().text);
     }
 }
 
@@ -143,7 +143,7 @@ ProbabilisticClause Parser::probabilistic_clause(ProbabilisticKind kind) {
     ProbabilisticClause clause;
     clause.definition.kind = kind;
     std::size_t behind = 1;
-    while (peek(behind).is("::")) behind += 2;
+    while (peek(behind).is_word("::")) behind += 2;
     const bool written = at_word("pfunction") || at_word("poperation") || at_word("pmodule") ||
                          (kind == ProbabilisticKind::constants && (at_word("set", behind) || at_word("from", behind)));
     if (written)
@@ -159,13 +159,13 @@ void Parser::probabilistic_definition(File& file) {
     definition.broken = true;
     const auto* form = std::ranges::find_if(definition_words, [&](const auto& each) { return at_word(each.first); });
     definition.kind = static_cast<ProbabilisticKind>(form - definition_words.begin());
-    const Span begin = advance().span;
+    const Span begin = advance_token().span;
     definition.span = begin;
     definition_name(definition.name, definition.name_span);
-    definition.span = since(begin);
-    expect(form->second);
+    definition.span = span_since(begin);
+    expect_token(form->second);
     definition_body(definition);
-    definition.span = since(begin);
+    definition.span = span_since(begin);
     definition.broken = failures_ != before;
 }
 
@@ -176,25 +176,25 @@ void Parser::definition_body(ProbabilisticDefinition& definition) {
             definition.constant->name = definition.name;
             definition.constant->name_span = definition.name_span;
             definition.constant->span = definition.span;
-            definition.constant->type_expr = type();
+            definition.constant->type_expr = parse_type();
             return;
         case ProbabilisticKind::constants:
             definition.constants = constant_list();
             return;
         case ProbabilisticKind::label:
         case ProbabilisticKind::formula:
-            definition.value = expression();
+            definition.value = parse_expression();
             return;
         case ProbabilisticKind::rewards:
             definition.rewards = reward_items();
             return;
         case ProbabilisticKind::definitions:
-            if (!at_word("pfunction") && !at_word("poperation")) expected("`pfunction` or `poperation`");
+            if (!at_word("pfunction") && !at_word("poperation")) fail_expecting("`pfunction` or `poperation`");
             while (at_word("pfunction") || at_word("poperation"))
                 definition.functions.push_back(probabilistic_function());
             return;
         case ProbabilisticKind::modules:
-            if (!at_word("pmodule")) expected("`pmodule`");
+            if (!at_word("pmodule")) fail_expecting("`pmodule`");
             while (at_word("pmodule")) definition.modules.push_back(probabilistic_module());
             return;
     }
@@ -208,7 +208,7 @@ std::vector<ConstantValues> Parser::constant_list() {
     bool more = true;
     while (more) {
         list.push_back(constant_values());
-        more = accept(",");
+        more = accept_token(",");
         more = accept_word("and") || more;
     }
     return list;
@@ -216,18 +216,18 @@ std::vector<ConstantValues> Parser::constant_list() {
 
 ConstantValues Parser::constant_values() {
     ConstantValues values;
-    if (peek().kind != TokenKind::identifier) expected("the name of a constant");
-    values.constant = named();
-    values.from_set = accept("from");
+    if (peek().kind != TokenKind::identifier) fail_expecting("the name of a constant");
+    values.constant = parse_named();
+    values.from_set = accept_token("from");
     if (values.from_set) {
         expect_word("set");
-        if (!at("{")) expected("`{`");
-        values.value = set();
+        if (!at_token("{")) fail_expecting("`{`");
+        values.value = parse_set();
         return values;
     }
-    if (!accept_word("set")) expected("`set to` or `from set`");
-    expect("to");
-    values.value = expression();
+    if (!accept_word("set")) fail_expecting("`set to` or `from set`");
+    expect_token("to");
+    values.value = parse_expression();
     return values;
 }
 
@@ -236,48 +236,48 @@ std::vector<RewardItem> Parser::reward_items() {
     std::vector<RewardItem> items;
     while (!at_word("endrewards")) {
         RewardItem item;
-        item.of_step = at("[");
+        item.of_step = at_token("[");
         if (item.of_step) item.event = action_label();
-        item.guard = expression();
-        expect(":");
-        item.value = expression();
-        expect(";");
+        item.guard = parse_expression();
+        expect_token(":");
+        item.value = parse_expression();
+        expect_token(";");
         items.push_back(std::move(item));
     }
-    advance();
+    advance_token();
     return items;
 }
 
 /// `[event]`, `[]`
 ExprPtr Parser::action_label() {
-    expect("[");
-    ExprPtr event = at("]") ? nullptr : named();
-    expect("]");
+    expect_token("[");
+    ExprPtr event = at_token("]") ? nullptr : parse_named();
+    expect_token("]");
     return event;
 }
 
 /// `pfunction f(x, y) = { return e }`, `poperation o(x) = { u & v }`
 ProbabilisticFunction Parser::probabilistic_function() {
     ProbabilisticFunction function;
-    const bool returns = advance().text == "pfunction";
+    const bool returns = advance_token().text == "pfunction";
     definition_name(function.name, function.name_span);
-    expect("(");
-    if (!at(")")) do {
+    expect_token("(");
+    if (!at_token(")")) do {
             auto parameter = std::make_unique<Variable>(DeclKind::parameter);
             name(*parameter);
             parameter->span = parameter->name_span;
             function.parameters.push_back(std::move(parameter));
-        } while (accept(","));
-    expect(")");
-    expect("=");
-    expect("{");
+        } while (accept_token(","));
+    expect_token(")");
+    expect_token("=");
+    expect_token("{");
     if (returns) {
         expect_word("return");
-        function.result = expression();
+        function.result = parse_expression();
     } else {
-        function.updates = updates();
+        function.updates = parse_updates();
     }
-    expect("}");
+    expect_token("}");
     return function;
 }
 
@@ -286,15 +286,15 @@ ProbabilisticModule Parser::probabilistic_module() {
     ProbabilisticModule module;
     expect_word("pmodule");
     definition_name(module.name, module.name_span);
-    expect("{");
-    while (!at("}") && !at_end()) {
-        if (at("["))
-            module.commands.push_back(command());
+    expect_token("{");
+    while (!at_token("}") && !at_end()) {
+        if (at_token("["))
+            module.commands.push_back(parse_command());
         else
             module.variables.push_back(module_variable());
-        expect(";");
+        expect_token(";");
     }
-    expect("}");
+    expect_token("}");
     return module;
 }
 
@@ -304,52 +304,52 @@ ModuleVariable Parser::module_variable() {
     result.variable = std::make_unique<Variable>(DeclKind::variable);
     const Span begin = peek().span;
     name(*result.variable);
-    expect(":");
+    expect_token(":");
     if (!accept_word("bool")) {
-        if (!at("[")) expected("`bool` or `[a to b]`");
-        advance();
-        result.low = expression();
-        expect("to");
-        result.high = expression();
-        expect("]");
+        if (!at_token("[")) fail_expecting("`bool` or `[a to b]`");
+        advance_token();
+        result.low = parse_expression();
+        expect_token("to");
+        result.high = parse_expression();
+        expect_token("]");
     }
-    if (accept_word("init")) result.variable->initial = expression();
-    result.variable->span = since(begin);
+    if (accept_word("init")) result.variable->initial = parse_expression();
+    result.variable->span = span_since(begin);
     return result;
 }
 
 /// `[event] g -> u & v`, `[] g -> skip`
-Command Parser::command() {
+Command Parser::parse_command() {
     Command result;
     result.event = action_label();
-    result.guard = expression();
-    expect("->");
-    if (!accept_word("skip")) result.updates = updates();
+    result.guard = parse_expression();
+    expect_token("->");
+    if (!accept_word("skip")) result.updates = parse_updates();
     return result;
 }
 
-std::vector<Update> Parser::updates() {
+std::vector<Update> Parser::parse_updates() {
     std::vector<Update> list;
-    do list.push_back(update());
-    while (accept("&"));
+    do list.push_back(parse_update());
+    while (accept_token("&"));
     return list;
 }
 
 /// `(@x = e)`, `(p : @x = e)`
-Update Parser::update() {
+Update Parser::parse_update() {
     Update result;
-    expect("(");
-    std::size_t behind = at("@") ? 2 : 1;
-    while (peek(behind).is("::")) behind += 2;
-    if (!peek(behind).is("=")) {
-        result.probability = expression();
-        expect(":");
+    expect_token("(");
+    std::size_t behind = at_token("@") ? 2 : 1;
+    while (peek(behind).is_word("::")) behind += 2;
+    if (!peek(behind).is_word("=")) {
+        result.probability = parse_expression();
+        expect_token(":");
     }
-    if (!at("@") && peek().kind != TokenKind::identifier) expected("`@` and a variable");
-    result.variable = at("@") ? marked() : named();
-    expect("=");
-    result.value = expression();
-    expect(")");
+    if (!at_token("@") && peek().kind != TokenKind::identifier) fail_expecting("`@` and a variable");
+    result.variable = at_token("@") ? parse_marked() : parse_named();
+    expect_token("=");
+    result.value = parse_expression();
+    expect_token(")");
     return result;
 }
 
@@ -359,10 +359,10 @@ Update Parser::update() {
 ExprPtr Parser::probabilistic_atom() {
     if (peek().first_on_line && at_assertion_member()) return missing_expression();
     prism_query();
-    if (at("$") || at("#") || at("@") || at("&")) return marked();
+    if (at_token("$") || at_token("#") || at_token("@") || at_token("&")) return parse_marked();
     if (at_path_prefix()) return path_prefix();
-    if (at_word("Prob")) return quantitative(ExprKind::probability);
-    if (at_word("Reward")) return quantitative(ExprKind::reward);
+    if (at_word("Prob")) return parse_quantitative(ExprKind::probability);
+    if (at_word("Reward")) return parse_quantitative(ExprKind::reward);
     if (at_word("Forall")) return path_quantifier(ExprKind::all_paths);
     return at_word("Exists") ? path_quantifier(ExprKind::some_path) : nullptr;
 }
@@ -375,97 +375,97 @@ bool Parser::at_path_prefix() const {
 /// `Finally <=10 φ`, `Globally [1, 3] φ`; φ extends as far to the right as possible.
 ExprPtr Parser::path_prefix() {
     const Nesting nesting(*this);
-    ExprPtr result = make(ExprKind::path);
+    ExprPtr result = make_expression(ExprKind::path);
     const Span begin = result->span;
     result->path = at_word("Finally")    ? PathOp::eventually
                    : at_word("Globally") ? PathOp::globally
                    : at_word("Next")     ? PathOp::next
                    : at_word("Weak")     ? PathOp::weak_until
                                          : PathOp::release;
-    if (advance().text == "Weak") advance();
+    if (advance_token().text == "Weak") advance_token();
     step_bound(*result);
-    result->args.push_back(expression());
-    return finish(std::move(result), begin);
+    result->args.push_back(parse_expression());
+    return finish_node(std::move(result), begin);
 }
 
 /// `φ Until <=10 ψ`
-ExprPtr Parser::until(ExprPtr left) {
-    ExprPtr result = make(ExprKind::path);
+ExprPtr Parser::parse_until(ExprPtr left) {
+    ExprPtr result = make_expression(ExprKind::path);
     const Span begin = left->span;
     result->path = PathOp::until;
     expect_word("Until");
     step_bound(*result);
     result->args.push_back(std::move(left));
-    result->args.push_back(operand(compare_level));
-    return finish(std::move(result), begin);
+    result->args.push_back(parse_operand(compare_level));
+    return finish_node(std::move(result), begin);
 }
 
 /// Parses the bound on the number of steps, if there is one. Its value is an atom, because the formula follows
 /// directly.
 void Parser::step_bound(Expr& path) {
     path.args.emplace_back();
-    if (at("[")) {
+    if (at_token("[")) {
         path.args.back() = closed_range();
-    } else if (std::ranges::any_of(relations, [&](std::string_view word) { return at(word); })) {
-        path.text = std::string(advance().text);
-        path.args.back() = atom();
+    } else if (std::ranges::any_of(relations, [&](std::string_view word) { return at_token(word); })) {
+        path.text = std::string(advance_token().text);
+        path.args.back() = parse_atom();
     }
 }
 
 /// `Prob>=0.5 of [φ]`, `Reward {r} max=? of [ρ] using sim …`
-ExprPtr Parser::quantitative(ExprKind kind) {
-    ExprPtr result = make(kind);
-    const Span begin = advance().span;
-    if (kind == ExprKind::reward && accept("{")) {
+ExprPtr Parser::parse_quantitative(ExprKind kind) {
+    ExprPtr result = make_expression(kind);
+    const Span begin = advance_token().span;
+    if (kind == ExprKind::reward && accept_token("{")) {
         result->name = simple_name("the name of a reward structure");
-        expect("}");
+        expect_token("}");
     }
     ExprPtr bound;
-    if (std::ranges::any_of(relations, [&](std::string_view word) { return at(word); })) {
-        result->text = std::string(advance().text);
-        bound = operand(plus_level);
+    if (std::ranges::any_of(relations, [&](std::string_view word) { return at_token(word); })) {
+        result->text = std::string(advance_token().text);
+        bound = parse_operand(plus_level);
     } else {
-        if (at_word("min") || at_word("max")) result->text = std::string(advance().text);
-        if (!at("=")) expected("`=?`, `min=?`, `max=?` or a comparison");
-        advance();
-        expect("?");
+        if (at_word("min") || at_word("max")) result->text = std::string(advance_token().text);
+        if (!at_token("=")) fail_expecting("`=?`, `min=?`, `max=?` or a comparison");
+        advance_token();
+        expect_token("?");
         result->text += "=?";
     }
     expect_word("of");
-    expect("[");
-    result->args.push_back(kind == ExprKind::reward ? reward_path() : expression());
-    expect("]");
+    expect_token("[");
+    result->args.push_back(kind == ExprKind::reward ? reward_path() : parse_expression());
+    expect_token("]");
     result->args.push_back(std::move(bound));
-    result->args.push_back(at_word("using") ? simulation() : nullptr);
-    return finish(std::move(result), begin);
+    result->args.push_back(at_word("using") ? parse_simulation() : nullptr);
+    return finish_node(std::move(result), begin);
 }
 
 /// `Reachable φ`, `LTL φ`, `Cumul e`, `Total`
 ExprPtr Parser::reward_path() {
-    ExprPtr result = make(ExprKind::path);
+    ExprPtr result = make_expression(ExprKind::path);
     const Span begin = result->span;
     result->args.emplace_back();
     if (accept_word("Total")) {
         result->path = PathOp::total;
-        return finish(std::move(result), begin);
+        return finish_node(std::move(result), begin);
     }
     const bool reachable = at_word("Reachable");
     const bool linear_time = at_word("LTL");
-    if (!reachable && !linear_time && !at_word("Cumul")) expected("`Reachable`, `LTL`, `Cumul` or `Total`");
-    advance();
+    if (!reachable && !linear_time && !at_word("Cumul")) fail_expecting("`Reachable`, `LTL`, `Cumul` or `Total`");
+    advance_token();
     result->path = reachable ? PathOp::reachable : linear_time ? PathOp::linear_time : PathOp::cumulative;
-    result->args.push_back(expression());
-    return finish(std::move(result), begin);
+    result->args.push_back(parse_expression());
+    return finish_node(std::move(result), begin);
 }
 
 /// `using sim with CI at alpha=0.05, n=1000, and pathlen=10000`
-ExprPtr Parser::simulation() {
-    ExprPtr result = make(ExprKind::simulation);
+ExprPtr Parser::parse_simulation() {
+    ExprPtr result = make_expression(ExprKind::simulation);
     const Span begin = result->span;
     for (const std::string_view word : {"using", "sim", "with"}) expect_word(word);
     const auto method = std::ranges::find_if(methods, [&](std::string_view word) { return at_word(word); });
-    if (method == methods.end()) expected("`CI`, `ACI`, `APMC` or `SPRT`");
-    result->text = std::string(advance().text);
+    if (method == methods.end()) fail_expecting("`CI`, `ACI`, `APMC` or `SPRT`");
+    result->text = std::string(advance_token().text);
     expect_word("at");
     bool more = true;
     while (more) {
@@ -473,61 +473,61 @@ ExprPtr Parser::simulation() {
         binding.variable = std::make_unique<Variable>(DeclKind::parameter);
         binding.variable->span = peek().span;
         name(*binding.variable);
-        expect("=");
-        binding.value = operand(plus_level);
+        expect_token("=");
+        binding.value = parse_operand(plus_level);
         result->bindings.push_back(std::move(binding));
-        const std::size_t name_at = at(",") ? 1 : 0;
-        more = at_word("and", name_at) || (name_at == 1 && peek(2).is("="));  // otherwise the comma belongs to an
-                                                                              // enclosing list
-        if (more) accept(",");
+        const std::size_t name_at = at_token(",") ? 1 : 0;
+        more = at_word("and", name_at) || (name_at == 1 && peek(2).is_word("="));  // otherwise the comma belongs to an
+                                                                                   // enclosing list
+        if (more) accept_token(",");
         accept_word("and");
     }
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
 /// `Forall [φ]`, `Exists [φ]`
 ExprPtr Parser::path_quantifier(ExprKind kind) {
-    ExprPtr result = make(kind);
-    const Span begin = advance().span;
-    expect("[");
-    result->args.push_back(expression());
-    expect("]");
-    return finish(std::move(result), begin);
+    ExprPtr result = make_expression(kind);
+    const Span begin = advance_token().span;
+    expect_token("[");
+    result->args.push_back(parse_expression());
+    expect_token("]");
+    return finish_node(std::move(result), begin);
 }
 
 /// `$formula`, `$$parameter`, `#label`, `&function`, `@M::N::variable`
-ExprPtr Parser::marked() {
-    ExprPtr result = make(ExprKind::marked);
+ExprPtr Parser::parse_marked() {
+    ExprPtr result = make_expression(ExprKind::marked);
     const Span begin = result->span;
-    result->text = std::string(advance().text);
-    if (result->text == "$" && accept("$")) result->text = "$$";
+    result->text = std::string(advance_token().text);
+    if (result->text == "$" && accept_token("$")) result->text = "$$";
     result->name = qualified_name("a name");
-    return finish(std::move(result), begin);
+    return finish_node(std::move(result), begin);
 }
 
 /// The forms that may follow a name: `is in S`, `.in`, `.out`, `.in.val`, `.out.val`.
 ExprPtr Parser::behind_name(ExprPtr name) {
     const Span begin = name->span;
-    if (at("is") && peek(1).is("in")) {
+    if (at_token("is") && peek(1).is_word("in")) {
         name->kind = ExprKind::in_state;
-        advance();
-        advance();
-        ExprPtr state = make(ExprKind::name);
+        advance_token();
+        advance_token();
+        ExprPtr state = make_expression(ExprKind::name);
         state->name = qualified_name("the name of a state");
         state->span = state->name.span;
         name->args.push_back(std::move(state));
-        return finish(std::move(name), begin);
+        return finish_node(std::move(name), begin);
     }
-    if (!at(".") || !(at_word("in", 1) || at_word("out", 1))) return name;
+    if (!at_token(".") || !(at_word("in", 1) || at_word("out", 1))) return name;
     name->kind = ExprKind::event;
-    advance();
-    name->text = std::string(advance().text);
-    if (at(".") && at_word("val", 1)) {
-        advance();
-        advance();
+    advance_token();
+    name->text = std::string(advance_token().text);
+    if (at_token(".") && at_word("val", 1)) {
+        advance_token();
+        advance_token();
         name->text += ".val";
     }
-    return finish(std::move(name), begin);
+    return finish_node(std::move(name), begin);
 }
 
 }  // namespace robochart::frontend

@@ -14,7 +14,7 @@ namespace robochart::frontend {
 namespace {
 
 template <class Items, class Write>
-std::string joined(const Items& items, std::string_view separator, Write write) {
+std::string join_items(const Items& items, std::string_view separator, Write write) {
     std::string out;
     bool first = true;
     for (const auto& item : items) {
@@ -25,92 +25,93 @@ std::string joined(const Items& items, std::string_view separator, Write write) 
     return out;
 }
 
-std::string text(const ExprPtr& expr) {
+std::string optional_text(const ExprPtr& expr) {
     return expr ? to_text(*expr) : std::string();
 }
-std::string list(const std::vector<ExprPtr>& items) {
-    return joined(items, ", ", text);
+std::string list_text(const std::vector<ExprPtr>& items) {
+    return join_items(items, ", ", optional_text);
 }
 
 std::string typed_bindings(const Expr& expr) {
-    return joined(expr.bindings, ", ", [](const Binding& b) {
+    return join_items(expr.bindings, ", ", [](const Binding& b) {
         return written_name(b.variable->name) + ":" + (b.variable->type_expr ? to_text(*b.variable->type_expr) : "?");
     });
 }
 
 std::string valued_bindings(const Expr& expr, std::string_view sign) {
-    return joined(expr.bindings, ", ", [&](const Binding& b) {
-        return fmt::format("{} {} {}", written_name(b.variable->name), sign, text(b.value));
+    return join_items(expr.bindings, ", ", [&](const Binding& b) {
+        return fmt::format("{} {} {}", written_name(b.variable->name), sign, optional_text(b.value));
     });
 }
 
-std::string quantified(const Expr& expr, std::string_view word) {
-    const std::string condition = expr.args[0] ? " | " + text(expr.args[0]) : "";
-    return fmt::format("{} {}{} @ {}", word, typed_bindings(expr), condition, text(expr.args[1]));
+std::string quantified_text(const Expr& expr, std::string_view word) {
+    const std::string condition = expr.args[0] ? " | " + optional_text(expr.args[0]) : "";
+    return fmt::format("{} {}{} @ {}", word, typed_bindings(expr), condition, optional_text(expr.args[1]));
 }
 
-std::string comprehension(const Expr& expr) {
+std::string comprehension_text(const Expr& expr) {
     std::string out = "{" + typed_bindings(expr);
-    if (expr.args[0]) out += " | " + text(expr.args[0]);
-    if (expr.args[1]) out += " @ " + text(expr.args[1]);
+    if (expr.args[0]) out += " | " + optional_text(expr.args[0]);
+    if (expr.args[1]) out += " @ " + optional_text(expr.args[1]);
     return out + "}";
 }
 
-std::string matrix(const Expr& expr) {
+std::string matrix_text(const Expr& expr) {
     std::string out = "[|";
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (i > 0) out += expr.columns > 0 && i % expr.columns == 0 ? "; " : ", ";
-        out += text(expr.args[i]);
+        out += optional_text(expr.args[i]);
     }
     return out + "|]";
 }
 
-std::string index(const Expr& expr) {
-    std::string out = text(expr.args[0]) + "[";
-    for (std::size_t i = 1; i < expr.args.size(); ++i) out += (i > 1 ? ", " : "") + text(expr.args[i]);
+std::string index_text(const Expr& expr) {
+    std::string out = optional_text(expr.args[0]) + "[";
+    for (std::size_t i = 1; i < expr.args.size(); ++i) out += (i > 1 ? ", " : "") + optional_text(expr.args[i]);
     return out + "]";
 }
 
-std::string range(const Expr& expr) {
-    return fmt::format("{}{}, {}{}", expr.lower_closed ? "[" : "(", text(expr.args[0]), text(expr.args[1]),
-                       expr.upper_closed ? "]" : ")");
+std::string range_text(const Expr& expr) {
+    return fmt::format("{}{}, {}{}", expr.lower_closed ? "[" : "(", optional_text(expr.args[0]),
+                       optional_text(expr.args[1]), expr.upper_closed ? "]" : ")");
 }
 
-std::string unary(const Expr& expr) {
-    return (expr.unary == UnaryOp::negate ? "-" : "not ") + text(expr.args[0]);
+std::string unary_text(const Expr& expr) {
+    return (expr.unary == UnaryOp::negate ? "-" : "not ") + optional_text(expr.args[0]);
 }
 
-std::string binary(const Expr& expr) {
-    return fmt::format("{} {} {}", text(expr.args[0]), to_text(*expr.binary), text(expr.args[1]));
+std::string binary_text(const Expr& expr) {
+    return fmt::format("{} {} {}", optional_text(expr.args[0]), to_text(*expr.binary), optional_text(expr.args[1]));
 }
 
 /// A blank is written after `<` if a set follows, because `<{` is the token of deadlines.
-std::string sequence(const Expr& expr) {
-    const std::string elements = list(expr.args);
+std::string sequence_text(const Expr& expr) {
+    const std::string elements = list_text(expr.args);
     return (elements.starts_with("{") ? "< " : "<") + elements + ">";
 }
 
-std::string call(const Expr& expr) {
-    return fmt::format("{}({})", expr.callee ? text(expr.callee) : written_name(expr.name), list(expr.args));
+std::string call_text(const Expr& expr) {
+    return fmt::format("{}({})", expr.callee ? optional_text(expr.callee) : written_name(expr.name),
+                       list_text(expr.args));
 }
 
 /// Forms that bind names.
-std::string binder(const Expr& expr) {
+std::string binder_text(const Expr& expr) {
     switch (expr.kind) {
         case ExprKind::let:
-            return fmt::format("let {} @ {}", valued_bindings(expr, "=="), text(expr.args[0]));
+            return fmt::format("let {} @ {}", valued_bindings(expr, "=="), optional_text(expr.args[0]));
         case ExprKind::forall:
-            return quantified(expr, "forall");
+            return quantified_text(expr, "forall");
         case ExprKind::exists:
-            return quantified(expr, "exists");
+            return quantified_text(expr, "exists");
         case ExprKind::exists_unique:
-            return quantified(expr, "exists1");
+            return quantified_text(expr, "exists1");
         case ExprKind::lambda:
-            return quantified(expr, "lambda");
+            return quantified_text(expr, "lambda");
         case ExprKind::the:
-            return quantified(expr, "the");
+            return quantified_text(expr, "the");
         case ExprKind::set_comprehension:
-            return comprehension(expr);
+            return comprehension_text(expr);
         default:
             return probabilistic_text(expr);
     }
@@ -133,7 +134,7 @@ std::string written_name(std::string_view name) {
 }
 
 std::string written_name(const QualifiedName& name) {
-    return joined(name.parts, "::", [](const std::string& part) { return written_name(part); });
+    return join_items(name.parts, "::", [](const std::string& part) { return written_name(part); });
 }
 
 std::string to_text(const Expr& expr) {
@@ -152,48 +153,49 @@ std::string to_text(const Expr& expr) {
         case ExprKind::from:
             return "from";
         case ExprKind::unary:
-            return unary(expr);
+            return unary_text(expr);
         case ExprKind::binary:
-            return binary(expr);
+            return binary_text(expr);
         case ExprKind::if_then_else:
-            return fmt::format("if {} then {} else {} end", text(expr.args[0]), text(expr.args[1]), text(expr.args[2]));
+            return fmt::format("if {} then {} else {} end", optional_text(expr.args[0]), optional_text(expr.args[1]),
+                               optional_text(expr.args[2]));
         case ExprKind::cast:
-            return fmt::format("{} as {}", text(expr.args[0]), to_text(*expr.type_expr));
+            return fmt::format("{} as {}", optional_text(expr.args[0]), to_text(*expr.type_expr));
         case ExprKind::is_type:
-            return fmt::format("{} is {}", text(expr.args[0]), to_text(*expr.type_expr));
+            return fmt::format("{} is {}", optional_text(expr.args[0]), to_text(*expr.type_expr));
         case ExprKind::member:
-            return text(expr.args[0]) + "." + written_name(expr.text);
+            return optional_text(expr.args[0]) + "." + written_name(expr.text);
         case ExprKind::index:
-            return index(expr);
+            return index_text(expr);
         case ExprKind::call:
-            return call(expr);
+            return call_text(expr);
         case ExprKind::tuple:
-            return "(|" + list(expr.args) + "|)";
+            return "(|" + list_text(expr.args) + "|)";
         case ExprKind::record:
             return fmt::format("{}(|{}|)", written_name(expr.name), valued_bindings(expr, "="));
         case ExprKind::sequence:
-            return sequence(expr);
+            return sequence_text(expr);
         case ExprKind::set:
-            return "{" + list(expr.args) + "}";
+            return "{" + list_text(expr.args) + "}";
         case ExprKind::set_range:
-            return fmt::format("{{{} to {}{}}}", text(expr.args[0]), text(expr.args[1]),
-                               expr.args.size() > 2 ? " by step " + text(expr.args[2]) : "");
+            return fmt::format("{{{} to {}{}}}", optional_text(expr.args[0]), optional_text(expr.args[1]),
+                               expr.args.size() > 2 ? " by step " + optional_text(expr.args[2]) : "");
         case ExprKind::range:
-            return range(expr);
+            return range_text(expr);
         case ExprKind::matrix:
-            return matrix(expr);
+            return matrix_text(expr);
         case ExprKind::inverse:
-            return "inverse(" + list(expr.args) + ")";
+            return "inverse(" + list_text(expr.args) + ")";
         case ExprKind::transpose:
-            return "transpose(" + list(expr.args) + ")";
+            return "transpose(" + list_text(expr.args) + ")";
         case ExprKind::since:
             return "since(" + written_name(expr.name) + ")";
         case ExprKind::since_entry:
             return "sinceEntry(" + written_name(expr.name) + ")";
         case ExprKind::parenthesised:
-            return "(" + text(expr.args[0]) + ")";
+            return "(" + optional_text(expr.args[0]) + ")";
         default:
-            return binder(expr);
+            return binder_text(expr);
     }
 }
 
@@ -223,9 +225,10 @@ std::string to_text(const TypeExpr& type) {
         case TypeKind::relation:
             return operand(0) + " <-> " + operand(1);
         case TypeKind::vector:
-            return fmt::format("vector({}, {})", arg(0), text(type.sizes[0]));
+            return fmt::format("vector({}, {})", arg(0), optional_text(type.sizes[0]));
         case TypeKind::matrix:
-            return fmt::format("matrix({}, {}, {})", arg(0), text(type.sizes[0]), text(type.sizes[1]));
+            return fmt::format("matrix({}, {}, {})", arg(0), optional_text(type.sizes[0]),
+                               optional_text(type.sizes[1]));
         case TypeKind::product:
             break;
     }
@@ -240,7 +243,7 @@ std::string to_text(const Communication& communication) {
         out += "[|";
         if (!communication.from_variable.empty()) out += written_name(communication.from_variable) + " = from";
         if (!communication.from_variable.empty() && communication.predicate) out += " | ";
-        out += text(communication.predicate) + "|]";
+        out += optional_text(communication.predicate) + "|]";
     }
     switch (communication.kind) {
         case CommKind::simple:
@@ -248,9 +251,9 @@ std::string to_text(const Communication& communication) {
         case CommKind::input:
             return out + "?" + written_name(communication.variable);
         case CommKind::output:
-            return out + "!" + text(communication.value);
+            return out + "!" + optional_text(communication.value);
         case CommKind::sync:
-            return out + "." + text(communication.value);
+            return out + "." + optional_text(communication.value);
     }
     return out;
 }
@@ -261,25 +264,26 @@ std::string to_text(const Stmt& statement) {
         case StmtKind::skip:
             return "skip";
         case StmtKind::sequence:
-            return joined(statement.body, "; ", body);
+            return join_items(statement.body, "; ", body);
         case StmtKind::if_then_else: {
             const std::string otherwise = statement.body.size() > 1 ? " else " + body(statement.body[1]) : "";
-            return fmt::format("if {} then {}{} end", text(statement.condition), body(statement.body[0]), otherwise);
+            return fmt::format("if {} then {}{} end", optional_text(statement.condition), body(statement.body[0]),
+                               otherwise);
         }
         case StmtKind::assignment:
-            return text(statement.target) + " = " + text(statement.value);
+            return optional_text(statement.target) + " = " + optional_text(statement.value);
         case StmtKind::communication:
             return (statement.send_keyword ? "send " : "") + to_text(*statement.communication);
         case StmtKind::call:
-            return fmt::format("{}({})", written_name(statement.name), list(statement.args));
+            return fmt::format("{}({})", written_name(statement.name), list_text(statement.args));
         case StmtKind::wait:
-            return "wait(" + text(statement.value) + ")";
+            return "wait(" + optional_text(statement.value) + ")";
         case StmtKind::wait_interval:
-            return fmt::format("wait([{}, {}])", text(statement.value), text(statement.upper));
+            return fmt::format("wait([{}, {}])", optional_text(statement.value), optional_text(statement.upper));
         case StmtKind::clock_reset:
             return "#" + written_name(statement.name);
         case StmtKind::deadline:
-            return fmt::format("{} <{{{}}}", body(statement.body[0]), text(statement.value));
+            return fmt::format("{} <{{{}}}", body(statement.body[0]), optional_text(statement.value));
         case StmtKind::parenthesised:
             return "(" + body(statement.body[0]) + ")";
         case StmtKind::error:

@@ -36,7 +36,7 @@ namespace robochart::frontend {
 /// A probabilistic assertion on one line, with a line end.
 [[nodiscard]] std::string to_text(const ProbabilisticAssertion& assertion);
 /// The claim of a probabilistic assertion on one line, without its name: `Prob=? of [Finally x] with constants C`.
-[[nodiscard]] std::string claim(const ProbabilisticAssertion& assertion);
+[[nodiscard]] std::string claim_text(const ProbabilisticAssertion& assertion);
 /// The word that a definition begins with, e.g. "label".
 [[nodiscard]] std::string_view to_text(ProbabilisticKind kind);
 /// A whole file. Comments are not part of the tree, so they are not printed. The members of a body are printed in the

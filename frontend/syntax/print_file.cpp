@@ -11,124 +11,124 @@ namespace {
 /// Writes indented lines.
 class Printer {
 public:
-    void declaration(const Declaration& declaration);
-    void assertion(const Assertion& assertion);
-    void file(const File& file);
-    [[nodiscard]] std::string take() { return std::move(out_); }
+    void print_declaration(const Declaration& declaration);
+    void print_assertion(const Assertion& assertion);
+    void print_file(const File& file);
+    [[nodiscard]] std::string take_text() { return std::move(out_); }
 
 private:
-    void line(std::string_view text) {
+    void print_line(std::string_view text) {
         out_.append(4 * depth_, ' ');
         out_ += text;
         out_ += '\n';
     }
     template <class Body>
-    void braces(const std::string& head, Body body) {
-        line(head + " {");
+    void print_braces(const std::string& head, Body body) {
+        print_line(head + " {");
         ++depth_;
         body();
         --depth_;
-        line("}");
+        print_line("}");
     }
-    void types(const TypeDeclaration& type);
-    void function(const Function& function);
-    void clauses(const Context& context);
-    void context(const Context& context);
-    void machine(const Machine& machine);
-    void component(const Component& component);
-    void reference(const Reference& reference);
-    void connection(const Connection& connection);
-    void nodes(const NodeContainer& container);
-    void node(const State& node);
-    void transition(const Transition& transition);
+    void print_types(const TypeDeclaration& type);
+    void print_function(const Function& function);
+    void print_clauses(const Context& context);
+    void print_context(const Context& context);
+    void print_machine(const Machine& machine);
+    void print_component(const Component& component);
+    void print_reference(const Reference& reference);
+    void print_connection(const Connection& connection);
+    void print_nodes(const NodeContainer& container);
+    void print_node(const State& node);
+    void print_transition(const Transition& transition);
     void csp_block(const CspBlock& block);
-    void conditions(std::string_view word, const std::vector<ExprPtr>& list);
+    void print_conditions(std::string_view word, const std::vector<ExprPtr>& list);
 
     std::string out_;
     std::size_t depth_ = 0;
 };
 
-std::string typed(const Variable& variable) {
+std::string typed_name(const Variable& variable) {
     std::string out = written_name(variable.name);
     if (variable.type_expr) out += " : " + to_text(*variable.type_expr);
     return out;
 }
 
-std::string parameters(const std::vector<VariablePtr>& list) {
+std::string parameters_text(const std::vector<VariablePtr>& list) {
     std::string out;
-    for (const VariablePtr& parameter : list) out += (out.empty() ? "" : ", ") + typed(*parameter);
+    for (const VariablePtr& parameter : list) out += (out.empty() ? "" : ", ") + typed_name(*parameter);
     return "(" + out + ")";
 }
 
-void Printer::conditions(std::string_view word, const std::vector<ExprPtr>& list) {
-    for (const ExprPtr& condition : list) line(fmt::format("{} {}", word, to_text(*condition)));
+void Printer::print_conditions(std::string_view word, const std::vector<ExprPtr>& list) {
+    for (const ExprPtr& condition : list) print_line(fmt::format("{} {}", word, to_text(*condition)));
 }
 
-void Printer::types(const TypeDeclaration& type) {
+void Printer::print_types(const TypeDeclaration& type) {
     const std::string name = written_name(type.name);
-    if (type.kind == DeclKind::primitive_type) return line("type " + name);
+    if (type.kind == DeclKind::primitive_type) return print_line("type " + name);
     if (type.kind == DeclKind::record_type)
-        return braces((type.record_keyword ? "record " : "datatype ") + name, [&] {
-            for (const VariablePtr& field : type.fields) line(typed(*field));
+        return print_braces((type.record_keyword ? "record " : "datatype ") + name, [&] {
+            for (const VariablePtr& field : type.fields) print_line(typed_name(*field));
         });
-    braces("enumeration " + name, [&] {
+    print_braces("enumeration " + name, [&] {
         for (const auto& literal : type.literals) {
             std::string arguments;
             for (const TypeExprPtr& argument : literal->arguments)
                 arguments += (arguments.empty() ? "" : ", ") + to_text(*argument);
-            line(written_name(literal->name) + (arguments.empty() ? "" : "(" + arguments + ")"));
+            print_line(written_name(literal->name) + (arguments.empty() ? "" : "(" + arguments + ")"));
         }
     });
 }
 
-void Printer::function(const Function& function) {
+void Printer::print_function(const Function& function) {
     const std::string result = function.result_expr ? " : " + to_text(*function.result_expr) : "";
-    braces("function " + written_name(function.name) + parameters(function.parameters) + result, [&] {
-        conditions("precondition", function.preconditions);
-        conditions("postcondition", function.postconditions);
+    print_braces("function " + written_name(function.name) + parameters_text(function.parameters) + result, [&] {
+        print_conditions("precondition", function.preconditions);
+        print_conditions("postcondition", function.postconditions);
     });
 }
 
-void Printer::clauses(const Context& context) {
+void Printer::print_clauses(const Context& context) {
     for (const InterfaceClause& clause : context.interfaces) {
         const std::string_view word = clause.use == InterfaceUse::uses       ? "uses"
                                       : clause.use == InterfaceUse::provides ? "provides"
                                                                              : "requires";
-        line(fmt::format("{} {}", word, written_name(clause.name)));
+        print_line(fmt::format("{} {}", word, written_name(clause.name)));
     }
 }
 
-void Printer::context(const Context& context) {
-    clauses(context);
+void Printer::print_context(const Context& context) {
+    print_clauses(context);
     for (const VariablePtr& variable : context.variables)
-        line(fmt::format("{} {}{}", variable->kind == DeclKind::constant ? "const" : "var", typed(*variable),
-                         variable->initial ? " = " + to_text(*variable->initial) : ""));
+        print_line(fmt::format("{} {}{}", variable->kind == DeclKind::constant ? "const" : "var", typed_name(*variable),
+                               variable->initial ? " = " + to_text(*variable->initial) : ""));
     for (const auto& event : context.events)
-        line(fmt::format("{}event {}{}", event->broadcast ? "_broadcast " : "", written_name(event->name),
-                         event->type_expr ? " : " + to_text(*event->type_expr) : ""));
-    for (const auto& clock : context.clocks) line("clock " + written_name(clock->name));
+        print_line(fmt::format("{}event {}{}", event->broadcast ? "_broadcast " : "", written_name(event->name),
+                               event->type_expr ? " : " + to_text(*event->type_expr) : ""));
+    for (const auto& clock : context.clocks) print_line("clock " + written_name(clock->name));
     for (const auto& signature : context.signatures)
-        line(written_name(signature->name) + parameters(signature->parameters) +
-             (signature->terminates ? " [terminates]" : ""));
+        print_line(written_name(signature->name) + parameters_text(signature->parameters) +
+                   (signature->terminates ? " [terminates]" : ""));
 }
 
 // ---------------------------------------------------------------- machines
 
-void Printer::machine(const Machine& machine) {
+void Printer::print_machine(const Machine& machine) {
     const bool operation = machine.kind == DeclKind::operation;
     const std::string name = written_name(machine.name);
-    braces(operation ? "operation " + name + parameters(machine.parameters) : "stm " + name, [&] {
-        if (machine.terminates) line("terminates");
-        conditions("precondition", machine.preconditions);
-        conditions("postcondition", machine.postconditions);
-        context(machine);
-        nodes(machine);
+    print_braces(operation ? "operation " + name + parameters_text(machine.parameters) : "stm " + name, [&] {
+        if (machine.terminates) print_line("terminates");
+        print_conditions("precondition", machine.preconditions);
+        print_conditions("postcondition", machine.postconditions);
+        print_context(machine);
+        print_nodes(machine);
     });
 }
 
-void Printer::nodes(const NodeContainer& container) {
-    for (const auto& each : container.nodes) node(*each);
-    for (const auto& each : container.transitions) transition(*each);
+void Printer::print_nodes(const NodeContainer& container) {
+    for (const auto& each : container.nodes) print_node(*each);
+    for (const auto& each : container.transitions) print_transition(*each);
 }
 
 std::string_view node_word(DeclKind kind) {
@@ -150,64 +150,66 @@ std::string_view action_word(ActionKind kind) {
     return kind == ActionKind::entry ? "entry" : kind == ActionKind::during ? "during" : "exit";
 }
 
-void Printer::node(const State& node) {
+void Printer::print_node(const State& node) {
     const std::string head = fmt::format("{} {}", node_word(node.kind), written_name(node.name));
     const bool empty = node.actions.empty() && node.nodes.empty() && node.transitions.empty();
-    if (empty) return line(node.kind == DeclKind::state ? head + " {}" : head);
-    braces(head, [&] {
+    if (empty) return print_line(node.kind == DeclKind::state ? head + " {}" : head);
+    print_braces(head, [&] {
         for (const Action& action : node.actions)
-            line(fmt::format("{} {}", action_word(action.kind), action.statement ? to_text(*action.statement) : ""));
-        nodes(node);
+            print_line(
+                fmt::format("{} {}", action_word(action.kind), action.statement ? to_text(*action.statement) : ""));
+        print_nodes(node);
     });
 }
 
-void Printer::transition(const Transition& transition) {
-    braces("transition " + written_name(transition.name), [&] {
-        line(fmt::format("from {} to {}", written_name(transition.from), written_name(transition.to)));
-        if (transition.legacy_trigger) line("trigger");
-        if (transition.trigger) line("trigger " + to_text(*transition.trigger));
-        if (transition.probability) line("probability " + to_text(*transition.probability));
-        for (const Transition::Reset& reset : transition.resets) line("#" + written_name(reset.name));
-        if (transition.deadline) line("<{" + to_text(*transition.deadline) + "}");
-        if (transition.otherwise) line("condition else");
-        if (transition.condition) line("condition " + to_text(*transition.condition));
-        if (transition.action) line("action " + to_text(*transition.action));
+void Printer::print_transition(const Transition& transition) {
+    print_braces("transition " + written_name(transition.name), [&] {
+        print_line(fmt::format("from {} to {}", written_name(transition.from), written_name(transition.to)));
+        if (transition.legacy_trigger) print_line("trigger");
+        if (transition.trigger) print_line("trigger " + to_text(*transition.trigger));
+        if (transition.probability) print_line("probability " + to_text(*transition.probability));
+        for (const Transition::Reset& reset : transition.resets) print_line("#" + written_name(reset.name));
+        if (transition.deadline) print_line("<{" + to_text(*transition.deadline) + "}");
+        if (transition.otherwise) print_line("condition else");
+        if (transition.condition) print_line("condition " + to_text(*transition.condition));
+        if (transition.action) print_line("action " + to_text(*transition.action));
     });
 }
 
 // ---------------------------------------------------------------- components
 
-void Printer::reference(const Reference& reference) {
+void Printer::print_reference(const Reference& reference) {
     const std::string_view word = reference.refers_to == DeclKind::platform        ? "rref"
                                   : reference.refers_to == DeclKind::controller    ? "cref"
                                   : reference.refers_to == DeclKind::state_machine ? "sref"
                                                                                    : "opref";
-    line(fmt::format("{} {} = {}", word, written_name(reference.name), written_name(reference.target_name)));
+    print_line(fmt::format("{} {} = {}", word, written_name(reference.name), written_name(reference.target_name)));
 }
 
-void Printer::connection(const Connection& connection) {
-    line(fmt::format("connection {} on {} to {} on {}{}{}", written_name(connection.from.node),
-                     written_name(connection.from.event), written_name(connection.to.node),
-                     written_name(connection.to.event), connection.async ? " (_async)" : "",
-                     connection.multiple ? " [mult]" : ""));
+void Printer::print_connection(const Connection& connection) {
+    print_line(fmt::format("connection {} on {} to {} on {}{}{}", written_name(connection.from.node),
+                           written_name(connection.from.event), written_name(connection.to.node),
+                           written_name(connection.to.event), connection.async ? " (_async)" : "",
+                           connection.multiple ? " [mult]" : ""));
 }
 
-void Printer::component(const Component& component) {
-    braces(fmt::format("{} {}", to_text(component.kind), written_name(component.name)), [&] {
-        context(component);
-        for (const Declaration* part : component.order) declaration(*part);
-        for (const auto& each : component.connections) connection(*each);
+void Printer::print_component(const Component& component) {
+    print_braces(fmt::format("{} {}", to_text(component.kind), written_name(component.name)), [&] {
+        print_context(component);
+        for (const Declaration* part : component.order) print_declaration(*part);
+        for (const auto& each : component.connections) print_connection(*each);
     });
 }
 
-void Printer::declaration(const Declaration& declared) {
-    if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declared)) return types(*type);
-    if (const auto* contract = dynamic_cast<const Function*>(&declared)) return function(*contract);
-    if (const auto* stm = dynamic_cast<const Machine*>(&declared)) return machine(*stm);
-    if (const auto* part = dynamic_cast<const Component*>(&declared)) return component(*part);
-    if (const auto* named = dynamic_cast<const Reference*>(&declared)) return reference(*named);
+void Printer::print_declaration(const Declaration& declared) {
+    if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declared)) return print_types(*type);
+    if (const auto* contract = dynamic_cast<const Function*>(&declared)) return print_function(*contract);
+    if (const auto* stm = dynamic_cast<const Machine*>(&declared)) return print_machine(*stm);
+    if (const auto* part = dynamic_cast<const Component*>(&declared)) return print_component(*part);
+    if (const auto* named = dynamic_cast<const Reference*>(&declared)) return print_reference(*named);
     if (const auto* plain = dynamic_cast<const Context*>(&declared))
-        braces(fmt::format("{} {}", to_text(plain->kind), written_name(plain->name)), [&] { context(*plain); });
+        print_braces(fmt::format("{} {}", to_text(plain->kind), written_name(plain->name)),
+                     [&] { print_context(*plain); });
 }
 
 // ---------------------------------------------------------------- assertions
@@ -278,56 +280,57 @@ std::string parameter_list(const std::vector<AssertionParameter>& list) {
     return out;
 }
 
-void Printer::assertion(const Assertion& assertion) {
+void Printer::print_assertion(const Assertion& assertion) {
     const std::string model =
         assertion.model ? fmt::format(" in the {} model", model_words(*assertion.model)) : std::string();
     const bool of_rule = assertion.kind == AssertionKind::conforms;
-    line(fmt::format("{}{}assertion {} : {}{}{}", time_word(assertion.time), of_rule ? "sleec " : "",
-                     written_name(assertion.name), claim(assertion), model, parameter_list(assertion.parameters)));
+    print_line(fmt::format("{}{}assertion {} : {}{}{}", time_word(assertion.time), of_rule ? "sleec " : "",
+                           written_name(assertion.name), claim(assertion), model,
+                           parameter_list(assertion.parameters)));
 }
 
 void Printer::csp_block(const CspBlock& block) {
     std::string associated;
     for (const QualifiedName& name : block.associated)
         associated += (associated.empty() ? " associated to " : ", ") + written_name(name);
-    line(fmt::format("{}csp {}{} csp-begin{}csp-end", time_word(block.time), written_name(block.name), associated,
-                     block.text));
+    print_line(fmt::format("{}csp {}{} csp-begin{}csp-end", time_word(block.time), written_name(block.name), associated,
+                           block.text));
 }
 
-void Printer::file(const File& file) {
-    if (!file.package.empty()) line("package " + written_name(file.package));
+void Printer::print_file(const File& file) {
+    if (!file.package.empty()) print_line("package " + written_name(file.package));
     for (const Import& import : file.imports)
-        line(fmt::format("import {}{}", written_name(import.name), import.wildcard ? "::*" : ""));
-    for (const std::string& diagram : file.diagrams) line("diagram " + written_name(diagram));
+        print_line(fmt::format("import {}{}", written_name(import.name), import.wildcard ? "::*" : ""));
+    for (const std::string& diagram : file.diagrams) print_line("diagram " + written_name(diagram));
     for (const auto& declared : file.declarations) {
         out_ += '\n';
-        declaration(*declared);
+        print_declaration(*declared);
     }
     for (const CspBlock& block : file.csp_blocks) csp_block(block);
-    for (const Assertion& asserted : file.assertions) assertion(asserted);
+    for (const Assertion& asserted : file.assertions) print_assertion(asserted);
     for (const ProbabilisticDefinition& definition : file.probabilistic_definitions) out_ += to_text(definition);
     for (const ProbabilisticAssertion& asserted : file.probabilistic_assertions) out_ += to_text(asserted);
-    for (const KeptPart& part : file.kept) line(part.text);
+    for (const KeptPart& part : file.kept) print_line(part.text);
 }
 
 }  // namespace
 
 std::string to_text(const Declaration& declaration) {
     Printer printer;
-    printer.declaration(declaration);
-    return printer.take();
+    printer.print_declaration(declaration);
+    return printer.take_text();
 }
 
 std::string to_text(const Assertion& assertion) {
     Printer printer;
-    printer.assertion(assertion);
-    return printer.take();
+    printer.print_assertion(assertion);
+    return printer.take_text();
 }
 
 std::string to_text(const File& file) {
     Printer printer;
-    printer.file(file);
-    return printer.take();
+    printer.print_file(file);
+    return printer.take_text();
 }
 
 }  // namespace robochart::frontend

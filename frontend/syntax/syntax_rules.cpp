@@ -117,7 +117,7 @@ const Rule no_files{"RC-F03", error, "`{}` contains no RoboChart files",
                     "A project is a folder with files whose names end in `.rct` or `.assertions`."};
 const Rule empty_file{"RC-F04", warning, "`{}` is empty", "The file holds nothing but blanks and comments."};
 
-const std::vector<const Rule*>& all() {
+const std::vector<const Rule*>& rule_list() {
     static const std::vector<const Rule*> rules = {&unexpected,
                                                    &too_deep,
                                                    &open_comment,
@@ -161,7 +161,7 @@ const std::vector<const Rule*>& all() {
 }
 
 bool is_syntax(const Rule& rule) {
-    return std::find(all().begin(), all().end(), &rule) != all().end();
+    return std::find(rule_list().begin(), rule_list().end(), &rule) != rule_list().end();
 }
 
 }  // namespace robochart::frontend::syntax

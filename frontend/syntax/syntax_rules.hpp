@@ -18,7 +18,7 @@ extern const Rule unexpected, too_deep, open_comment, open_string, strange_chara
 extern const Rule unreadable, empty_input, no_files, empty_file;
 
 /// All rules, sorted by code.
-[[nodiscard]] const std::vector<const Rule*>& all();
+[[nodiscard]] const std::vector<const Rule*>& rule_list();
 /// True if the rule is one of parsing.
 [[nodiscard]] bool is_syntax(const Rule&);
 

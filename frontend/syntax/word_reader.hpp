@@ -28,33 +28,33 @@ public:
     WordReader(const diagnostics::SourceManager&, diagnostics::SourceId, const diagnostics::Rule& syntax,
                diagnostics::Diagnostics&, std::span<const diagnostics::Advice> advice = {});
 
-    [[nodiscard]] bool failed() const { return failed_; }
-    [[nodiscard]] bool at(std::string_view word) const;
-    [[nodiscard]] bool at_end() const { return token().kind == TokenKind::end; }
+    [[nodiscard]] bool has_failed() const { return failed_; }
+    [[nodiscard]] bool at_word(std::string_view word) const;
+    [[nodiscard]] bool at_end() const { return current_token().kind == TokenKind::end; }
     [[nodiscard]] bool at_number() const;
-    [[nodiscard]] Token token() const { return stream_.tokens.at(next_); }
+    [[nodiscard]] Token current_token() const { return stream_.tokens.token_at(next_); }
     [[nodiscard]] diagnostics::Span last_span() const { return last_; }
     /// The text from a place to the last token read, on one line.
     [[nodiscard]] std::string text_since(diagnostics::Span from) const;
 
     /// Takes the next token if it is this word; returns false otherwise.
-    bool take(std::string_view word);
-    void expect(std::string_view word);
+    bool take_word(std::string_view word);
+    void expect_word(std::string_view word);
     /// Takes any name; `what` is used in the message.
     Word name(std::string_view what);
     /// `a::b::c`.
     Word qualified_name(std::string_view what);
     /// A string without its quotes.
-    std::string quoted(std::string_view what);
+    std::string read_quoted(std::string_view what);
 
     /// `words`: the words that are allowed here; the nearest is suggested.
-    void fail(std::string_view expected, const std::vector<std::string>& words = {});
+    void fail_expecting(std::string_view expected, const std::vector<std::string>& words = {});
     /// The result is valid until the next report. After a syntax error nothing is reported, and the result is null.
     diagnostics::Diagnostic* report(const diagnostics::Rule&, diagnostics::Span, std::vector<std::string> arguments);
 
 protected:
-    void advance();
-    [[nodiscard]] Token token_behind() const { return stream_.tokens.at(next_ + 1); }
+    void advance_token();
+    [[nodiscard]] Token token_behind() const { return stream_.tokens.token_at(next_ + 1); }
 
 private:
     const diagnostics::SourceManager& sources_;

@@ -12,7 +12,7 @@ namespace robochart::frontend {
 namespace {
 
 /// Core is always visible; other toolkits are visible in files that import them.
-bool imports(const File& file, std::string_view package) {
+bool imports_package(const File& file, std::string_view package) {
     if (package == core_package) return true;
     return std::ranges::any_of(file.imports,
                                [&](const Import& import) { return import.name.parts.front() == package; });
@@ -41,12 +41,12 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     std::vector<std::unique_ptr<File>> had = take_libraries(model);
     std::set<std::string_view> added;
     for (const auto& file : model.files)
-        for (const Toolkit& toolkit : toolkits())
+        for (const Toolkit& toolkit : all_toolkits())
             if (file->package.text() == toolkit.package) added.insert(toolkit.package);  // the project has its own
     // The list grows during the iteration, because toolkits import each other.
     for (std::size_t i = 0; i < model.files.size(); ++i)
-        for (const Toolkit& toolkit : toolkits()) {
-            if (!imports(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;
+        for (const Toolkit& toolkit : all_toolkits()) {
+            if (!imports_package(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;
             const auto kept =
                 std::ranges::find_if(had, [&](const auto& f) { return f && f->package.text() == toolkit.package; });
             model.files.push_back(kept != had.end() ? std::move(*kept)

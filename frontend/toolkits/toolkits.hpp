@@ -19,7 +19,7 @@ struct Toolkit {
 /// The package of `nat`, `int`, `real`, `boolean` and `string`, which needs no import.
 inline constexpr std::string_view core_package = "core";
 
-[[nodiscard]] const std::vector<Toolkit>& toolkits();
+[[nodiscard]] const std::vector<Toolkit>& all_toolkits();
 
 /// Sets the toolkits of the model to core, those that its files import, and those that these import in turn. Trees that
 /// the model already contains are kept, so it may be called again after a change.

@@ -30,8 +30,8 @@ TypePtr make_matrix(TypePtr element, long rows, long columns) {
     return type;
 }
 
-TypePtr simplify(const TypePtr& type) {
-    if (type && type->form == TypeForm::product && type->args.size() == 1) return simplify(type->args[0]);
+TypePtr simplify_type(const TypePtr& type) {
+    if (type && type->form == TypeForm::product && type->args.size() == 1) return simplify_type(type->args[0]);
     return type;
 }
 
@@ -46,8 +46,8 @@ TypePtr as_set(const TypePtr& type) {
             return type;
         case TypeForm::relation:
         case TypeForm::function:
-            return make_type(TypeForm::set,
-                             {make_type(TypeForm::product, {simplify(type->args[0]), simplify(type->args[1])})});
+            return make_type(TypeForm::set, {make_type(TypeForm::product,
+                                                       {simplify_type(type->args[0]), simplify_type(type->args[1])})});
         case TypeForm::sequence:
             return make_type(TypeForm::set, {make_type(TypeForm::product, {make_type(TypeForm::nat), type->args[0]})});
         default:
@@ -75,7 +75,7 @@ bool sizes_agree(const std::vector<long>& a, const std::vector<long>& b) {
 }
 
 bool args_agree(const Type& from, const Type& to) {
-    return std::equal(from.args.begin(), from.args.end(), to.args.begin(), to.args.end(), compatible);
+    return std::equal(from.args.begin(), from.args.end(), to.args.begin(), to.args.end(), is_compatible);
 }
 
 bool same_form(const Type& from, const Type& to) {
@@ -98,9 +98,9 @@ bool is_free(const Type& type) {
 
 }  // namespace
 
-bool compatible(const TypePtr& written_from, const TypePtr& written_to) {
-    const TypePtr from = simplify(written_from);
-    const TypePtr to = simplify(written_to);
+bool is_compatible(const TypePtr& written_from, const TypePtr& written_to) {
+    const TypePtr from = simplify_type(written_from);
+    const TypePtr to = simplify_type(written_to);
     // An expression without a type has been reported already.
     if (!from || !to || is_free(*from) || is_free(*to)) return true;
     if (from->form == to->form) return same_form(*from, *to);
@@ -109,18 +109,18 @@ bool compatible(const TypePtr& written_from, const TypePtr& written_to) {
     if (to->form == TypeForm::set || to->form == TypeForm::relation) {
         const TypePtr a = as_set(from);
         const TypePtr b = as_set(to);
-        return a && b && compatible(a->args[0], b->args[0]);
+        return a && b && is_compatible(a->args[0], b->args[0]);
     }
     const TypePtr a = as_product(from);
     const TypePtr b = as_product(to);
     return a && b && same_form(*a, *b);
 }
 
-TypePtr joined(const TypePtr& a, const TypePtr& b) {
+TypePtr join_types(const TypePtr& a, const TypePtr& b) {
     if (!a || !b) return nullptr;
     if (a->form == TypeForm::any) return b;
-    if (compatible(a, b)) return b->form == TypeForm::any ? a : b;
-    return compatible(b, a) ? a : nullptr;
+    if (is_compatible(a, b)) return b->form == TypeForm::any ? a : b;
+    return is_compatible(b, a) ? a : nullptr;
 }
 
 }  // namespace robochart::frontend

@@ -14,21 +14,21 @@ namespace robochart::frontend {
 [[nodiscard]] TypePtr make_vector(TypePtr element, long size);
 [[nodiscard]] TypePtr make_matrix(TypePtr element, long rows, long columns);
 /// A product of one type is that type.
-[[nodiscard]] TypePtr simplify(const TypePtr& type);
+[[nodiscard]] TypePtr simplify_type(const TypePtr& type);
 [[nodiscard]] bool is_number(const TypePtr& type);
 /// Sets, relations, functions and sequences as set types; null for other types.
 [[nodiscard]] TypePtr as_set(const TypePtr& type);
 /// Products, vectors and matrices as product types; null for other types.
 [[nodiscard]] TypePtr as_product(const TypePtr& type);
 /// The smallest type that contains both; null if there is none.
-[[nodiscard]] TypePtr joined(const TypePtr& a, const TypePtr& b);
+[[nodiscard]] TypePtr join_types(const TypePtr& a, const TypePtr& b);
 
 /// The types that the type variables of a generic function have in a call.
 using TypeBindings = std::map<std::string, TypePtr>;
 /// Matches an argument type with a parameter type and binds type variables. Returns false if it does not match.
-[[nodiscard]] bool match(const TypePtr& formal, const TypePtr& actual, TypeBindings& bindings);
+[[nodiscard]] bool match_types(const TypePtr& formal, const TypePtr& actual, TypeBindings& bindings);
 /// The type with bound variables replaced. Unbound variables become `any`; unbound numeric variables become `nat`,
 /// which fits every number.
-[[nodiscard]] TypePtr substitute(const TypePtr& type, const TypeBindings& bindings);
+[[nodiscard]] TypePtr substitute_variables(const TypePtr& type, const TypeBindings& bindings);
 
 }  // namespace robochart::frontend

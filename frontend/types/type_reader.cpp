@@ -23,7 +23,7 @@ TypePtr core_type(std::string_view name) {
     return nullptr;
 }
 
-long number(const std::string& digits) {
+long read_number(const std::string& digits) {
     long value = -1;
     std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value;
@@ -31,7 +31,7 @@ long number(const std::string& digits) {
 
 }  // namespace
 
-TypePtr Typer::declared(const TypeDeclaration& declaration) const {
+TypePtr Typer::declared_type(const TypeDeclaration& declaration) const {
     auto type = std::make_shared<Type>();
     type->form = declaration.kind == DeclKind::enumeration   ? TypeForm::enumeration
                  : declaration.kind == DeclKind::record_type ? TypeForm::record
@@ -52,26 +52,26 @@ TypePtr Typer::named_type(TypeExpr& written, Surroundings& around) {
         return core;
     }
     written.target = finder_.find(around.place, written.name, kinds, "type");
-    return written.target != nullptr ? declared(static_cast<const TypeDeclaration&>(*written.target)) : nullptr;
+    return written.target != nullptr ? declared_type(static_cast<const TypeDeclaration&>(*written.target)) : nullptr;
 }
 
 /// Sizes are literals or constants. The size is known if the constant has a literal value.
 void Typer::size(Expr& expr, Surroundings& around, long& value) {
-    const TypePtr type = this->type(expr, around);
-    const Expr& inner = strip(expr);
+    const TypePtr type = this->assign_type(expr, around);
+    const Expr& inner = strip_parentheses(expr);
     const auto* constant = inner.kind == ExprKind::name ? dynamic_cast<const Variable*>(inner.target) : nullptr;
     const bool is_constant = constant != nullptr && constant->kind != DeclKind::variable;
-    if (inner.kind == ExprKind::integer) value = number(inner.text);
+    if (inner.kind == ExprKind::integer) value = read_number(inner.text);
     if (is_constant && constant->initial && constant->initial->kind == ExprKind::integer)
-        value = number(constant->initial->text);
+        value = read_number(constant->initial->text);
     const bool whole = type && (type->form == TypeForm::nat || type->form == TypeForm::integer);
     const bool sensible = whole && value != 0 && (inner.kind == ExprKind::integer || is_constant);
     if (type && !sensible) finder_.out().report(rules::size_value, expr.span, {to_text(expr)});
 }
 
-TypePtr Typer::type(TypeExpr& written, Surroundings& around) {
+TypePtr Typer::assign_type(TypeExpr& written, Surroundings& around) {
     std::vector<TypePtr> args;
-    for (const auto& arg : written.args) args.push_back(type(*arg, around));
+    for (const auto& arg : written.args) args.push_back(assign_type(*arg, around));
     std::vector<long> sizes;
     for (const ExprPtr& size : written.sizes) this->size(*size, around, sizes.emplace_back(-1));
     for (const TypePtr& arg : args)

@@ -8,7 +8,7 @@
 
 namespace robochart::frontend {
 
-const Expr& strip(const Expr& expr) {
+const Expr& strip_parentheses(const Expr& expr) {
     const Expr* inner = &expr;
     while (inner->kind == ExprKind::parenthesised) inner = inner->args[0].get();
     return *inner;
@@ -18,13 +18,13 @@ std::string plural(std::size_t n) {
     return n == 1 ? "" : "s";
 }
 
-TypePtr Typer::type(Expr& expr, Surroundings& around) {
+TypePtr Typer::assign_type(Expr& expr, Surroundings& around) {
     finder_.out().poll();
-    expr.type = compute(expr, around);
+    expr.type = compute_type(expr, around);
     return expr.type;
 }
 
-TypePtr Typer::compute(Expr& expr, Surroundings& around) {
+TypePtr Typer::compute_type(Expr& expr, Surroundings& around) {
     switch (expr.kind) {
         case ExprKind::integer:
             return make_type(TypeForm::nat);
@@ -42,47 +42,47 @@ TypePtr Typer::compute(Expr& expr, Surroundings& around) {
         case ExprKind::from:
             return make_type(TypeForm::nat);
         case ExprKind::unary:
-            return unary(expr, around);
+            return type_unary(expr, around);
         case ExprKind::binary:
-            return binary(expr, around);
+            return type_binary(expr, around);
         case ExprKind::if_then_else:
-            return conditional(expr, around);
+            return type_conditional(expr, around);
         case ExprKind::let:
-            return let(expr, around);
+            return type_let(expr, around);
         case ExprKind::forall:
         case ExprKind::exists:
         case ExprKind::exists_unique:
         case ExprKind::lambda:
         case ExprKind::the:
         case ExprKind::set_comprehension:
-            return binder(expr, around);
+            return type_binder(expr, around);
         case ExprKind::cast:
         case ExprKind::is_type:
-            return cast(expr, around);
+            return type_cast(expr, around);
         case ExprKind::member:
-            return member(expr, around);
+            return type_member(expr, around);
         case ExprKind::index:
-            return index(expr, around);
+            return type_index(expr, around);
         case ExprKind::call:
-            return call(expr, around);
+            return check_call(expr, around);
         case ExprKind::record:
-            return record(expr, around);
+            return type_record(expr, around);
         case ExprKind::tuple:
         case ExprKind::sequence:
         case ExprKind::set:
         case ExprKind::set_range:
         case ExprKind::range:
-            return elements(expr, around);
+            return type_elements(expr, around);
         case ExprKind::matrix:
         case ExprKind::inverse:
         case ExprKind::transpose:
-            return matrix(expr, around);
+            return type_matrix(expr, around);
         case ExprKind::since:
-            return since(expr, around);
+            return type_since(expr, around);
         case ExprKind::since_entry:
             return since_entry(expr, around);
         case ExprKind::parenthesised:
-            return type(expr.args[0], around);
+            return assign_type(expr.args[0], around);
         case ExprKind::path:
         case ExprKind::probability:
         case ExprKind::reward:
@@ -98,31 +98,31 @@ TypePtr Typer::compute(Expr& expr, Surroundings& around) {
     return nullptr;
 }
 
-void Typer::boolean(const ExprPtr& expr, Surroundings& around, const std::string& what) {
-    const TypePtr type = this->type(expr, around);
-    if (type && !compatible(type, make_type(TypeForm::boolean)))
+void Typer::check_boolean(const ExprPtr& expr, Surroundings& around, const std::string& what) {
+    const TypePtr type = this->assign_type(expr, around);
+    if (type && !is_compatible(type, make_type(TypeForm::boolean)))
         finder_.out().report(rules::condition_boolean, expr->span, {what, to_string(type)});
 }
 
 /// Each part of a tuple keeps its type; the elements of sets, sequences and ranges have one common type.
-TypePtr Typer::elements(Expr& expr, Surroundings& around) {
-    if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return range(expr, around);
+TypePtr Typer::type_elements(Expr& expr, Surroundings& around) {
+    if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return type_range(expr, around);
     if (expr.kind != ExprKind::tuple)
         return type_all(expr, around, expr.kind == ExprKind::sequence ? TypeForm::sequence : TypeForm::set);
     std::vector<TypePtr> parts;
     bool known = true;
-    for (const ExprPtr& arg : expr.args) known = (parts.emplace_back(type(arg, around)) != nullptr) && known;
+    for (const ExprPtr& arg : expr.args) known = (parts.emplace_back(assign_type(arg, around)) != nullptr) && known;
     return known ? make_type(TypeForm::product, std::move(parts)) : nullptr;
 }
 
 /// All numbers between two numbers: a set of the larger of the two types.
-TypePtr Typer::range(Expr& expr, Surroundings& around) {
+TypePtr Typer::type_range(Expr& expr, Surroundings& around) {
     TypePtr both = make_type(TypeForm::nat);
     for (const ExprPtr& arg : expr.args) {
-        const TypePtr bound = simplify(type(arg, around));
+        const TypePtr bound = simplify_type(assign_type(arg, around));
         if (bound && !is_number(bound) && bound->form != TypeForm::any)
             finder_.out().report(rules::range_bounds, arg->span, {to_string(bound)});
-        both = both && is_number(bound) ? joined(both, bound) : nullptr;
+        both = both && is_number(bound) ? join_types(both, bound) : nullptr;
     }
     return both ? make_type(TypeForm::set, {both}) : nullptr;
 }
@@ -130,30 +130,30 @@ TypePtr Typer::range(Expr& expr, Surroundings& around) {
 TypePtr Typer::type_all(Expr& expr, Surroundings& around, TypeForm collection) {
     TypePtr element = make_type(TypeForm::any);
     for (const ExprPtr& arg : expr.args) {
-        const TypePtr next = type(arg, around);
+        const TypePtr next = assign_type(arg, around);
         if (!element || !next) {
             element = nullptr;
             continue;
         }
-        const TypePtr both = joined(element, next);
+        const TypePtr both = join_types(element, next);
         if (!both) finder_.out().report(rules::mixed_types, arg->span, {to_string(element), to_string(next)});
         element = both;
     }
     return element ? make_type(collection, {element}) : nullptr;
 }
 
-TypePtr Typer::conditional(Expr& expr, Surroundings& around) {
-    boolean(expr.args[0], around, "the condition of `if`");
-    const TypePtr yes = type(expr.args[1], around);
-    const TypePtr no = type(expr.args[2], around);
+TypePtr Typer::type_conditional(Expr& expr, Surroundings& around) {
+    check_boolean(expr.args[0], around, "the condition of `if`");
+    const TypePtr yes = assign_type(expr.args[1], around);
+    const TypePtr no = assign_type(expr.args[2], around);
     if (!yes || !no) return nullptr;
-    const TypePtr both = joined(yes, no);
+    const TypePtr both = join_types(yes, no);
     if (!both) finder_.out().report(rules::mixed_types, expr.args[2]->span, {to_string(yes), to_string(no)});
     return both;
 }
 
 /// `[| … |]`, inverse and transpose.
-TypePtr Typer::matrix(Expr& expr, Surroundings& around) {
+TypePtr Typer::type_matrix(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::matrix) {
         const TypePtr all = type_all(expr, around, TypeForm::sequence);
         if (!all || expr.columns == 0) return nullptr;
@@ -161,7 +161,7 @@ TypePtr Typer::matrix(Expr& expr, Surroundings& around) {
         const long rows = static_cast<long>(expr.args.size() / expr.columns);
         return rows == 1 ? make_vector(all->args[0], columns) : make_matrix(all->args[0], rows, columns);
     }
-    const TypePtr operand = simplify(type(expr.args[0], around));
+    const TypePtr operand = simplify_type(assign_type(expr.args[0], around));
     // `last(<>)` and similar expressions may have any type.
     if (!operand || operand->form == TypeForm::any) return nullptr;
     const bool transposes = expr.kind == ExprKind::transpose;
@@ -177,10 +177,10 @@ TypePtr Typer::matrix(Expr& expr, Surroundings& around) {
     return make_matrix(make_type(TypeForm::real), operand->sizes[0], operand->sizes[1]);
 }
 
-TypePtr Typer::cast(Expr& expr, Surroundings& around) {
-    const TypePtr from = type(expr.args[0], around);
-    const TypePtr to = type(*expr.type_expr, around);
-    if (from && to && !compatible(from, to) && !compatible(to, from))
+TypePtr Typer::type_cast(Expr& expr, Surroundings& around) {
+    const TypePtr from = assign_type(expr.args[0], around);
+    const TypePtr to = assign_type(*expr.type_expr, around);
+    if (from && to && !is_compatible(from, to) && !is_compatible(to, from))
         finder_.out().report(rules::cast_type, expr.span, {to_string(from), to_string(to)});
     return expr.kind == ExprKind::cast ? to : make_type(TypeForm::boolean);
 }
@@ -188,49 +188,49 @@ TypePtr Typer::cast(Expr& expr, Surroundings& around) {
 // ---------------------------------------------------------------- binders
 
 /// Quantifiers, lambda, definite descriptions and comprehensions.
-TypePtr Typer::binder(Expr& expr, Surroundings& around) {
+TypePtr Typer::type_binder(Expr& expr, Surroundings& around) {
     std::vector<TypePtr> types;
     bool known = true;
     for (Binding& binding : expr.bindings) {
-        binding.variable->type = type(*binding.variable->type_expr, around);
+        binding.variable->type = assign_type(*binding.variable->type_expr, around);
         known = known && binding.variable->type != nullptr;
         types.push_back(binding.variable->type);
     }
     const std::size_t outer = around.bound.size();
     for (const Binding& binding : expr.bindings) around.bound.push_back(binding.variable.get());
-    if (expr.args[0]) boolean(expr.args[0], around, "what follows `|`");
+    if (expr.args[0]) check_boolean(expr.args[0], around, "what follows `|`");
     const TypePtr result = bound_body(expr, around, known ? make_type(TypeForm::product, types) : nullptr);
     around.bound.resize(outer);
     return result;
 }
 
 TypePtr Typer::bound_body(Expr& expr, Surroundings& around, const TypePtr& variables) {
-    const TypePtr body = type(expr.args[1], around);
+    const TypePtr body = assign_type(expr.args[1], around);
     switch (expr.kind) {
         case ExprKind::lambda:
             return variables && body ? make_type(TypeForm::function, {variables, body}) : nullptr;
         case ExprKind::the:
-            return expr.args[1] ? body : simplify(variables);
+            return expr.args[1] ? body : simplify_type(variables);
         case ExprKind::set_comprehension: {
-            const TypePtr element = expr.args[1] ? body : simplify(variables);
+            const TypePtr element = expr.args[1] ? body : simplify_type(variables);
             return element ? make_type(TypeForm::set, {element}) : nullptr;
         }
         default:
             break;
     }
-    if (body && !compatible(body, make_type(TypeForm::boolean)))
+    if (body && !is_compatible(body, make_type(TypeForm::boolean)))
         finder_.out().report(rules::condition_boolean, expr.args[1]->span, {"what follows `@`", to_string(body)});
     return make_type(TypeForm::boolean);
 }
 
 /// Later bindings of a `let` see the earlier ones.
-TypePtr Typer::let(Expr& expr, Surroundings& around) {
+TypePtr Typer::type_let(Expr& expr, Surroundings& around) {
     const std::size_t outer = around.bound.size();
     for (Binding& binding : expr.bindings) {
-        binding.variable->type = type(binding.value, around);
+        binding.variable->type = assign_type(binding.value, around);
         around.bound.push_back(binding.variable.get());
     }
-    const TypePtr result = type(expr.args[0], around);
+    const TypePtr result = assign_type(expr.args[0], around);
     around.bound.resize(outer);
     return result;
 }

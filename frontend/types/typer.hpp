@@ -27,72 +27,74 @@ public:
     explicit Typer(Finder& finder) : finder_(finder) {}
 
     // Types (type_reader.cpp)
-    TypePtr type(TypeExpr& written, Surroundings& around);
+    TypePtr assign_type(TypeExpr& written, Surroundings& around);
     /// The type of a type declaration.
-    [[nodiscard]] TypePtr declared(const TypeDeclaration& declaration) const;
+    [[nodiscard]] TypePtr declared_type(const TypeDeclaration& declaration) const;
 
     // Expressions (typer.cpp, typer_names.cpp, typer_operators.cpp, typer_binders.cpp, typer_calls.cpp)
-    TypePtr type(Expr& expr, Surroundings& around);
-    TypePtr type(const ExprPtr& expr, Surroundings& around) { return expr ? type(*expr, around) : nullptr; }
+    TypePtr assign_type(Expr& expr, Surroundings& around);
+    TypePtr assign_type(const ExprPtr& expr, Surroundings& around) {
+        return expr ? assign_type(*expr, around) : nullptr;
+    }
     /// Types an expression that must be boolean; the message begins with `what`.
-    void boolean(const ExprPtr& expr, Surroundings& around, const std::string& what);
+    void check_boolean(const ExprPtr& expr, Surroundings& around, const std::string& what);
 
     // Statements (typer_statements.cpp)
-    void statement(Stmt& statement, Surroundings& around);
-    void communication(Communication& communication, Surroundings& around, bool is_trigger);
-    const Clock* clock(const QualifiedName& name, Surroundings& around, const diagnostics::Rule& rule);
+    void check_statement(Stmt& statement, Surroundings& around);
+    void check_communication(Communication& communication, Surroundings& around, bool is_trigger);
+    const Clock* find_clock(const QualifiedName& name, Surroundings& around, const diagnostics::Rule& rule);
 
 private:
-    TypePtr compute(Expr& expr, Surroundings& around);
+    TypePtr compute_type(Expr& expr, Surroundings& around);
     TypePtr type_all(Expr& expr, Surroundings& around, TypeForm collection);
     void size(Expr& expr, Surroundings& around, long& value);
     TypePtr named_type(TypeExpr& written, Surroundings& around);
 
     TypePtr name(Expr& expr, Surroundings& around);
     TypePtr bare_function(const Expr& expr, const Function& function);
-    TypePtr since(Expr& expr, Surroundings& around);
+    TypePtr type_since(Expr& expr, Surroundings& around);
     TypePtr since_entry(Expr& expr, Surroundings& around);
     const Declaration* value_named(const QualifiedName& name, Surroundings& around);
     void unknown_value(const QualifiedName& name, Surroundings& around);
 
-    TypePtr unary(Expr& expr, Surroundings& around);
-    TypePtr binary(Expr& expr, Surroundings& around);
+    TypePtr type_unary(Expr& expr, Surroundings& around);
+    TypePtr type_binary(Expr& expr, Surroundings& around);
     diagnostics::Diagnostic& report_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
-    TypePtr mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
-    TypePtr logical(Expr& expr, const TypePtr& left, const TypePtr& right);
-    TypePtr comparison(Expr& expr, const TypePtr& left, const TypePtr& right);
-    TypePtr membership(Expr& expr, const TypePtr& left, const TypePtr& right);
-    TypePtr arithmetic(Expr& expr, const TypePtr& left, const TypePtr& right);
-    TypePtr concatenation(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr reject_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr type_logical(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr type_comparison(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr type_membership(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr type_arithmetic(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr type_concatenation(Expr& expr, const TypePtr& left, const TypePtr& right);
 
-    TypePtr conditional(Expr& expr, Surroundings& around);
-    TypePtr binder(Expr& expr, Surroundings& around);
+    TypePtr type_conditional(Expr& expr, Surroundings& around);
+    TypePtr type_binder(Expr& expr, Surroundings& around);
     TypePtr bound_body(Expr& expr, Surroundings& around, const TypePtr& variables);
-    TypePtr let(Expr& expr, Surroundings& around);
-    TypePtr cast(Expr& expr, Surroundings& around);
-    TypePtr elements(Expr& expr, Surroundings& around);
-    TypePtr range(Expr& expr, Surroundings& around);
-    void indices(const Expr& expr);
-    TypePtr matrix(Expr& expr, Surroundings& around);
+    TypePtr type_let(Expr& expr, Surroundings& around);
+    TypePtr type_cast(Expr& expr, Surroundings& around);
+    TypePtr type_elements(Expr& expr, Surroundings& around);
+    TypePtr type_range(Expr& expr, Surroundings& around);
+    void check_indices(const Expr& expr);
+    TypePtr type_matrix(Expr& expr, Surroundings& around);
 
-    TypePtr call(Expr& expr, Surroundings& around);
+    TypePtr check_call(Expr& expr, Surroundings& around);
     TypePtr call_function(Expr& expr, const Function& function, const std::vector<TypePtr>& args);
     TypePtr call_literal(Expr& expr, const EnumLiteral& literal, const std::vector<TypePtr>& args);
     TypePtr apply(Expr& expr, const TypePtr& function, const std::vector<TypePtr>& args, const std::string& name);
-    TypePtr member(Expr& expr, Surroundings& around);
-    TypePtr index(Expr& expr, Surroundings& around);
+    TypePtr type_member(Expr& expr, Surroundings& around);
+    TypePtr type_index(Expr& expr, Surroundings& around);
     TypePtr tuple_part(Expr& expr, const TypePtr& tuple);
-    TypePtr record(Expr& expr, Surroundings& around);
+    TypePtr type_record(Expr& expr, Surroundings& around);
 
-    void assignment(Stmt& statement, Surroundings& around);
+    void check_assignment(Stmt& statement, Surroundings& around);
     bool resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around);
-    void call(Stmt& statement, Surroundings& around);
+    void check_call(Stmt& statement, Surroundings& around);
     void unknown_operation(const Stmt& statement, Surroundings& around);
-    void wait(const ExprPtr& duration, Surroundings& around);
-    const Event* event(Communication& communication, Surroundings& around);
+    void check_wait(const ExprPtr& duration, Surroundings& around);
+    const Event* find_event(Communication& communication, Surroundings& around);
     void unknown_event(const Communication& communication, Surroundings& around);
-    void communicated(Communication& communication, const Event& event, Surroundings& around);
-    void received(const Communication& communication, const Event& event);
+    void check_communicated(Communication& communication, const Event& event, Surroundings& around);
+    void check_received(const Communication& communication, const Event& event);
     const Variable* stored_into(const QualifiedName& name, Surroundings& around);
 
     /// The reason why a member of a component was not found, if more than the member is missing.
@@ -100,7 +102,7 @@ private:
         bool reported = false;               ///< already reported, or impossible to know
         const Context* interface = nullptr;  ///< declares the member, but the component has no clause for it
     };
-    Missing missing(std::string_view name, DeclKind kind, const Surroundings& around);
+    Missing find_missing(std::string_view name, DeclKind kind, const Surroundings& around);
     void note_missing(const Missing& missing, std::string_view clause, std::string_view name,
                       diagnostics::Diagnostic& finding) const;
 
@@ -108,7 +110,7 @@ private:
 };
 
 /// Removes parentheses around an expression.
-[[nodiscard]] const Expr& strip(const Expr& expr);
+[[nodiscard]] const Expr& strip_parentheses(const Expr& expr);
 /// The plural ending for n items, as in "1 argument" and "2 arguments".
 [[nodiscard]] std::string plural(std::size_t n);
 

@@ -12,20 +12,20 @@
 
 namespace robochart::frontend {
 
-TypePtr Typer::call(Expr& expr, Surroundings& around) {
+TypePtr Typer::check_call(Expr& expr, Surroundings& around) {
     TypePtr callee;
     if (expr.callee) {
-        callee = type(*expr.callee, around);
+        callee = assign_type(*expr.callee, around);
     } else {
         expr.target = value_named(expr.name, around);
         if (expr.target == nullptr) unknown_value(expr.name, around);
     }
     std::vector<TypePtr> args;
-    for (const ExprPtr& arg : expr.args) args.push_back(type(arg, around));
+    for (const ExprPtr& arg : expr.args) args.push_back(assign_type(arg, around));
     if (const auto* function = dynamic_cast<const Function*>(expr.target)) return call_function(expr, *function, args);
     if (const auto* literal = dynamic_cast<const EnumLiteral*>(expr.target)) return call_literal(expr, *literal, args);
     if (const auto* variable = dynamic_cast<const Variable*>(expr.target)) callee = variable->type;
-    return callee ? apply(expr, simplify(callee), args, expr.callee ? to_text(*expr.callee) : expr.name.text())
+    return callee ? apply(expr, simplify_type(callee), args, expr.callee ? to_text(*expr.callee) : expr.name.text())
                   : nullptr;
 }
 
@@ -40,12 +40,13 @@ TypePtr Typer::call_function(Expr& expr, const Function& function, const std::ve
     }
     TypeBindings bindings;
     for (std::size_t i = 0; i < wanted; ++i) {
-        if (match(function.parameters[i]->type, args[i], bindings)) continue;
-        finder_.out().report(rules::function_type, expr.args[i]->span,
-                             {std::to_string(i + 1), function.name,
-                              to_string(substitute(function.parameters[i]->type, bindings)), to_string(args[i])});
+        if (match_types(function.parameters[i]->type, args[i], bindings)) continue;
+        finder_.out().report(
+            rules::function_type, expr.args[i]->span,
+            {std::to_string(i + 1), function.name,
+             to_string(substitute_variables(function.parameters[i]->type, bindings)), to_string(args[i])});
     }
-    return substitute(function.result, bindings);
+    return substitute_variables(function.result, bindings);
 }
 
 TypePtr Typer::call_literal(Expr& expr, const EnumLiteral& literal, const std::vector<TypePtr>& args) {
@@ -55,11 +56,11 @@ TypePtr Typer::call_literal(Expr& expr, const EnumLiteral& literal, const std::v
         finder_.out().report(rules::literal_count, expr.span,
                              {literal.name, std::to_string(wanted), plural(wanted), std::to_string(args.size())});
     for (std::size_t i = 0; i < std::min(wanted, args.size()); ++i)
-        if (args[i] && !compatible(args[i], literal.arguments[i]->type))
+        if (args[i] && !is_compatible(args[i], literal.arguments[i]->type))
             finder_.out().report(
                 rules::literal_type, expr.args[i]->span,
                 {std::to_string(i + 1), literal.name, to_string(literal.arguments[i]->type), to_string(args[i])});
-    return declared(static_cast<const TypeDeclaration&>(*literal.parent));
+    return declared_type(static_cast<const TypeDeclaration&>(*literal.parent));
 }
 
 /// Applies a function value, or a sequence, which is a function from positions to elements.
@@ -75,15 +76,15 @@ TypePtr Typer::apply(Expr& expr, const TypePtr& function, const std::vector<Type
     const TypePtr actual = make_type(TypeForm::product, args);
     const bool typed = std::ranges::all_of(args, [](const TypePtr& arg) { return arg != nullptr; });
     TypeBindings bindings;
-    if (typed && !match(formal, actual, bindings))
+    if (typed && !match_types(formal, actual, bindings))
         finder_.out().report(rules::function_type, expr.span, {"list", name, to_string(formal), to_string(actual)});
-    return is_function ? substitute(function->args[1], bindings) : function->args[0];
+    return is_function ? substitute_variables(function->args[1], bindings) : function->args[0];
 }
 
 // ---------------------------------------------------------------- parts
 
-TypePtr Typer::member(Expr& expr, Surroundings& around) {
-    const TypePtr owner = simplify(type(expr.args[0], around));
+TypePtr Typer::type_member(Expr& expr, Surroundings& around) {
+    const TypePtr owner = simplify_type(assign_type(expr.args[0], around));
     if (!owner) return nullptr;
     std::vector<std::string> fields;
     if (owner->form == TypeForm::record)
@@ -95,17 +96,17 @@ TypePtr Typer::member(Expr& expr, Surroundings& around) {
             fields.push_back(field->name);
         }
     auto& finding = finder_.out().report(rules::no_field, expr.span, {to_string(owner), expr.text});
-    const std::string meant = diagnostics::nearest(expr.text, fields);
+    const std::string meant = diagnostics::nearest_spelling(expr.text, fields);
     const auto written = static_cast<std::uint32_t>(expr.text.size());
     if (!meant.empty())
         finding.fixes.push_back(
-            {{expr.span.source, expr.span.end - written, expr.span.end}, meant, diagnostics::suggested(false)});
+            {{expr.span.source, expr.span.end - written, expr.span.end}, meant, diagnostics::suggestion_verb(false)});
     return nullptr;
 }
 
-TypePtr Typer::index(Expr& expr, Surroundings& around) {
-    const TypePtr owner = simplify(type(expr.args[0], around));
-    for (std::size_t i = 1; i < expr.args.size(); ++i) type(expr.args[i], around);
+TypePtr Typer::type_index(Expr& expr, Surroundings& around) {
+    const TypePtr owner = simplify_type(assign_type(expr.args[0], around));
+    for (std::size_t i = 1; i < expr.args.size(); ++i) assign_type(expr.args[i], around);
     if (!owner || owner->form == TypeForm::any) return nullptr;
     const std::size_t given = expr.args.size() - 1;
     const std::size_t wanted = owner->form == TypeForm::matrix ? 2 : 1;
@@ -122,21 +123,21 @@ TypePtr Typer::index(Expr& expr, Surroundings& around) {
         return nullptr;
     }
     if (owner->form == TypeForm::product) return tuple_part(expr, owner);
-    indices(expr);
+    check_indices(expr);
     return owner->args[0];
 }
 
-void Typer::indices(const Expr& expr) {
+void Typer::check_indices(const Expr& expr) {
     for (std::size_t i = 1; i < expr.args.size(); ++i) {
-        const TypePtr place = simplify(expr.args[i]->type);
-        if (place && !compatible(place, make_type(TypeForm::integer)))
+        const TypePtr place = simplify_type(expr.args[i]->type);
+        if (place && !is_compatible(place, make_type(TypeForm::integer)))
             finder_.out().report(rules::index_type, expr.args[i]->span, {to_string(place)});
     }
 }
 
 /// The parts of a tuple have different types, so the index must be a literal.
 TypePtr Typer::tuple_part(Expr& expr, const TypePtr& tuple) {
-    const Expr& place = strip(*expr.args[1]);
+    const Expr& place = strip_parentheses(*expr.args[1]);
     std::size_t number = 0;
     if (place.kind == ExprKind::integer)
         std::from_chars(place.text.data(), place.text.data() + place.text.size(), number);
@@ -146,9 +147,9 @@ TypePtr Typer::tuple_part(Expr& expr, const TypePtr& tuple) {
     return nullptr;
 }
 
-TypePtr Typer::record(Expr& expr, Surroundings& around) {
+TypePtr Typer::type_record(Expr& expr, Surroundings& around) {
     expr.target = finder_.find(around.place, expr.name, {DeclKind::record_type}, "datatype");
-    for (Binding& binding : expr.bindings) type(binding.value, around);
+    for (Binding& binding : expr.bindings) assign_type(binding.value, around);
     const auto* declaration = static_cast<const TypeDeclaration*>(expr.target);
     if (declaration == nullptr) return nullptr;
     for (const Binding& binding : expr.bindings) {
@@ -158,7 +159,7 @@ TypePtr Typer::record(Expr& expr, Surroundings& around) {
         if (found == fields.end()) {
             finder_.out().report(rules::no_field, binding.variable->name_span,
                                  {declaration->name, binding.variable->name});
-        } else if (binding.value->type && (*found)->type && !compatible(binding.value->type, (*found)->type)) {
+        } else if (binding.value->type && (*found)->type && !is_compatible(binding.value->type, (*found)->type)) {
             finder_.out().report(rules::field_type, binding.value->span,
                                  {(*found)->name, to_string((*found)->type), to_string(binding.value->type)});
         }
@@ -170,7 +171,7 @@ TypePtr Typer::record(Expr& expr, Surroundings& around) {
     if (!missing.empty())
         finder_.out().report(rules::field_missing, expr.span,
                              {declaration->name, plural(missing.size()), fmt::format("{}", fmt::join(missing, ", "))});
-    return declared(*declaration);
+    return declared_type(*declaration);
 }
 
 }  // namespace robochart::frontend

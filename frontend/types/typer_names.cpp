@@ -23,7 +23,7 @@ TypePtr function_value(const Function& function) {
     return make_type(TypeForm::function, {make_type(TypeForm::product, std::move(parameters)), function.result});
 }
 
-std::string described(const Declaration* component) {
+std::string describe_component(const Declaration* component) {
     return component != nullptr ? fmt::format("{} `{}`", to_text(component->kind), component->name) : "this file";
 }
 
@@ -66,15 +66,15 @@ const Declaration* Typer::value_named(const QualifiedName& name, Surroundings& a
 void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     const bool is_clock =
         around.scope != nullptr && name.parts.size() == 1 && around.scope->clocks.contains(name.parts.front());
-    const Missing missing = is_clock ? Missing() : this->missing(name.parts.back(), DeclKind::variable, around);
+    const Missing missing = is_clock ? Missing() : this->find_missing(name.parts.back(), DeclKind::variable, around);
     if (missing.reported) return;
-    std::vector<std::string> candidates = finder_.candidates({DeclKind::enum_literal, DeclKind::function});
+    std::vector<std::string> candidates = finder_.candidate_names({DeclKind::enum_literal, DeclKind::function});
     if (around.scope != nullptr)
-        for (std::string& key : finder_.keys(around.scope->variables)) candidates.push_back(std::move(key));
+        for (std::string& key : finder_.keys_of(around.scope->variables)) candidates.push_back(std::move(key));
     for (const Variable* bound : around.bound) candidates.push_back(bound->name);
     const Declaration* component = component_around(around.place.inside);
-    auto& finding =
-        finder_.unknown(name, "variable, constant, literal or function", "in " + described(component), candidates);
+    auto& finding = finder_.report_unknown(name, "variable, constant, literal or function",
+                                           "in " + describe_component(component), candidates);
     if (is_clock) {
         const std::string own = fmt::format("since({})", name.parts.front());
         finding.notes.push_back({around.scope->clocks.at(name.parts.front())->name_span,
@@ -90,7 +90,7 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
         if (hidden != scope.variables.end())
             finding.notes.push_back({hidden->second->name_span,
                                      fmt::format("{} has one; `{}` sees it by requiring an interface that declares it",
-                                                 described(outer), component->name)});
+                                                 describe_component(outer), component->name)});
     }
 }
 
@@ -117,27 +117,28 @@ TypePtr Typer::name(Expr& expr, Surroundings& around) {
         finder_.out().report(
             rules::literal_count, expr.span,
             {literal.name, std::to_string(literal.arguments.size()), plural(literal.arguments.size()), "none"});
-    return declared(static_cast<const TypeDeclaration&>(*literal.parent));
+    return declared_type(static_cast<const TypeDeclaration&>(*literal.parent));
 }
 
-const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const diagnostics::Rule& rule) {
+const Clock* Typer::find_clock(const QualifiedName& name, Surroundings& around, const diagnostics::Rule& rule) {
     if (around.scope != nullptr) {
         const auto found = around.scope->clocks.find(name.parts.front());
         if (found != around.scope->clocks.end()) return found->second;
     }
     if (finder_.names().is_lost(name)) return nullptr;
-    const Missing missing = this->missing(name.parts.back(), DeclKind::clock, around);
+    const Missing missing = this->find_missing(name.parts.back(), DeclKind::clock, around);
     if (missing.reported) return nullptr;
     const Declaration* component = component_around(around.place.inside);
     const std::string kind(component != nullptr ? to_text(component->kind) : "package");
     auto& finding =
         finder_.out().report(rule, name.span, {name.text(), kind, component != nullptr ? component->name : ""});
     if (around.scope != nullptr) {
-        const std::vector<std::string> clocks = finder_.keys(around.scope->clocks);
-        const std::string meant = diagnostics::nearest(name.parts.front(), clocks);
+        const std::vector<std::string> clocks = finder_.keys_of(around.scope->clocks);
+        const std::string meant = diagnostics::nearest_spelling(name.parts.front(), clocks);
         if (!meant.empty())
             finding.fixes.push_back(
-                {name.span, meant, diagnostics::suggested(diagnostics::is_certain(name.parts.front(), meant, clocks))});
+                {name.span, meant,
+                 diagnostics::suggestion_verb(diagnostics::is_certain(name.parts.front(), meant, clocks))});
     }
     if (missing.interface != nullptr) note_missing(missing, "uses", name.parts.back(), finding);
     if (&rule == &rules::te2 && around.machine != nullptr)
@@ -148,8 +149,8 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
     return nullptr;
 }
 
-TypePtr Typer::since(Expr& expr, Surroundings& around) {
-    expr.target = clock(expr.name, around, rules::te2);
+TypePtr Typer::type_since(Expr& expr, Surroundings& around) {
+    expr.target = find_clock(expr.name, around, rules::te2);
     return make_type(TypeForm::integer);
 }
 

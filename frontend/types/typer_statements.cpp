@@ -8,44 +8,44 @@
 
 namespace robochart::frontend {
 
-void Typer::statement(Stmt& statement, Surroundings& around) {
+void Typer::check_statement(Stmt& statement, Surroundings& around) {
     switch (statement.kind) {
         case StmtKind::if_then_else: {
-            const TypePtr condition = type(statement.condition, around);
-            if (condition && !compatible(condition, make_type(TypeForm::boolean)))
+            const TypePtr condition = assign_type(statement.condition, around);
+            if (condition && !is_compatible(condition, make_type(TypeForm::boolean)))
                 finder_.out().report(rules::if_type, statement.condition->span, {to_string(condition)});
             break;
         }
         case StmtKind::assignment:
-            return assignment(statement, around);
+            return check_assignment(statement, around);
         case StmtKind::communication:
-            return communication(*statement.communication, around, false);
+            return check_communication(*statement.communication, around, false);
         case StmtKind::call:
-            return call(statement, around);
+            return check_call(statement, around);
         case StmtKind::wait:
-            return wait(statement.value, around);
+            return check_wait(statement.value, around);
         case StmtKind::wait_interval:
-            wait(statement.value, around);
-            return wait(statement.upper, around);
+            check_wait(statement.value, around);
+            return check_wait(statement.upper, around);
         case StmtKind::clock_reset:
-            statement.declaration = clock(statement.name, around, rules::ts1);
+            statement.declaration = find_clock(statement.name, around, rules::ts1);
             return;
         case StmtKind::deadline: {
-            const TypePtr bound = simplify(type(statement.value, around));
-            if (bound && !compatible(bound, make_type(TypeForm::real)))
+            const TypePtr bound = simplify_type(assign_type(statement.value, around));
+            if (bound && !is_compatible(bound, make_type(TypeForm::real)))
                 finder_.out().report(rules::deadline_type, statement.value->span, {to_string(bound)});
             break;
         }
         default:
             break;
     }
-    for (const StmtPtr& inner : statement.body) this->statement(*inner, around);
+    for (const StmtPtr& inner : statement.body) this->check_statement(*inner, around);
 }
 
-void Typer::wait(const ExprPtr& duration, Surroundings& around) {
-    const TypePtr type = simplify(this->type(duration, around));
+void Typer::check_wait(const ExprPtr& duration, Surroundings& around) {
+    const TypePtr type = simplify_type(this->assign_type(duration, around));
     const TypePtr whole = make_type(TypeForm::integer);
-    if (type && !compatible(type, whole) && !compatible(type, make_type(TypeForm::set, {whole})))
+    if (type && !is_compatible(type, whole) && !is_compatible(type, make_type(TypeForm::set, {whole})))
         finder_.out().report(rules::wait_type, duration->span, {to_string(type)});
 }
 
@@ -59,16 +59,16 @@ bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_v
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("in `{}`", component->name) : "here";
     const QualifiedName& missing = statement.kind == StmtKind::call ? statement.name : named.name;
-    auto& finding = finder_.unknown(missing, what, where, {});
+    auto& finding = finder_.report_unknown(missing, what, where, {});
     finding.notes.push_back({clock->second->name_span, fmt::format("a clock is reset by `#{}`", name)});
     finding.fixes = {{statement.span, "#" + name, "write"}};
     return true;
 }
 
-void Typer::assignment(Stmt& statement, Surroundings& around) {
+void Typer::check_assignment(Stmt& statement, Surroundings& around) {
     if (resets_clock(statement, *statement.target, "variable", around)) return;
-    const TypePtr target = type(statement.target, around);
-    const TypePtr value = type(statement.value, around);
+    const TypePtr target = assign_type(statement.target, around);
+    const TypePtr value = assign_type(statement.value, around);
     const Expr* root = statement.target.get();
     while ((root->kind == ExprKind::member || root->kind == ExprKind::index) && root->args[0])
         root = root->args[0].get();
@@ -82,22 +82,22 @@ void Typer::assignment(Stmt& statement, Surroundings& around) {
             .report(rules::not_assignable, statement.span, {assigned->name, std::string(to_text(assigned->kind))})
             .notes.push_back({assigned->name_span, "it is declared here"});
     }
-    if (!target || !value || compatible(value, target)) return;
+    if (!target || !value || is_compatible(value, target)) return;
     auto& finding = finder_.out().report(rules::assignment_type, statement.value->span,
                                          {to_text(*statement.target), to_string(target), to_string(value)});
     if (assigned != nullptr)
         finding.notes.push_back({assigned->name_span, fmt::format("`{}` is declared here", assigned->name)});
 }
 
-void Typer::call(Stmt& statement, Surroundings& around) {
+void Typer::check_call(Stmt& statement, Surroundings& around) {
     const std::string& called = statement.name.parts.back();
     const bool known = around.scope != nullptr && around.scope->operations.contains(called);
     const bool resets = (called == "reset" || called == "restart") && statement.args.size() == 1;
     if (!known && resets && resets_clock(statement, *statement.args.front(), "operation", around)) return;
-    for (const ExprPtr& arg : statement.args) type(arg, around);
+    for (const ExprPtr& arg : statement.args) assign_type(arg, around);
     if (around.scope == nullptr) return;
     const auto found = around.scope->operations.find(statement.name.parts.back());
-    if (found == around.scope->operations.end() || !finder_.names().qualifies(statement.name, *found->second))
+    if (found == around.scope->operations.end() || !finder_.names().is_qualified_by(statement.name, *found->second))
         return unknown_operation(statement, around);
     const OperationSignature& signature = *found->second;
     statement.declaration = &signature;
@@ -112,7 +112,7 @@ void Typer::call(Stmt& statement, Surroundings& around) {
     for (std::size_t i = 0; i < wanted; ++i) {
         const TypePtr& formal = signature.parameters[i]->type;
         const TypePtr& actual = statement.args[i]->type;
-        if (actual && formal && !compatible(actual, formal))
+        if (actual && formal && !is_compatible(actual, formal))
             finder_.out()
                 .report(rules::call_type, statement.args[i]->span,
                         {std::to_string(i + 1), signature.name, to_string(formal), to_string(actual)})
@@ -124,10 +124,11 @@ void Typer::call(Stmt& statement, Surroundings& around) {
 void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
-    const Missing missing = this->missing(statement.name.parts.back(), DeclKind::operation_signature, around);
+    const Missing missing = this->find_missing(statement.name.parts.back(), DeclKind::operation_signature, around);
     if (missing.reported) return;
-    auto& finding = finder_.unknown(statement.name, "operation", where, finder_.keys(around.scope->operations));
-    if (finder_.out().errors() > diagnostics::Diagnostics::max_kept) return;
+    auto& finding =
+        finder_.report_unknown(statement.name, "operation", where, finder_.keys_of(around.scope->operations));
+    if (finder_.out().error_count() > diagnostics::Diagnostics::max_kept) return;
     const std::string& name = statement.name.parts.back();
     if (const auto event = around.scope->events.find(name); event != around.scope->events.end()) {
         const std::string value = event->second->type_expr ? "!v" : "";
@@ -136,14 +137,14 @@ void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
         return;
     }
     if (missing.interface != nullptr) return note_missing(missing, "requires", name, finding);
-    if (const Declaration* defined = finder_.names().anywhere(name, {DeclKind::operation}))
+    if (const Declaration* defined = finder_.names().find_anywhere(name, {DeclKind::operation}))
         finding.notes.push_back(
             {defined->name_span, "it is defined here, but only operations of a required interface can be called"});
 }
 
 // ---------------------------------------------------------------- communications
 
-const Event* Typer::event(Communication& communication, Surroundings& around) {
+const Event* Typer::find_event(Communication& communication, Surroundings& around) {
     if (around.scope == nullptr) return nullptr;
     const auto found = around.scope->events.find(communication.event.parts.back());
     if (found != around.scope->events.end()) return found->second;
@@ -154,9 +155,9 @@ const Event* Typer::event(Communication& communication, Surroundings& around) {
 void Typer::unknown_event(const Communication& communication, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("of `{}`", component->name) : "here";
-    const Missing missing = this->missing(communication.event.parts.back(), DeclKind::event, around);
+    const Missing missing = this->find_missing(communication.event.parts.back(), DeclKind::event, around);
     if (missing.reported) return;
-    auto& finding = finder_.unknown(communication.event, "event", where, finder_.keys(around.scope->events));
+    auto& finding = finder_.report_unknown(communication.event, "event", where, finder_.keys_of(around.scope->events));
     const std::string& name = communication.event.parts.back();
     if (around.scope->operations.contains(name)) {
         finding.notes.push_back({{}, fmt::format("`{0}` is an operation: it is called by `{0}()`", name)});
@@ -174,9 +175,9 @@ void Typer::unknown_event(const Communication& communication, Surroundings& arou
         }
 }
 
-Typer::Missing Typer::missing(std::string_view name, DeclKind kind, const Surroundings& around) {
+Typer::Missing Typer::find_missing(std::string_view name, DeclKind kind, const Surroundings& around) {
     const auto* component = dynamic_cast<const Context*>(component_around(around.place.inside));
-    if (component == nullptr || finder_.out().errors() > diagnostics::Diagnostics::max_kept) return {};
+    if (component == nullptr || finder_.out().error_count() > diagnostics::Diagnostics::max_kept) return {};
     if (has_unknown_interface(*component)) return {true, nullptr};
     const Context* const interface = finder_.names().interface_with(name, kind);
     if (interface == nullptr || interface == component) return {};
@@ -195,7 +196,7 @@ void Typer::note_missing(const Missing& missing, std::string_view clause, std::s
 const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& around) {
     if (around.scope == nullptr) return nullptr;
     const auto found = around.scope->variables.find(name.parts.back());
-    if (found != around.scope->variables.end() && finder_.names().qualifies(name, *found->second)) {
+    if (found != around.scope->variables.end() && finder_.names().is_qualified_by(name, *found->second)) {
         const Variable& variable = *found->second;
         if (variable.kind == DeclKind::parameter)
             finder_.out().report(rules::parameter_assigned, name.span, {variable.name});
@@ -205,32 +206,33 @@ const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& arou
         return &variable;
     }
     const Declaration* component = component_around(around.place.inside);
-    const Missing missing = this->missing(name.parts.back(), DeclKind::variable, around);
+    const Missing missing = this->find_missing(name.parts.back(), DeclKind::variable, around);
     if (missing.reported) return nullptr;
-    auto& finding = finder_.unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
-                                    finder_.keys(around.scope->variables));
+    auto& finding =
+        finder_.report_unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
+                               finder_.keys_of(around.scope->variables));
     if (missing.interface != nullptr) note_missing(missing, "requires", name.parts.back(), finding);
     return nullptr;
 }
 
-void Typer::communication(Communication& communication, Surroundings& around, bool) {
-    const Event* event = this->event(communication, around);
+void Typer::check_communication(Communication& communication, Surroundings& around, bool) {
+    const Event* event = this->find_event(communication, around);
     communication.event_target = event;
     if (!communication.from_variable.empty())
         communication.from_target = stored_into(communication.from_variable, around);
-    if (communication.predicate) boolean(communication.predicate, around, "what stands in `[| |]`");
+    if (communication.predicate) check_boolean(communication.predicate, around, "what stands in `[| |]`");
     if (communication.kind == CommKind::input)
         communication.variable_target = stored_into(communication.variable, around);
-    if (communication.value) type(communication.value, around);
-    if (event != nullptr) communicated(communication, *event, around);
+    if (communication.value) assign_type(communication.value, around);
+    if (event != nullptr) check_communicated(communication, *event, around);
 }
 
 /// RoboTool checks compat(variable, event), which allows narrowing. A wider variable is allowed here, too, and is
 /// safer.
-void Typer::received(const Communication& communication, const Event& event) {
+void Typer::check_received(const Communication& communication, const Event& event) {
     const auto* variable = static_cast<const Variable*>(communication.variable_target);
-    if (variable == nullptr || !variable->type || compatible(event.type, variable->type)) return;
-    const bool narrows = compatible(variable->type, event.type);
+    if (variable == nullptr || !variable->type || is_compatible(event.type, variable->type)) return;
+    const bool narrows = is_compatible(variable->type, event.type);
     finder_.out()
         .report(narrows ? rules::comm_narrow : rules::comm_input, communication.span,
                 {event.name, to_string(event.type), variable->name, to_string(variable->type)})
@@ -238,7 +240,7 @@ void Typer::received(const Communication& communication, const Event& event) {
 }
 
 /// Rules Tg2 and Tg5, and the types of communicated values.
-void Typer::communicated(Communication& communication, const Event& event, Surroundings&) {
+void Typer::check_communicated(Communication& communication, const Event& event, Surroundings&) {
     const bool simple = communication.kind == CommKind::simple;
     const bool input = communication.kind == CommKind::input;
     const bool typed = event.type_expr != nullptr;
@@ -252,10 +254,10 @@ void Typer::communicated(Communication& communication, const Event& event, Surro
             .notes.push_back({event.name_span, "the event is declared here"});
     if (simple || !typed || !event.type) return;
     if (input) {
-        received(communication, event);
+        check_received(communication, event);
         return;
     }
-    if (communication.value->type && !compatible(communication.value->type, event.type))
+    if (communication.value->type && !is_compatible(communication.value->type, event.type))
         finder_.out()
             .report(rules::comm_value, communication.value->span,
                     {event.name, to_string(event.type), to_string(communication.value->type)})

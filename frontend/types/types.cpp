@@ -17,20 +17,20 @@ bool is_open(const TypePtr& type) {
            (type->form == TypeForm::product || type->form == TypeForm::function || type->form == TypeForm::relation);
 }
 
-std::string operand(const TypePtr& type) {
+std::string operand_text(const TypePtr& type) {
     return is_open(type) ? "(" + to_string(type) + ")" : to_string(type);
 }
 
-std::string product(const Type& type) {
+std::string product_text(const Type& type) {
     std::string out;
-    for (const TypePtr& arg : type.args) out += (out.empty() ? "" : " * ") + operand(arg);
+    for (const TypePtr& arg : type.args) out += (out.empty() ? "" : " * ") + operand_text(arg);
     // The argument type of a function with one or no parameter is a product as well.
     return type.args.size() == 1 ? out : type.args.empty() ? "()" : out;
 }
 
 /// A product binds more tightly than arrows, so it needs no parentheses next to them.
 std::string beside_arrow(const TypePtr& type) {
-    return type && type->form == TypeForm::product ? product(*type) : operand(type);
+    return type && type->form == TypeForm::product ? product_text(*type) : operand_text(type);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ std::string to_string(const TypePtr& type) {
         case TypeForm::set:
             return "Set(" + arg(0) + ")";
         case TypeForm::product:
-            return product(*type);
+            return product_text(*type);
         case TypeForm::function:
             return beside_arrow(type->args[0]) + " -> " + beside_arrow(type->args[1]);
         case TypeForm::relation:

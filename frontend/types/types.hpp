@@ -45,6 +45,6 @@ struct Type {
 /// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
 [[nodiscard]] std::string to_string(const TypePtr&);
 /// compat(a, b): true if a value of type `from` may be used where `to` is expected.
-[[nodiscard]] bool compatible(const TypePtr& from, const TypePtr& to);
+[[nodiscard]] bool is_compatible(const TypePtr& from, const TypePtr& to);
 
 }  // namespace robochart::frontend

@@ -10,7 +10,7 @@ Automaton::Automaton(Residues& residues, std::vector<Part> parts) : residues_(re
     std::vector<OfPart> first;
     for (const Part& part : parts_) {
         OfPart& begins = first.emplace_back();
-        if (!part.always) begins.now = residues_.of(part.formula);
+        if (!part.always) begins.now = residues_.residue_of(part.formula);
     }
     (void)add(std::move(first));
 }
@@ -23,20 +23,21 @@ Automaton::State Automaton::add(std::vector<OfPart> state) {
     return found->second;
 }
 
-Automaton::State Automaton::after(State state, Letter letter) {
+Automaton::State Automaton::successor_of(State state, Letter letter) {
     if (const auto known = after_.find({state, letter}); known != after_.end()) return known->second;
     std::vector<OfPart> next;
-    for (std::size_t i = 0; i < parts_.size(); ++i) next.push_back(after(states_[state][i], parts_[i], letter));
+    for (std::size_t i = 0; i < parts_.size(); ++i) next.push_back(successor_of(states_[state][i], parts_[i], letter));
     const State result = add(std::move(next));
     after_.emplace(std::pair(state, letter), result);
     return result;
 }
 
-Automaton::OfPart Automaton::after(const OfPart& before, const Part& part, Letter letter) {
+Automaton::OfPart Automaton::successor_of(const OfPart& before, const Part& part, Letter letter) {
     OfPart result;
-    result.now = residues_.after(before.now, letter);
+    result.now = residues_.residue_after(before.now, letter);
     if (!part.always) return result;
-    result.later = residues_.after(residues_.both(before.later, residues_.of(part.formula)), letter);
+    result.later =
+        residues_.residue_after(residues_.conjunction_of(before.later, residues_.residue_of(part.formula)), letter);
     if (result.now == Residues::no || result.later == Residues::no) return {Residues::no, Residues::no, false};
     if (result.now != Residues::yes) return result;
     return {result.later, Residues::yes, true};
@@ -56,19 +57,19 @@ public:
     std::vector<Conjunction> operator()(FormulaId id) {
         const Depth depth(depth_);
         const Formula formula = formulas_[id];
-        if (formula.co_safe) return literal({id, false}, true);
-        if (formula.safe) return literal({formulas_.negated(id), false}, false);
+        if (formula.co_safe) return literal_case({id, false}, true);
+        if (formula.safe) return literal_case({formulas_.make_negation(id), false}, false);
         switch (formula.form) {
             case Form::both:
-                return all((*this)(formula.a), (*this)(formula.b));
+                return combine_all((*this)(formula.a), (*this)(formula.b));
             case Form::either:
-                return any((*this)(formula.a), (*this)(formula.b));
+                return combine_any((*this)(formula.a), (*this)(formula.b));
             case Form::next:
-                return (*this)(inwards(formula.a));
+                return (*this)(move_next_inwards(formula.a));
             case Form::until:
-                return until(formula);
+                return split_until(formula);
             case Form::release:
-                return release(formula);
+                return split_release(formula);
             default:
                 throw NotDecided(beyond);
         }
@@ -88,19 +89,19 @@ private:
         unsigned& depth_;
     };
 
-    std::vector<Conjunction> literal(Part part, bool holds) {
+    std::vector<Conjunction> literal_case(Part part, bool holds) {
         const auto found = std::ranges::find(parts, part);
         const auto index = static_cast<std::size_t>(found - parts.begin());
         if (found == parts.end()) parts.push_back(part);
         return {{{index, holds}}};
     }
 
-    static std::vector<Conjunction> any(std::vector<Conjunction> a, const std::vector<Conjunction>& b) {
+    static std::vector<Conjunction> combine_any(std::vector<Conjunction> a, const std::vector<Conjunction>& b) {
         a.insert(a.end(), b.begin(), b.end());
         return a;
     }
 
-    static std::vector<Conjunction> all(const std::vector<Conjunction>& a, const std::vector<Conjunction>& b) {
+    static std::vector<Conjunction> combine_all(const std::vector<Conjunction>& a, const std::vector<Conjunction>& b) {
         constexpr std::size_t most = 1000;
         if (a.size() * b.size() > most) throw NotDecided("the formula has too many cases");
         std::vector<Conjunction> result;
@@ -114,19 +115,21 @@ private:
     }
 
     /// Returns X of a formula, with the X moved inside the outermost operator.
-    FormulaId inwards(FormulaId id) {
+    FormulaId move_next_inwards(FormulaId id) {
         const Formula formula = formulas_[id];
         switch (formula.form) {
             case Form::both:
-                return formulas_.both(formulas_.next(formula.a), formulas_.next(formula.b));
+                return formulas_.make_conjunction(formulas_.make_next(formula.a), formulas_.make_next(formula.b));
             case Form::either:
-                return formulas_.either(formulas_.next(formula.a), formulas_.next(formula.b));
+                return formulas_.make_disjunction(formulas_.make_next(formula.a), formulas_.make_next(formula.b));
             case Form::next:
-                return inwards(inwards(formula.a));
+                return move_next_inwards(move_next_inwards(formula.a));
             case Form::until:
-                return formulas_.until(formulas_.next(formula.a), formulas_.next(formula.b), formula.steps);
+                return formulas_.make_until(formulas_.make_next(formula.a), formulas_.make_next(formula.b),
+                                            formula.steps);
             case Form::release:
-                return formulas_.release(formulas_.next(formula.a), formulas_.next(formula.b), formula.steps);
+                return formulas_.make_release(formulas_.make_next(formula.a), formulas_.make_next(formula.b),
+                                              formula.steps);
             default:
                 throw NotDecided(beyond);
         }
@@ -139,96 +142,103 @@ private:
         operands(formula.a, form, tails, others);
         operands(formula.b, form, tails, others);
     }
-    FormulaId joined(const std::vector<FormulaId>& ids, Form form) {
+    FormulaId join_formulas(const std::vector<FormulaId>& ids, Form form) {
         FormulaId result = form == Form::both ? Formulas::yes : Formulas::no;
         for (const FormulaId id : ids)
-            result = form == Form::both ? formulas_.both(result, id) : formulas_.either(result, id);
+            result =
+                form == Form::both ? formulas_.make_conjunction(result, id) : formulas_.make_disjunction(result, id);
         return result;
     }
 
-    std::vector<Conjunction> until(const Formula& formula) {
-        if (!formula.steps.any()) throw NotDecided(beyond);
+    std::vector<Conjunction> split_until(const Formula& formula) {
+        if (!formula.steps.is_unbounded()) throw NotDecided(beyond);
         const Formula right = formulas_[formula.b];
         // If prefixes do not matter, a U b holds if and only if b holds now.
         if (right.tail) return (*this)(formula.b);
         if (right.form == Form::either)
-            return any((*this)(formulas_.until(formula.a, right.a)), (*this)(formulas_.until(formula.a, right.b)));
+            return combine_any((*this)(formulas_.make_until(formula.a, right.a)),
+                               (*this)(formulas_.make_until(formula.a, right.b)));
         if (right.form == Form::both) {
             std::vector<FormulaId> tails, others;
             operands(formula.b, Form::both, tails, others);
             if (!tails.empty())
-                return all((*this)(joined(tails, Form::both)),
-                           (*this)(formulas_.until(formula.a, joined(others, Form::both))));
+                return combine_all((*this)(join_formulas(tails, Form::both)),
+                                   (*this)(formulas_.make_until(formula.a, join_formulas(others, Form::both))));
         }
-        return formula.a == Formulas::yes ? finally(formula.b) : guarded_until(formula);
+        return formula.a == Formulas::yes ? split_finally(formula.b) : guarded_until(formula);
     }
 
     /// F of a formula that is neither a tail nor a disjunction.
-    std::vector<Conjunction> finally(FormulaId id) {
+    std::vector<Conjunction> split_finally(FormulaId id) {
         const Formula formula = formulas_[id];
-        if (formula.safe) return literal({formulas_.negated(id), true}, false);
-        if (formula.form == Form::next) return (*this)(formulas_.finally(inwards(formula.a)));
-        if (formula.steps.any() && formula.form == Form::until) return (*this)(formulas_.finally(formula.b));
-        if (formula.steps.any() && formula.form == Form::release && formula.a != Formulas::no)
-            return any((*this)(formulas_.finally(formulas_.both(formula.a, formula.b))),
-                       (*this)(formulas_.finally(formulas_.always(formula.b))));
+        if (formula.safe) return literal_case({formulas_.make_negation(id), true}, false);
+        if (formula.form == Form::next) return (*this)(formulas_.make_finally(move_next_inwards(formula.a)));
+        if (formula.steps.is_unbounded() && formula.form == Form::until)
+            return (*this)(formulas_.make_finally(formula.b));
+        if (formula.steps.is_unbounded() && formula.form == Form::release && formula.a != Formulas::no)
+            return combine_any((*this)(formulas_.make_finally(formulas_.make_conjunction(formula.a, formula.b))),
+                               (*this)(formulas_.make_finally(formulas_.make_always(formula.b))));
         throw NotDecided(beyond);
     }
 
     /// a U b where a is not true.
     std::vector<Conjunction> guarded_until(const Formula& formula) {
         const Formula left = formulas_[formula.a];
-        const FormulaId at_last = formulas_.finally(formula.b);
-        if (left.tail) return any((*this)(formula.b), all((*this)(formula.a), (*this)(at_last)));
+        const FormulaId at_last = formulas_.make_finally(formula.b);
+        if (left.tail) return combine_any((*this)(formula.b), combine_all((*this)(formula.a), (*this)(at_last)));
         if (left.form == Form::both)
-            return all((*this)(formulas_.until(left.a, formula.b)), (*this)(formulas_.until(left.b, formula.b)));
+            return combine_all((*this)(formulas_.make_until(left.a, formula.b)),
+                               (*this)(formulas_.make_until(left.b, formula.b)));
         std::vector<FormulaId> tails, others;
         operands(formula.a, Form::either, tails, others);
         if (tails.empty()) throw NotDecided(beyond);
-        return any((*this)(formulas_.until(joined(others, Form::either), formula.b)),
-                   all((*this)(joined(tails, Form::either)), (*this)(at_last)));
+        return combine_any((*this)(formulas_.make_until(join_formulas(others, Form::either), formula.b)),
+                           combine_all((*this)(join_formulas(tails, Form::either)), (*this)(at_last)));
     }
 
-    std::vector<Conjunction> release(const Formula& formula) {
-        if (!formula.steps.any()) throw NotDecided(beyond);
+    std::vector<Conjunction> split_release(const Formula& formula) {
+        if (!formula.steps.is_unbounded()) throw NotDecided(beyond);
         const Formula right = formulas_[formula.b];
         if (right.tail) return (*this)(formula.b);
         if (right.form == Form::both)
-            return all((*this)(formulas_.release(formula.a, right.a)), (*this)(formulas_.release(formula.a, right.b)));
+            return combine_all((*this)(formulas_.make_release(formula.a, right.a)),
+                               (*this)(formulas_.make_release(formula.a, right.b)));
         if (right.form == Form::either) {
             std::vector<FormulaId> tails, others;
             operands(formula.b, Form::either, tails, others);
             if (!tails.empty())
-                return any((*this)(joined(tails, Form::either)),
-                           (*this)(formulas_.release(formula.a, joined(others, Form::either))));
+                return combine_any((*this)(join_formulas(tails, Form::either)),
+                                   (*this)(formulas_.make_release(formula.a, join_formulas(others, Form::either))));
         }
-        return formula.a == Formulas::no ? always(formula.b) : guarded_release(formula);
+        return formula.a == Formulas::no ? split_always(formula.b) : guarded_release(formula);
     }
 
     /// G of a formula that is neither a tail nor a conjunction.
-    std::vector<Conjunction> always(FormulaId id) {
+    std::vector<Conjunction> split_always(FormulaId id) {
         const Formula formula = formulas_[id];
-        if (formula.co_safe) return literal({id, true}, true);
-        if (formula.form == Form::next) return (*this)(formulas_.always(inwards(formula.a)));
-        if (formula.steps.any() && formula.form == Form::release) return (*this)(formulas_.always(formula.b));
-        if (formula.steps.any() && formula.form == Form::until && formula.a != Formulas::yes)
-            return all((*this)(formulas_.always(formulas_.either(formula.a, formula.b))),
-                       (*this)(formulas_.always(formulas_.finally(formula.b))));
+        if (formula.co_safe) return literal_case({id, true}, true);
+        if (formula.form == Form::next) return (*this)(formulas_.make_always(move_next_inwards(formula.a)));
+        if (formula.steps.is_unbounded() && formula.form == Form::release)
+            return (*this)(formulas_.make_always(formula.b));
+        if (formula.steps.is_unbounded() && formula.form == Form::until && formula.a != Formulas::yes)
+            return combine_all((*this)(formulas_.make_always(formulas_.make_disjunction(formula.a, formula.b))),
+                               (*this)(formulas_.make_always(formulas_.make_finally(formula.b))));
         throw NotDecided(beyond);
     }
 
     /// a R b where a is not false.
     std::vector<Conjunction> guarded_release(const Formula& formula) {
         const Formula left = formulas_[formula.a];
-        const FormulaId for_ever = formulas_.always(formula.b);
-        if (left.tail) return all((*this)(formula.b), any((*this)(formula.a), (*this)(for_ever)));
+        const FormulaId for_ever = formulas_.make_always(formula.b);
+        if (left.tail) return combine_all((*this)(formula.b), combine_any((*this)(formula.a), (*this)(for_ever)));
         if (left.form == Form::either)
-            return any((*this)(formulas_.release(left.a, formula.b)), (*this)(formulas_.release(left.b, formula.b)));
+            return combine_any((*this)(formulas_.make_release(left.a, formula.b)),
+                               (*this)(formulas_.make_release(left.b, formula.b)));
         std::vector<FormulaId> tails, others;
         operands(formula.a, Form::both, tails, others);
         if (tails.empty()) throw NotDecided(beyond);
-        return all((*this)(formulas_.release(joined(others, Form::both), formula.b)),
-                   any((*this)(joined(tails, Form::both)), (*this)(for_ever)));
+        return combine_all((*this)(formulas_.make_release(join_formulas(others, Form::both), formula.b)),
+                           combine_any((*this)(join_formulas(tails, Form::both)), (*this)(for_ever)));
     }
 
     Formulas& formulas_;

@@ -42,11 +42,13 @@ public:
 
     [[nodiscard]] State start() const { return 0; }
     /// Throws NotDecided.
-    [[nodiscard]] State after(State state, Letter letter);
+    [[nodiscard]] State successor_of(State state, Letter letter);
     /// Whether the formula of a part that is not `always` holds.
-    [[nodiscard]] bool done(State state, std::size_t part) const { return states_[state][part].now == Residues::yes; }
+    [[nodiscard]] bool is_done(State state, std::size_t part) const {
+        return states_[state][part].now == Residues::yes;
+    }
     /// Whether a batch of a part that is `always` is fulfilled.
-    [[nodiscard]] bool marked(State state, std::size_t part) const { return states_[state][part].marked; }
+    [[nodiscard]] bool is_marked(State state, std::size_t part) const { return states_[state][part].marked; }
     [[nodiscard]] std::size_t states() const { return states_.size(); }
 
 private:
@@ -57,7 +59,7 @@ private:
         friend auto operator<=>(const OfPart&, const OfPart&) = default;
     };
 
-    [[nodiscard]] OfPart after(const OfPart& before, const Part& part, Letter letter);
+    [[nodiscard]] OfPart successor_of(const OfPart& before, const Part& part, Letter letter);
     State add(std::vector<OfPart> state);
 
     static constexpr std::size_t most_states = 20'000;

@@ -18,7 +18,7 @@ enum class Form : std::uint8_t { no, yes, atom, not_atom, both, either, next, un
 struct Steps {
     std::uint64_t from = 0;
     std::optional<std::uint64_t> to;  ///< no value: unbounded
-    [[nodiscard]] bool any() const { return from == 0 && !to; }
+    [[nodiscard]] bool is_unbounded() const { return from == 0 && !to; }
     [[nodiscard]] Steps after_one() const { return {from > 0 ? from - 1 : 0, to ? std::optional(*to - 1) : to}; }
     friend auto operator<=>(const Steps&, const Steps&) = default;
 };
@@ -42,15 +42,15 @@ public:
     [[nodiscard]] const Formula& operator[](FormulaId id) const { return formulas_[id]; }
 
     FormulaId atom(std::uint32_t number, bool positive = true);
-    FormulaId both(FormulaId a, FormulaId b);
-    FormulaId either(FormulaId a, FormulaId b);
-    FormulaId next(FormulaId a);
-    FormulaId until(FormulaId a, FormulaId b, Steps steps = {});
+    FormulaId make_conjunction(FormulaId a, FormulaId b);
+    FormulaId make_disjunction(FormulaId a, FormulaId b);
+    FormulaId make_next(FormulaId a);
+    FormulaId make_until(FormulaId a, FormulaId b, Steps steps = {});
     /// The dual of `until`: the negation of `until` of negations.
-    FormulaId release(FormulaId a, FormulaId b, Steps steps = {});
-    FormulaId finally(FormulaId a) { return until(yes, a); }
-    FormulaId always(FormulaId a) { return release(no, a); }
-    FormulaId negated(FormulaId id);
+    FormulaId make_release(FormulaId a, FormulaId b, Steps steps = {});
+    FormulaId make_finally(FormulaId a) { return make_until(yes, a); }
+    FormulaId make_always(FormulaId a) { return make_release(no, a); }
+    FormulaId make_negation(FormulaId id);
 
 private:
     FormulaId add(Formula formula);

@@ -26,7 +26,7 @@ public:
         made.first_choice = {0};
         made.first_branch = {0};
         for (markov::State state = 0; state < model_.states(); ++state)
-            result_.begin.push_back(at(state, automaton_.start()));
+            result_.begin.push_back(state_after(state, automaton_.start()));
         for (const markov::State state : model_.initial) made.initial.push_back(result_.begin[state]);
         std::ranges::sort(made.initial);
         for (std::size_t state = 0; state < of_model_.size(); ++state) expand(state);
@@ -35,8 +35,8 @@ public:
 
 private:
     /// Returns the product state in which the automaton, coming from `before`, has read a state of the model.
-    markov::State at(markov::State state, Automaton::State before) {
-        const Automaton::State now = automaton_.after(before, letters_[state]);
+    markov::State state_after(markov::State state, Automaton::State before) {
+        const Automaton::State now = automaton_.successor_of(before, letters_[state]);
         const auto [found, fresh] =
             known_.emplace(std::uint64_t{now} << 32U | state, static_cast<markov::State>(of_model_.size()));
         if (!fresh) return found->second;
@@ -55,7 +55,7 @@ private:
             if (budget_ != nullptr) budget_->poll();
             branches_.clear();
             for (std::uint64_t i = model_.first_branch[choice]; i < model_.first_branch[choice + 1]; ++i)
-                branches_.emplace_back(at(model_.target[i], now), model_.number[i]);
+                branches_.emplace_back(state_after(model_.target[i], now), model_.number[i]);
             std::ranges::sort(branches_);
             for (const auto& [target, number] : branches_) {
                 made.target.push_back(target);
@@ -85,18 +85,18 @@ Product product(const markov::Model& model, const std::vector<Letter>& letters, 
     return Multiplier(model, letters, automaton, budget)();
 }
 
-markov::StateSet done(const Product& product, const Automaton& automaton, std::size_t part) {
+markov::StateSet done_states(const Product& product, const Automaton& automaton, std::size_t part) {
     markov::StateSet result(product.model.states());
     for (std::size_t state = 0; state < result.size(); ++state)
-        result[state] = automaton.done(product.automaton[state], part);
+        result[state] = automaton.is_done(product.automaton[state], part);
     return result;
 }
 
 /// In an end component, a part that is not `always` is fulfilled in all states or in none. The batches of an `always`
 /// are fulfilled infinitely often, or never from some time on. A scheduler can visit all states of a component
 /// infinitely often.
-markov::StateSet winning(const Product& product, const Automaton& automaton, const Condition& condition,
-                         diagnostics::Budget* budget) {
+markov::StateSet winning_states(const Product& product, const Automaton& automaton, const Condition& condition,
+                                diagnostics::Budget* budget) {
     const markov::Model& model = product.model;
     const markov::Graph graph(model);
     markov::StateSet result(model.states());
@@ -112,14 +112,15 @@ markov::StateSet winning(const Product& product, const Automaton& automaton, con
             }
             for (std::size_t state = 0; state < model.states(); ++state) {
                 const Automaton::State read = product.automaton[state];
-                const bool now = always ? automaton.marked(read, part) : automaton.done(read, part);
+                const bool now = always ? automaton.is_marked(read, part) : automaton.is_done(read, part);
                 if (now != holds) allowed.states[state] = false;
             }
         }
         for (const markov::EndComponent& each : end_components(graph, allowed)) {
             const bool wins = std::ranges::all_of(again, [&](std::size_t part) {
-                return std::ranges::any_of(
-                    each.states, [&](markov::State state) { return automaton.marked(product.automaton[state], part); });
+                return std::ranges::any_of(each.states, [&](markov::State state) {
+                    return automaton.is_marked(product.automaton[state], part);
+                });
             });
             for (const markov::State state : each.states)
                 if (wins) result[state] = true;

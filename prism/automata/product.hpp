@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "prism/markov/model/model.hpp"
-#include "prism/automata/automaton.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "prism/automata/automaton.hpp"
+#include "prism/markov/model/model.hpp"
 
 namespace robochart::prism::automata {
 
@@ -23,10 +23,10 @@ struct Product {
                               diagnostics::Budget* budget);
 
 /// The states in which a part that is not `always` holds for all continuations.
-[[nodiscard]] markov::StateSet done(const Product& product, const Automaton& automaton, std::size_t part);
+[[nodiscard]] markov::StateSet done_states(const Product& product, const Automaton& automaton, std::size_t part);
 
 /// The states of end components in which a scheduler that stays there satisfies the condition.
-[[nodiscard]] markov::StateSet winning(const Product& product, const Automaton& automaton, const Condition& condition,
-                                       diagnostics::Budget* budget);
+[[nodiscard]] markov::StateSet winning_states(const Product& product, const Automaton& automaton,
+                                              const Condition& condition, diagnostics::Budget* budget);
 
 }  // namespace robochart::prism::automata

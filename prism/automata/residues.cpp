@@ -15,7 +15,7 @@ std::size_t Residues::HashPair::operator()(const Pair& pair) const {
 
 Residues::Residues(Formulas& formulas) : formulas_(formulas), nodes_(2) {}
 
-std::uint32_t Residues::level(ResidueId id) const {
+std::uint32_t Residues::variable_of(ResidueId id) const {
     return id <= yes ? std::numeric_limits<std::uint32_t>::max() : nodes_[id].variable;
 }
 
@@ -42,9 +42,9 @@ ResidueId Residues::choice(ResidueId condition, ResidueId then, ResidueId otherw
     if (then == yes && otherwise == no) return condition;
     const auto key = std::tuple(condition, then, otherwise);
     if (const auto known = choices_.find(key); known != choices_.end()) return known->second;
-    const std::uint32_t top = std::min({level(condition), level(then), level(otherwise)});
+    const std::uint32_t top = std::min({variable_of(condition), variable_of(then), variable_of(otherwise)});
     const auto side = [&](ResidueId id, bool high) {
-        if (level(id) != top) return id;
+        if (variable_of(id) != top) return id;
         return high ? nodes_[id].high : nodes_[id].low;
     };
     const ResidueId low = choice(side(condition, false), side(then, false), side(otherwise, false));
@@ -54,7 +54,7 @@ ResidueId Residues::choice(ResidueId condition, ResidueId then, ResidueId otherw
     return result;
 }
 
-ResidueId Residues::of(FormulaId id) {
+ResidueId Residues::residue_of(FormulaId id) {
     const Formula formula = formulas_[id];
     switch (formula.form) {
         case Form::no:
@@ -62,9 +62,9 @@ ResidueId Residues::of(FormulaId id) {
         case Form::yes:
             return yes;
         case Form::both:
-            return both(of(formula.a), of(formula.b));
+            return conjunction_of(residue_of(formula.a), residue_of(formula.b));
         case Form::either:
-            return choice(of(formula.a), yes, of(formula.b));
+            return choice(residue_of(formula.a), yes, residue_of(formula.b));
         case Form::not_atom:
             return choice(variable(formulas_.atom(formula.atom)), no, yes);
         default:
@@ -72,14 +72,14 @@ ResidueId Residues::of(FormulaId id) {
     }
 }
 
-ResidueId Residues::after(ResidueId residue, Letter letter) {
+ResidueId Residues::residue_after(ResidueId residue, Letter letter) {
     if (residue <= yes) return residue;
     const Pair key{residue, letter};
     if (const auto known = after_.find(key); known != after_.end()) return known->second;
     const Node top = nodes_[residue];
     const ResidueId condition = step(variables_[top.variable], letter);
-    const ResidueId high = after(top.high, letter);
-    const ResidueId result = choice(condition, high, after(top.low, letter));
+    const ResidueId high = residue_after(top.high, letter);
+    const ResidueId result = choice(condition, high, residue_after(top.low, letter));
     after_.emplace(key, result);
     return result;
 }
@@ -88,15 +88,15 @@ ResidueId Residues::after(ResidueId residue, Letter letter) {
 ResidueId Residues::step(FormulaId id, Letter letter) {
     const Formula formula = formulas_[id];
     if (formula.form == Form::atom) return (letter >> formula.atom & 1U) != 0 ? yes : no;
-    if (formula.form == Form::next) return of(formula.a);
+    if (formula.form == Form::next) return residue_of(formula.a);
     const bool until = formula.form == Form::until;
-    const ResidueId left = after(of(formula.a), letter);
-    const ResidueId right = formula.steps.from == 0 ? after(of(formula.b), letter) : until ? no : yes;
+    const ResidueId left = residue_after(residue_of(formula.a), letter);
+    const ResidueId right = formula.steps.from == 0 ? residue_after(residue_of(formula.b), letter) : until ? no : yes;
     ResidueId later = until ? no : yes;
     if (formula.steps.to != 0U)
-        later = of(until ? formulas_.until(formula.a, formula.b, formula.steps.after_one())
-                         : formulas_.release(formula.a, formula.b, formula.steps.after_one()));
-    return until ? choice(right, yes, both(left, later)) : both(right, choice(left, yes, later));
+        later = residue_of(until ? formulas_.make_until(formula.a, formula.b, formula.steps.after_one())
+                                 : formulas_.make_release(formula.a, formula.b, formula.steps.after_one()));
+    return until ? choice(right, yes, conjunction_of(left, later)) : conjunction_of(right, choice(left, yes, later));
 }
 
 }  // namespace robochart::prism::automata

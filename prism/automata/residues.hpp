@@ -35,10 +35,10 @@ public:
     /// `formulas` must outlive the object.
     explicit Residues(Formulas& formulas);
 
-    [[nodiscard]] ResidueId of(FormulaId formula);
+    [[nodiscard]] ResidueId residue_of(FormulaId formula);
     /// Returns the rest of the formula after a state. Throws NotDecided.
-    [[nodiscard]] ResidueId after(ResidueId residue, Letter letter);
-    [[nodiscard]] ResidueId both(ResidueId a, ResidueId b) { return choice(a, b, no); }
+    [[nodiscard]] ResidueId residue_after(ResidueId residue, Letter letter);
+    [[nodiscard]] ResidueId conjunction_of(ResidueId a, ResidueId b) { return choice(a, b, no); }
 
 private:
     struct Node {
@@ -58,7 +58,7 @@ private:
     /// If, then, else.
     ResidueId choice(ResidueId condition, ResidueId then, ResidueId otherwise);
     ResidueId step(FormulaId formula, Letter letter);
-    [[nodiscard]] std::uint32_t level(ResidueId id) const;
+    [[nodiscard]] std::uint32_t variable_of(ResidueId id) const;
 
     static constexpr std::size_t most_nodes = 1'000'000;
     Formulas& formulas_;

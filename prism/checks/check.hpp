@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "prism/checks/checked.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "prism/checks/checked.hpp"
 
 namespace robochart::prism {
 

@@ -7,13 +7,13 @@
 #include <map>
 #include <set>
 
+#include "base/diagnostics/spelling.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/checks/compose.hpp"
 #include "prism/checks/definitions.hpp"
 #include "prism/checks/rules.hpp"
 #include "prism/checks/scope.hpp"
 #include "prism/checks/types.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -24,45 +24,45 @@ public:
         : file_(file), diagnostics_(diagnostics) {}
 
     std::optional<CheckedModel> operator()() {
-        const std::size_t errors = diagnostics_.errors();
+        const std::size_t errors = diagnostics_.error_count();
         model_.kind = file_.kind;
         model_.formulas = expand_formulas(file_.formulas, formulas_, diagnostics_);
         expand_declarations();
         for (const Module& each : file_.modules) add_module(each);
         collect_variables();
         declare();
-        if (diagnostics_.errors() == errors) check();
-        if (diagnostics_.errors() == errors)
+        if (diagnostics_.error_count() == errors) check();
+        if (diagnostics_.error_count() == errors)
             model_.synchronisations = compose(model_.modules, file_.system, diagnostics_);
-        if (diagnostics_.errors() != errors) return std::nullopt;
+        if (diagnostics_.error_count() != errors) return std::nullopt;
         return std::move(model_);
     }
 
 private:
-    ExprPtr expanded(const ExprPtr& expr) {
+    ExprPtr expand_if_manageable(const ExprPtr& expr) {
         ExprPtr result = formulas_(expr);
         if (result && !is_manageable(result, expr->span, diagnostics_)) return expr;
         return result;
     }
 
     void expand_variable(Variable& variable) {
-        for (ExprPtr* expr : {&variable.low, &variable.high, &variable.initial}) *expr = expanded(*expr);
+        for (ExprPtr* expr : {&variable.low, &variable.high, &variable.initial}) *expr = expand_if_manageable(*expr);
     }
 
     void expand_declarations() {
         model_.constants = file_.constants;
-        for (Constant& each : model_.constants) each.value = expanded(each.value);
+        for (Constant& each : model_.constants) each.value = expand_if_manageable(each.value);
         model_.labels = file_.labels;
-        for (Definition& each : model_.labels) each.body = expanded(each.body);
+        for (Definition& each : model_.labels) each.body = expand_if_manageable(each.body);
         model_.rewards = file_.rewards;
         for (RewardStructure& each : model_.rewards)
             for (RewardItem& item : each.items) {
-                item.guard = expanded(item.guard);
-                item.value = expanded(item.value);
+                item.guard = expand_if_manageable(item.guard);
+                item.value = expand_if_manageable(item.value);
             }
         model_.variables = file_.globals;
         for (Variable& each : model_.variables) expand_variable(each);
-        model_.initial = expanded(file_.initial);
+        model_.initial = expand_if_manageable(file_.initial);
     }
 
     void add_module(const Module& written) {
@@ -95,10 +95,10 @@ private:
     }
 
     void expand_command(Command& command) {
-        command.guard = expanded(command.guard);
+        command.guard = expand_if_manageable(command.guard);
         for (Branch& branch : command.branches) {
-            branch.probability = expanded(branch.probability);
-            for (Assignment& each : branch.assignments) each.value = expanded(each.value);
+            branch.probability = expand_if_manageable(branch.probability);
+            for (Assignment& each : branch.assignments) each.value = expand_if_manageable(each.value);
         }
     }
 
@@ -179,22 +179,22 @@ private:
     void check() {
         TypeChecker types(scope_, diagnostics_);
         for (const Definition& each : model_.formulas) (void)types.type(each.body);
-        for (const Constant& each : model_.constants) types.expect(each.value, each.type, true, "a constant");
-        for (const Definition& each : model_.labels) types.expect(each.body, Type::boolean);
+        for (const Constant& each : model_.constants) types.expect_type(each.value, each.type, true, "a constant");
+        for (const Definition& each : model_.labels) types.expect_type(each.body, Type::boolean);
         for (const Variable& each : model_.variables) check_variable(each, types);
-        if (model_.initial) types.expect(model_.initial, Type::boolean);
+        if (model_.initial) types.expect_type(model_.initial, Type::boolean);
         for (const RewardStructure& each : model_.rewards)
             for (const RewardItem& item : each.items) {
-                types.expect(item.guard, Type::boolean);
-                types.expect(item.value, Type::real);
+                types.expect_type(item.guard, Type::boolean);
+                types.expect_type(item.value, Type::real);
             }
         check_actions();
         // Errors in a base are reported only for the base.
-        const std::size_t errors = diagnostics_.errors();
+        const std::size_t errors = diagnostics_.error_count();
         for (const bool renamed : {false, true})
             for (const Module& module : model_.modules)
                 for (const Command& command : module.commands)
-                    if (renamed != module.base.text.empty() && (!renamed || diagnostics_.errors() == errors))
+                    if (renamed != module.base.text.empty() && (!renamed || diagnostics_.error_count() == errors))
                         check_command(module, command, types);
     }
 
@@ -230,7 +230,7 @@ private:
     void check_action(const Name& action, const std::vector<std::string>& known) {
         if (action.text.empty() || std::ranges::binary_search(known, action.text)) return;
         auto& finding = diagnostics_.report(rules::not_declared, action.span, {"action", action.text});
-        if (const std::string meant = diagnostics::nearest(action.text, known); !meant.empty())
+        if (const std::string meant = diagnostics::nearest_spelling(action.text, known); !meant.empty())
             finding.notes.push_back({{}, fmt::format("did you mean '{}'?", meant)});
         else if (known.empty())
             finding.notes.push_back({{}, "no command has an action"});
@@ -241,17 +241,17 @@ private:
     }
 
     void check_variable(const Variable& variable, TypeChecker& types) {
-        types.expect(variable.low, Type::integer, true, "the bound of a range");
-        types.expect(variable.high, Type::integer, true, "the bound of a range");
-        types.expect(variable.initial, variable.type, true, "an initial value");
+        types.expect_type(variable.low, Type::integer, true, "the bound of a range");
+        types.expect_type(variable.high, Type::integer, true, "the bound of a range");
+        types.expect_type(variable.initial, variable.type, true, "an initial value");
         if (variable.initial && model_.initial)
             diagnostics_.report(rules::two_initials, variable.initial->span, {variable.name.text});
     }
 
     void check_command(const Module& module, const Command& command, TypeChecker& types) {
-        types.expect(command.guard, Type::boolean);
+        types.expect_type(command.guard, Type::boolean);
         for (const Branch& branch : command.branches) {
-            if (branch.probability) types.expect(branch.probability, Type::real);
+            if (branch.probability) types.expect_type(branch.probability, Type::real);
             std::set<std::string_view> written;
             for (const Assignment& each : branch.assignments) {
                 if (!written.insert(each.variable.text).second)
@@ -273,7 +273,7 @@ private:
             diagnostics_.report(rules::foreign_variable, name.span, {module.name.text, name.text, *writer->second});
         if (!writer->second && !command.action.text.empty())
             diagnostics_.report(rules::global_written, name.span, {name.text});
-        types.expect(assignment.value, scope_.symbols.find(name.text)->second.type);
+        types.expect_type(assignment.value, scope_.symbols.find(name.text)->second.type);
     }
 
     const ModelFile& file_;

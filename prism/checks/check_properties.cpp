@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    ExprPtr expanded(const ExprPtr& expr) {
+    ExprPtr expand_if_manageable(const ExprPtr& expr) {
         ExprPtr result = formulas_(expr);
         if (result && !is_manageable(result, expr->span, diagnostics_)) return expr;
         return result;
@@ -50,13 +50,13 @@ private:
                 diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
             declare_constant(each, scope_, diagnostics_);
             Constant constant = each;
-            constant.value = expanded(each.value);
+            constant.value = expand_if_manageable(each.value);
             defined.push_back({constant.name, constant.value});
             result_.constants.push_back(std::move(constant));
         }
         (void)definition_order(defined, diagnostics_);
         TypeChecker types(scope_, diagnostics_);
-        for (const Constant& each : result_.constants) types.expect(each.value, each.type, true, "a constant");
+        for (const Constant& each : result_.constants) types.expect_type(each.value, each.type, true, "a constant");
     }
 
     void labels() {
@@ -66,8 +66,8 @@ private:
                 diagnostics_.report(rules::own_label, each.name.span, {each.name.text});
             else if (!scope_.labels.insert(each.name.text).second)
                 diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
-            Definition label{each.name, expanded(each.body)};
-            types.expect(label.body, Type::boolean);
+            Definition label{each.name, expand_if_manageable(each.body)};
+            types.expect_type(label.body, Type::boolean);
             result_.labels.push_back(std::move(label));
         }
     }
@@ -76,7 +76,7 @@ private:
     void properties() {
         std::vector<Defined> defined;
         for (const Property& each : file_.properties) {
-            result_.properties.push_back({each.name, expanded(each.expression)});
+            result_.properties.push_back({each.name, expand_if_manageable(each.expression)});
             if (!each.name.text.empty() &&
                 (scope_.labels.contains(each.name.text) || !names_.insert(each.name.text).second))
                 diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});

@@ -38,36 +38,36 @@ public:
         return part;
     }
 
-    Part composed(const Composition& system) {
+    Part compose_system(const Composition& system) {
         diagnostics_.poll();
         using Kind = Composition::Kind;
         switch (system.kind) {
             case Kind::module:
-                return named(system.module);
+                return module_part(system.module);
             case Kind::hide:
-                return hidden(composed(*system.parts[0]), system.actions);
+                return hide_actions(compose_system(*system.parts[0]), system.actions);
             case Kind::rename:
-                return renamed(composed(*system.parts[0]), system.renamings);
+                return rename_actions(compose_system(*system.parts[0]), system.renamings);
             case Kind::common:
             case Kind::interleaved:
             case Kind::on_actions:
                 break;
         }
-        Part left = composed(*system.parts[0]);
-        Part right = composed(*system.parts[1]);
+        Part left = compose_system(*system.parts[0]);
+        Part right = compose_system(*system.parts[1]);
         std::set<std::string> together;
-        if (system.kind == Kind::common) together = common(left, right);
+        if (system.kind == Kind::common) together = common_actions(left, right);
         for (const Name& action : system.actions) together.insert(action.text);
-        return parallel(left, right, together);
+        return compose_parallel(left, right, together);
     }
 
-    static std::set<std::string> common(const Part& left, const Part& right) {
+    static std::set<std::string> common_actions(const Part& left, const Part& right) {
         std::set<std::string> result;
         std::ranges::set_intersection(left.alphabet, right.alphabet, std::inserter(result, result.end()));
         return result;
     }
 
-    Part parallel(const Part& left, const Part& right, const std::set<std::string>& together) {
+    Part compose_parallel(const Part& left, const Part& right, const std::set<std::string>& together) {
         Part result;
         result.alphabet = left.alphabet;
         result.alphabet.insert(right.alphabet.begin(), right.alphabet.end());
@@ -94,14 +94,14 @@ public:
     }
 
 private:
-    Part named(const Name& name) {
+    Part module_part(const Name& name) {
         for (std::size_t i = 0; i < modules_.size(); ++i)
             if (modules_[i].name.text == name.text) return leaf(i);
         diagnostics_.report(rules::not_declared, name.span, {"module", name.text});
         return {};
     }
 
-    static Part hidden(Part part, const std::vector<Name>& actions) {
+    static Part hide_actions(Part part, const std::vector<Name>& actions) {
         for (const Name& action : actions) {
             part.alphabet.erase(action.text);
             for (Synchronisation& act : part.acts)
@@ -110,7 +110,7 @@ private:
         return part;
     }
 
-    static Part renamed(Part part, const std::vector<Renaming>& renamings) {
+    static Part rename_actions(Part part, const std::vector<Renaming>& renamings) {
         const auto renamed_action = [&](const std::string& action) {
             for (const Renaming& each : renamings)
                 if (each.from.text == action) return each.to.text;
@@ -139,14 +139,14 @@ std::vector<Synchronisation> compose(const std::vector<Module>& modules, const C
                                      diagnostics::Diagnostics& diagnostics) {
     Composer composer(modules, diagnostics);
     if (system) {
-        Part whole = composer.composed(*system);
+        Part whole = composer.compose_system(*system);
         composer.report_missing(span_of(*system));
         return std::move(whole.acts);
     }
     Part whole;
     for (std::size_t i = 0; i < modules.size(); ++i) {
         const Part next = composer.leaf(i);
-        whole = composer.parallel(whole, next, Composer::common(whole, next));
+        whole = composer.compose_parallel(whole, next, Composer::common_actions(whole, next));
     }
     return std::move(whole.acts);
 }

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "prism/checks/checked.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "prism/checks/checked.hpp"
 
 namespace robochart::prism {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "prism/checks/rewrite.hpp"
 #include "prism/syntax/syntax.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::prism {
 

@@ -8,10 +8,10 @@ namespace robochart::prism {
 
 ExprPtr Rewriter::operator()(const ExprPtr& expr) {
     done_.clear();
-    return rewritten(expr);
+    return rewrite_expression(expr);
 }
 
-ExprPtr Rewriter::rewritten(const ExprPtr& expr) {
+ExprPtr Rewriter::rewrite_expression(const ExprPtr& expr) {
     if (!expr) return expr;
     if (expr->op == Op::name) {
         const auto found = expressions.find(expr->text);
@@ -19,17 +19,17 @@ ExprPtr Rewriter::rewritten(const ExprPtr& expr) {
     }
     if (const auto known = done_.find(expr.get()); known != done_.end()) return known->second;
     Expr copy = *expr;
-    for (ExprPtr& part : copy.parts) part = rewritten(part);
+    for (ExprPtr& part : copy.parts) part = rewrite_expression(part);
     if (copy.query) {
         auto query = std::make_shared<Query>(*copy.query);
-        query->bound = rewritten(query->bound);
-        query->reward_index = rewritten(query->reward_index);
+        query->bound = rewrite_expression(query->bound);
+        query->reward_index = rewrite_expression(query->reward_index);
         copy.query = std::move(query);
     }
     if (copy.steps) {
         auto steps = std::make_shared<StepBound>(*copy.steps);
-        steps->low = rewritten(steps->low);
-        steps->high = rewritten(steps->high);
+        steps->low = rewrite_expression(steps->low);
+        steps->high = rewrite_expression(steps->high);
         copy.steps = std::move(steps);
     }
     if (copy.op == Op::call)

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] ExprPtr operator()(const ExprPtr& expr);
 
 private:
-    [[nodiscard]] ExprPtr rewritten(const ExprPtr& expr);
+    [[nodiscard]] ExprPtr rewrite_expression(const ExprPtr& expr);
     std::unordered_map<const Expr*, ExprPtr> done_;  ///< results of this call
 };
 

@@ -8,10 +8,10 @@
 #include <array>
 #include <charconv>
 
+#include "base/diagnostics/spelling.hpp"
 #include "prism/checks/rewrite.hpp"
 #include "prism/checks/rules.hpp"
 #include "prism/syntax/rules.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -41,12 +41,12 @@ constexpr std::array<std::string_view, 17> filters{"min",   "max",    "count",  
 
 }  // namespace
 
-void TypeChecker::expect(const ExprPtr& expr, Type wanted, bool constant_wanted, const char* what) {
-    if (!expr || !operand(expr, wanted)) return;
-    if (constant_wanted) constant(expr, what);
+void TypeChecker::expect_type(const ExprPtr& expr, Type wanted, bool constant_wanted, const char* what) {
+    if (!expr || !check_operand(expr, wanted)) return;
+    if (constant_wanted) check_constant(expr, what);
 }
 
-void TypeChecker::constant(const ExprPtr& expr, const char* what) {
+void TypeChecker::check_constant(const ExprPtr& expr, const char* what) {
     for_each_name(expr, [&](const Expr& name) {
         const auto found = scope_.symbols.find(name.text);
         if (found != scope_.symbols.end() && found->second.variable)
@@ -58,12 +58,12 @@ TypeChecker::Result TypeChecker::type(const ExprPtr& expr, bool path) {
     auto& known = known_[path ? 1 : 0];
     if (const auto found = known.find(expr.get()); found != known.end()) return found->second;
     diagnostics_.poll();
-    const Result result = computed(*expr, path);
+    const Result result = compute_type(*expr, path);
     known.emplace(expr.get(), result);
     return result;
 }
 
-TypeChecker::Result TypeChecker::computed(const Expr& expr, bool path) {
+TypeChecker::Result TypeChecker::compute_type(const Expr& expr, bool path) {
     switch (expr.op) {
         case Op::boolean:
             return Type::boolean;
@@ -77,49 +77,49 @@ TypeChecker::Result TypeChecker::computed(const Expr& expr, bool path) {
         case Op::real:
             return Type::real;
         case Op::name:
-            return name(expr);
+            return type_of_name(expr);
         case Op::label:
-            return label(expr);
+            return type_of_label(expr);
         case Op::conditional:
-            return conditional(expr);
+            return type_of_conditional(expr);
         case Op::implies:
         case Op::iff:
         case Op::disjunction:
         case Op::conjunction:
         case Op::negation:
-            return logical(expr, path);
+            return type_of_logical(expr, path);
         case Op::equal:
         case Op::unequal:
-            return equality(expr);
+            return type_of_equality(expr);
         case Op::less:
         case Op::less_equal:
         case Op::greater:
         case Op::greater_equal:
-            return comparison(expr);
+            return type_of_comparison(expr);
         case Op::add:
         case Op::subtract:
         case Op::multiply:
         case Op::divide:
         case Op::power:
         case Op::minus:
-            return arithmetic(expr);
+            return type_of_arithmetic(expr);
         case Op::call:
-            return call(expr);
+            return type_of_call(expr);
         case Op::probability:
         case Op::steady:
         case Op::reward:
         case Op::forall_paths:
         case Op::exists_path:
-            return query(expr);
+            return type_of_query(expr);
         case Op::filter:
-            return filter(expr);
+            return type_of_filter(expr);
         case Op::next:
         case Op::eventually:
         case Op::globally:
         case Op::until:
         case Op::weak_until:
         case Op::release:
-            if (path) return path_operator(expr);
+            if (path) return type_of_path_operator(expr);
             diagnostics_.report(rules::misplaced, expr.span, {"a path formula"});
             return std::nullopt;
         case Op::cumulative:
@@ -132,31 +132,31 @@ TypeChecker::Result TypeChecker::computed(const Expr& expr, bool path) {
     return std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::wrong(const Expr& expr, const std::string& wanted, Type found) {
+TypeChecker::Result TypeChecker::report_wrong_type(const Expr& expr, const std::string& wanted, Type found) {
     diagnostics_.report(rules::wrong_type, expr.span, {wanted, type_name(found)});
     return std::nullopt;
 }
 
-bool TypeChecker::operand(const ExprPtr& expr, Type wanted, bool path) {
+bool TypeChecker::check_operand(const ExprPtr& expr, Type wanted, bool path) {
     const Result found = type(expr, path);
     if (!found) return false;
     if (*found == wanted || (wanted == Type::real && *found == Type::integer)) return true;
-    (void)wrong(*expr, type_name(wanted), *found);
+    (void)report_wrong_type(*expr, type_name(wanted), *found);
     return false;
 }
 
-TypeChecker::Result TypeChecker::name(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_name(const Expr& expr) {
     const auto found = scope_.symbols.find(expr.text);
     if (found != scope_.symbols.end()) return found->second.type;
     std::vector<std::string> known;
     for (const auto& [name, symbol] : scope_.symbols) known.push_back(name);
     auto& finding = diagnostics_.report(rules::not_declared, expr.span, {"name", expr.text});
-    if (const std::string meant = diagnostics::nearest(expr.text, known); !meant.empty())
+    if (const std::string meant = diagnostics::nearest_spelling(expr.text, known); !meant.empty())
         finding.notes.push_back({{}, fmt::format("did you mean '{}'?", meant)});
     return std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::label(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_label(const Expr& expr) {
     if (!scope_.properties) {
         diagnostics_.report(rules::misplaced, expr.span, {"a label"});
         return std::nullopt;
@@ -167,38 +167,38 @@ TypeChecker::Result TypeChecker::label(const Expr& expr) {
     return std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::conditional(const Expr& expr) {
-    const bool condition = operand(expr.parts[0], Type::boolean);
+TypeChecker::Result TypeChecker::type_of_conditional(const Expr& expr) {
+    const bool condition = check_operand(expr.parts[0], Type::boolean);
     const Result yes = type(expr.parts[1]);
     const Result no = type(expr.parts[2]);
     if (!condition || !yes || !no) return std::nullopt;
-    if (is_number(*yes) != is_number(*no)) return wrong(*expr.parts[2], type_name(*yes), *no);
+    if (is_number(*yes) != is_number(*no)) return report_wrong_type(*expr.parts[2], type_name(*yes), *no);
     return *yes == *no ? *yes : Type::real;
 }
 
-TypeChecker::Result TypeChecker::logical(const Expr& expr, bool path) {
+TypeChecker::Result TypeChecker::type_of_logical(const Expr& expr, bool path) {
     bool good = true;
-    for (const ExprPtr& part : expr.parts) good = operand(part, Type::boolean, path) && good;
+    for (const ExprPtr& part : expr.parts) good = check_operand(part, Type::boolean, path) && good;
     return good ? Result(Type::boolean) : std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::equality(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_equality(const Expr& expr) {
     const Result left = type(expr.parts[0]);
     const Result right = type(expr.parts[1]);
     if (!left || !right) return std::nullopt;
-    if (is_number(*left) != is_number(*right)) return wrong(*expr.parts[1], type_name(*left), *right);
+    if (is_number(*left) != is_number(*right)) return report_wrong_type(*expr.parts[1], type_name(*left), *right);
     return Type::boolean;
 }
 
-TypeChecker::Result TypeChecker::comparison(const Expr& expr) {
-    return numbers(expr.parts) ? Result(Type::boolean) : std::nullopt;
+TypeChecker::Result TypeChecker::type_of_comparison(const Expr& expr) {
+    return type_of_numbers(expr.parts) ? Result(Type::boolean) : std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::numbers(const std::vector<ExprPtr>& parts) {
+TypeChecker::Result TypeChecker::type_of_numbers(const std::vector<ExprPtr>& parts) {
     Result result = Type::integer;
     for (const ExprPtr& part : parts) {
         const Result found = type(part);
-        if (found && !is_number(*found)) (void)wrong(*part, "a number", *found);
+        if (found && !is_number(*found)) (void)report_wrong_type(*part, "a number", *found);
         if (!found || !is_number(*found))
             result = std::nullopt;
         else if (result && *found == Type::real)
@@ -207,12 +207,12 @@ TypeChecker::Result TypeChecker::numbers(const std::vector<ExprPtr>& parts) {
     return result;
 }
 
-TypeChecker::Result TypeChecker::arithmetic(const Expr& expr) {
-    const Result result = numbers(expr.parts);
+TypeChecker::Result TypeChecker::type_of_arithmetic(const Expr& expr) {
+    const Result result = type_of_numbers(expr.parts);
     return result && expr.op == Op::divide ? Type::real : result;
 }
 
-TypeChecker::Result TypeChecker::call(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_call(const Expr& expr) {
     const auto* function =
         std::ranges::find_if(functions_known, [&](const Function& each) { return each.name == expr.text; });
     if (function == functions_known.end()) {
@@ -226,41 +226,41 @@ TypeChecker::Result TypeChecker::call(const Expr& expr) {
         return std::nullopt;
     }
     if (expr.text == "mod") {
-        const bool left = operand(expr.parts[0], Type::integer);
-        return operand(expr.parts[1], Type::integer) && left ? Result(Type::integer) : std::nullopt;
+        const bool left = check_operand(expr.parts[0], Type::integer);
+        return check_operand(expr.parts[1], Type::integer) && left ? Result(Type::integer) : std::nullopt;
     }
-    const Result result = numbers(expr.parts);
+    const Result result = type_of_numbers(expr.parts);
     if (!result) return result;
     if (expr.text == "floor" || expr.text == "ceil" || expr.text == "round") return Type::integer;
     return expr.text == "log" ? Type::real : result;
 }
 
-TypeChecker::Result TypeChecker::query(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_query(const Expr& expr) {
     if (!scope_.properties) {
         diagnostics_.report(rules::misplaced, expr.span, {"a question"});
         return std::nullopt;
     }
     if (expr.op == Op::forall_paths || expr.op == Op::exists_path)
-        return operand(expr.parts[0], Type::boolean, true) ? Result(Type::boolean) : std::nullopt;
+        return check_operand(expr.parts[0], Type::boolean, true) ? Result(Type::boolean) : std::nullopt;
     const Query& query = *expr.query;
     bool good = true;
     if (query.bound) {
-        good = operand(query.bound, Type::real);
-        constant(query.bound, "a bound");
+        good = check_operand(query.bound, Type::real);
+        check_constant(query.bound, "a bound");
     } else if (scope_.kind == ModelKind::mdp && query.optimum == Optimum::none && expr.op != Op::steady) {
         const char* const letter = expr.op == Op::reward ? "R" : "P";
         diagnostics_.report(rules::no_optimum, expr.span, {letter, letter});
         good = false;
     }
     if (expr.op == Op::reward)
-        good = reward(expr).has_value() && good;
+        good = type_of_reward(expr).has_value() && good;
     else
-        good = operand(expr.parts[0], Type::boolean, expr.op == Op::probability) && good;
+        good = check_operand(expr.parts[0], Type::boolean, expr.op == Op::probability) && good;
     if (!good) return std::nullopt;
     return query.bound ? Type::boolean : Type::real;
 }
 
-TypeChecker::Result TypeChecker::reward(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_reward(const Expr& expr) {
     const Query& query = *expr.query;
     bool good = true;
     const auto missing = [&](Span span, std::string text) {
@@ -271,34 +271,34 @@ TypeChecker::Result TypeChecker::reward(const Expr& expr) {
         if (std::ranges::find(scope_.rewards, query.reward.text) == scope_.rewards.end())
             missing(query.reward.span, fmt::format("there is no reward structure \"{}\"", query.reward.text));
     } else if (query.reward_index) {
-        good = operand(query.reward_index, Type::integer);
-        constant(query.reward_index, "the number of a reward structure");
+        good = check_operand(query.reward_index, Type::integer);
+        check_constant(query.reward_index, "the number of a reward structure");
     } else if (scope_.rewards.empty()) {
         missing(expr.span, "the model has no reward structure");
     }
     const Expr& body = *expr.parts[0];
     if (body.op == Op::cumulative || body.op == Op::instantaneous) {
-        good = operand(body.parts[0], Type::integer) && good;
-        constant(body.parts[0], "a number of steps");
+        good = check_operand(body.parts[0], Type::integer) && good;
+        check_constant(body.parts[0], "a number of steps");
     } else if (body.op != Op::total && body.op != Op::long_run) {
-        good = operand(expr.parts[0], Type::boolean, true) && good;
+        good = check_operand(expr.parts[0], Type::boolean, true) && good;
     }
     return good ? Result(Type::real) : std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::path_operator(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_path_operator(const Expr& expr) {
     bool good = true;
-    for (const ExprPtr& part : expr.parts) good = operand(part, Type::boolean, true) && good;
+    for (const ExprPtr& part : expr.parts) good = check_operand(part, Type::boolean, true) && good;
     if (expr.steps)
         for (const ExprPtr& side : {expr.steps->low, expr.steps->high})
             if (side) {
-                good = operand(side, Type::integer) && good;
-                constant(side, "a number of steps");
+                good = check_operand(side, Type::integer) && good;
+                check_constant(side, "a number of steps");
             }
     return good ? Result(Type::boolean) : std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::filter(const Expr& expr) {
+TypeChecker::Result TypeChecker::type_of_filter(const Expr& expr) {
     if (!scope_.properties) {
         diagnostics_.report(rules::misplaced, expr.span, {"a filter"});
         return std::nullopt;
@@ -309,12 +309,12 @@ TypeChecker::Result TypeChecker::filter(const Expr& expr) {
         return std::nullopt;
     }
     Result inner = type(expr.parts[0]);
-    if (expr.parts.size() > 1 && !operand(expr.parts[1], Type::boolean)) inner = std::nullopt;
+    if (expr.parts.size() > 1 && !check_operand(expr.parts[1], Type::boolean)) inner = std::nullopt;
     if (!inner) return inner;
     const bool logical = kind == "count" || kind == "forall" || kind == "&" || kind == "exists" || kind == "|";
     const bool either = kind == "first" || kind == "state" || kind == "print" || kind == "printall";
-    if (logical && *inner != Type::boolean) return wrong(*expr.parts[0], "bool", *inner);
-    if (!logical && !either && *inner == Type::boolean) return wrong(*expr.parts[0], "a number", *inner);
+    if (logical && *inner != Type::boolean) return report_wrong_type(*expr.parts[0], "bool", *inner);
+    if (!logical && !either && *inner == Type::boolean) return report_wrong_type(*expr.parts[0], "a number", *inner);
     if (kind == "count") return Type::integer;
     if (kind == "argmin" || kind == "argmax") return Type::boolean;
     return kind == "avg" ? Type::real : *inner;

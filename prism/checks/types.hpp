@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "prism/syntax/syntax.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "prism/syntax/syntax.hpp"
 
 namespace robochart::prism {
 
@@ -37,31 +37,31 @@ public:
 
     std::optional<Type> type(const ExprPtr& expr) { return type(expr, false); }
     /// Reports an error if the type differs; an int is accepted as a double. Null is accepted.
-    void expect(const ExprPtr& expr, Type wanted, bool constant = false, const char* what = "");
+    void expect_type(const ExprPtr& expr, Type wanted, bool constant = false, const char* what = "");
 
 private:
     using Result = std::optional<Type>;
 
     /// `path`: whether path formulas are allowed.
     Result type(const ExprPtr& expr, bool path);
-    Result computed(const Expr& expr, bool path);
-    Result name(const Expr& expr);
-    Result label(const Expr& expr);
-    Result conditional(const Expr& expr);
-    Result logical(const Expr& expr, bool path);
-    Result equality(const Expr& expr);
-    Result comparison(const Expr& expr);
-    Result arithmetic(const Expr& expr);
-    Result call(const Expr& expr);
-    Result query(const Expr& expr);
-    Result reward(const Expr& expr);
-    Result filter(const Expr& expr);
-    Result path_operator(const Expr& expr);
-    bool operand(const ExprPtr& expr, Type wanted, bool path = false);
+    Result compute_type(const Expr& expr, bool path);
+    Result type_of_name(const Expr& expr);
+    Result type_of_label(const Expr& expr);
+    Result type_of_conditional(const Expr& expr);
+    Result type_of_logical(const Expr& expr, bool path);
+    Result type_of_equality(const Expr& expr);
+    Result type_of_comparison(const Expr& expr);
+    Result type_of_arithmetic(const Expr& expr);
+    Result type_of_call(const Expr& expr);
+    Result type_of_query(const Expr& expr);
+    Result type_of_reward(const Expr& expr);
+    Result type_of_filter(const Expr& expr);
+    Result type_of_path_operator(const Expr& expr);
+    bool check_operand(const ExprPtr& expr, Type wanted, bool path = false);
     /// All operands must be numbers; the result is int if all are int.
-    Result numbers(const std::vector<ExprPtr>& parts);
-    Result wrong(const Expr& expr, const std::string& wanted, Type found);
-    void constant(const ExprPtr& expr, const char* what);
+    Result type_of_numbers(const std::vector<ExprPtr>& parts);
+    Result report_wrong_type(const Expr& expr, const std::string& wanted, Type found);
+    void check_constant(const ExprPtr& expr, const char* what);
 
     const Scope& scope_;
     diagnostics::Diagnostics& diagnostics_;

@@ -33,16 +33,16 @@ std::string Channel::ready_at(Direction end) const {
     return "FIN__" + (end == Direction::out ? out_label() : in_label());
 }
 
-const ir::Controller& Channels::controller(std::uint32_t index) const {
+const ir::Controller& Channels::controller_at(std::uint32_t index) const {
     return context_.system.controller(context_.module.controllers[index].controller);
 }
 
-std::string Channels::element(const End& end) const {
+std::string Channels::describe_end(const End& end) const {
     const std::string module = context_.module.name;
     if (end.level == End::Level::platform) return module + "::" + context_.module.platform.name;
     const std::string inside = module + "::" + context_.module.controllers[end.seat.controller].name;
     if (end.level == End::Level::controller) return inside;
-    return inside + "::" + controller(end.seat.controller).machines[end.seat.machine].name;
+    return inside + "::" + controller_at(end.seat.controller).machines[end.seat.machine].name;
 }
 
 void Channels::add_hops(const std::vector<ir::Connection>& connections, const End& from, Direction direction,
@@ -57,7 +57,7 @@ void Channels::add_hops(const std::vector<ir::Connection>& connections, const En
     }
 }
 
-std::vector<Channels::Hop> Channels::hops(const End& from, Direction direction, bool inside) const {
+std::vector<Channels::Hop> Channels::next_hops(const End& from, Direction direction, bool inside) const {
     std::vector<Hop> result;
     const std::uint32_t at = from.seat.controller;
     if (inside) {
@@ -65,7 +65,7 @@ std::vector<Channels::Hop> Channels::hops(const End& from, Direction direction, 
             return end.kind == ir::EndKind::self ? End{End::Level::controller, {at, 0}, end.event}
                                                  : End{End::Level::machine, {at, end.part}, end.event};
         };
-        add_hops(controller(at).connections, from, direction, place, result);
+        add_hops(controller_at(at).connections, from, direction, place, result);
     } else {
         const auto place = [](const ir::ConnectionEnd& end) {
             return end.kind == ir::EndKind::self ? End{End::Level::platform, {}, end.event}
@@ -78,21 +78,22 @@ std::vector<Channels::Hop> Channels::hops(const End& from, Direction direction, 
 
 /// Follows an event from a machine out of its controller, through the module, into another machine or to the platform.
 /// Each event on the path has one neighbour on each side; communication between more than two is not encoded.
-std::optional<Channels::Route> Channels::follow(const End& from, Direction direction, std::string& problem) const {
+std::optional<Channels::Route> Channels::follow_route(const End& from, Direction direction,
+                                                      std::string& problem) const {
     const Direction back = direction == Direction::out ? Direction::in : Direction::out;
     Route route{from, false};
     bool inside = true;
     for (unsigned hop = 0; hop < 4; ++hop) {  // out of a controller, to the next, into it
-        const std::vector<Hop> next = hops(route.end, direction, inside);
+        const std::vector<Hop> next = next_hops(route.end, direction, inside);
         if (next.empty()) {
             problem = "it is used and connected to nothing" +
-                      (route.end.level == End::Level::machine ? "" : " beyond " + element(route.end));
+                      (route.end.level == End::Level::machine ? "" : " beyond " + describe_end(route.end));
             return std::nullopt;
         }
         const End& to = next.front().to;
         const bool shared =
-            next.size() > 1 || (to.level != End::Level::platform && hops(to, back, inside).size() > 1) ||
-            (to.level == End::Level::platform && direction == Direction::in && hops(to, back, inside).size() > 1);
+            next.size() > 1 || (to.level != End::Level::platform && next_hops(to, back, inside).size() > 1) ||
+            (to.level == End::Level::platform && direction == Direction::in && next_hops(to, back, inside).size() > 1);
         if (shared) {
             problem = "more than two take part in it";
             return std::nullopt;
@@ -108,15 +109,15 @@ std::optional<Channels::Route> Channels::follow(const End& from, Direction direc
     return std::nullopt;
 }
 
-Channel* Channels::find(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span) {
+Channel* Channels::find_channel(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span) {
     const End own{End::Level::machine, seat, event.name};
     const auto refuse = [&](const std::string& problem) -> Channel* {
-        context_.diagnostics.report(rules::unsupported_event, span, {event.name, element(own), problem});
+        context_.diagnostics.report(rules::unsupported_event, span, {event.name, describe_end(own), problem});
         return nullptr;
     };
     if (event.broadcast) return refuse("it is broadcast");
     std::string problem;
-    const std::optional<Route> route = follow(own, direction, problem);
+    const std::optional<Route> route = follow_route(own, direction, problem);
     if (!route) return refuse(problem);
     const bool out = direction == Direction::out;
     const auto key = out ? std::tuple(own, route->end) : std::tuple(route->end, own);
@@ -126,19 +127,20 @@ Channel* Channels::find(Seat seat, const ir::Event& event, Direction direction, 
         const bool platform = route->end.level == End::Level::platform;
         made.kind = platform ? Channel::Kind::platform : route->async ? Channel::Kind::buffer : Channel::Kind::joint;
         if (event.type) {
-            made.carrier = context_.carrier(*event.type, element(own) + "::" + event.name, span);
+            made.carrier = context_.find_carrier(*event.type, describe_end(own) + "::" + event.name, span);
             if (made.kind == Channel::Kind::joint)
                 return refuse("it carries a value over a synchronous connection between machines");
         }
-        made.name = context_.numbered(std::get<0>(key).event);
+        made.name = context_.numbered_name(std::get<0>(key).event);
         channels_.push_back(std::make_unique<Channel>(std::move(made)));
         channel = channels_.back().get();
     }
     if (!(out ? channel->sent : channel->received)) {
         const std::string label = out ? channel->out_label() : channel->in_label();
-        context_.note("event", element(own) + "::" + event.name + (out ? "::OUT" : "::IN"), label);
+        context_.record_name("event", describe_end(own) + "::" + event.name + (out ? "::OUT" : "::IN"), label);
         if (channel->kind == Channel::Kind::platform)
-            context_.note("event", element(route->end) + "::" + route->end.event + (out ? "::IN" : "::OUT"), label);
+            context_.record_name("event", describe_end(route->end) + "::" + route->end.event + (out ? "::IN" : "::OUT"),
+                                 label);
     }
     (out ? channel->sent : channel->received) = true;
     return channel;
@@ -155,13 +157,13 @@ void Channels::emit_modules() {
 /// command, so no step is possible there.
 void Channels::emit_buffer(const Channel& channel) {
     prism::Module module;
-    module.name.text = context_.unique("BUF_" + channel.name);
-    const std::string full = context_.unique("BUF_" + channel.name + "_f");
+    module.name.text = context_.unique_name("BUF_" + channel.name);
+    const std::string full = context_.unique_name("BUF_" + channel.name + "_f");
     module.variables.push_back(tree::boolean(full, tree::truth(false)));
     if (channel.carrier) {
         const std::string value = channel.value_at(Direction::in);
         const std::string ready = channel.ready_at(Direction::out);
-        module.variables.push_back(Context::variable(value, *channel.carrier, nullptr));
+        module.variables.push_back(Context::declare_variable(value, *channel.carrier, nullptr));
         module.variables.push_back(tree::boolean(ready, tree::truth(true)));
         if (channel.sent) {
             const prism::ExprPtr taken = channel.received ? tree::is(channel.ready_at(Direction::in), true) : nullptr;
@@ -183,7 +185,7 @@ void Channels::emit_buffer(const Channel& channel) {
 /// R13: "Typed platform input: one command per value, so values are uniform."
 void Channels::emit_platform() {
     prism::Module module;
-    module.name.text = context_.unique(context_.module.name + "_" + context_.module.platform.name);
+    module.name.text = context_.unique_name(context_.module.name + "_" + context_.module.platform.name);
     for (const auto& channel : channels_) {
         // an event of two machines cannot happen if only one of them performs it, because its label needs both
         if (channel->kind == Channel::Kind::joint && channel->sent != channel->received)
@@ -200,7 +202,7 @@ void Channels::emit_platform() {
                                         {channel->name, module.name.text, "its type has too many values"});
             continue;
         }
-        module.variables.push_back(Context::variable(value, carrier, nullptr));
+        module.variables.push_back(Context::declare_variable(value, carrier, nullptr));
         for (std::int64_t each = carrier.low; each <= carrier.high; ++each) {
             context_.diagnostics.poll();
             const prism::ExprPtr written = carrier.boolean ? tree::truth(each != 0) : tree::number(each);

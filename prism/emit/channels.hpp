@@ -44,7 +44,7 @@ public:
     explicit Channels(Context& context) : context_(context) {}
 
     /// The channel of a machine's event in one direction. Null, with a finding, if the event cannot be encoded.
-    [[nodiscard]] Channel* find(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span);
+    [[nodiscard]] Channel* find_channel(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span);
 
     /// R12, R13: the modules of buffers and of the platform, for all channels that were used.
     void emit_modules();
@@ -66,12 +66,12 @@ private:
         bool async = false;
     };
 
-    [[nodiscard]] const ir::Controller& controller(std::uint32_t index) const;
-    [[nodiscard]] std::vector<Hop> hops(const End& from, Direction direction, bool inside) const;
+    [[nodiscard]] const ir::Controller& controller_at(std::uint32_t index) const;
+    [[nodiscard]] std::vector<Hop> next_hops(const End& from, Direction direction, bool inside) const;
     void add_hops(const std::vector<ir::Connection>& connections, const End& from, Direction direction,
                   const std::function<End(const ir::ConnectionEnd&)>& place, std::vector<Hop>& result) const;
-    [[nodiscard]] std::optional<Route> follow(const End& from, Direction direction, std::string& problem) const;
-    [[nodiscard]] std::string element(const End&) const;
+    [[nodiscard]] std::optional<Route> follow_route(const End& from, Direction direction, std::string& problem) const;
+    [[nodiscard]] std::string describe_end(const End&) const;
     void emit_buffer(const Channel&);
     void emit_platform();
 

@@ -27,25 +27,25 @@ public:
     }
 
 private:
-    void refuse(const std::string& what, const std::string& where, diagnostics::Span span) {
+    void report_unsupported(const std::string& what, const std::string& where, diagnostics::Span span) {
         context_.diagnostics.report(rules::unsupported_construct, span, {what, element_ + "::" + where});
     }
 
     /// R15, "deadlines vanish, clocks are not emitted": statements that only reset clocks also vanish.
-    void flatten(const ir::StmtPtr& stmt, const std::string& where, std::vector<ir::StmtPtr>& result) {
+    void flatten_statement(const ir::StmtPtr& stmt, const std::string& where, std::vector<ir::StmtPtr>& result) {
         if (!stmt) return;
         switch (stmt->kind) {
             case ir::StmtKind::sequence:
             case ir::StmtKind::deadline:
-                for (const ir::StmtPtr& each : stmt->body) flatten(each, where, result);
+                for (const ir::StmtPtr& each : stmt->body) flatten_statement(each, where, result);
                 return;
             case ir::StmtKind::clock_reset:
                 return;
             case ir::StmtKind::if_then_else:
-                return refuse("a conditional statement", where, stmt->origin.span);
+                return report_unsupported("a conditional statement", where, stmt->origin.span);
             case ir::StmtKind::wait:
             case ir::StmtKind::wait_interval:
-                return refuse("`wait`", where, stmt->origin.span);
+                return report_unsupported("`wait`", where, stmt->origin.span);
             case ir::StmtKind::skip:
             case ir::StmtKind::assign:
             case ir::StmtKind::communicate:
@@ -56,15 +56,15 @@ private:
     }
 
     void add(const ir::Node& node) {
-        Place place{node.kind, node.name, node.path, {}, {}, {}, node.composite()};
-        if (node.parent.valid()) place.parent = node.parent.index;
-        if (node.initial.valid()) place.initial = node.initial.index;
-        flatten(node.entry, node.path, place.entry);
-        if (node.during) refuse("a during action", node.path, node.origin.span);
-        if (node.exit) refuse("an exit action", node.path, node.origin.span);
+        Place place{node.kind, node.name, node.path, {}, {}, {}, node.is_composite()};
+        if (node.parent.is_valid()) place.parent = node.parent.index;
+        if (node.initial.is_valid()) place.initial = node.initial.index;
+        flatten_statement(node.entry, node.path, place.entry);
+        if (node.during) report_unsupported("a during action", node.path, node.origin.span);
+        if (node.exit) report_unsupported("an exit action", node.path, node.origin.span);
         if (node.kind == NodeKind::final && machine_.kind == ir::MachineKind::state_machine && !place.parent)
-            refuse("a final state of a state machine", node.path, node.origin.span);
-        if (place.composite && !place.initial) refuse("no initial node", node.path, node.origin.span);
+            report_unsupported("a final state of a state machine", node.path, node.origin.span);
+        if (place.composite && !place.initial) report_unsupported("no initial node", node.path, node.origin.span);
         chart_.places.push_back(std::move(place));
     }
 
@@ -79,16 +79,16 @@ private:
                   transition.origin.span};
         if (transition.trigger) step.trigger = &*transition.trigger;
         if (transition.guard) step.guards.push_back(transition.guard);
-        flatten(transition.action, transition.name, step.action);
+        flatten_statement(transition.action, transition.name, step.action);
         const Place& source = chart_.places[step.source];
         if (source.parent != chart_.places[step.target].parent)
-            refuse("a transition between levels", transition.name, step.span);
+            report_unsupported("a transition between levels", transition.name, step.span);
         if (step.trigger != nullptr && source.kind != NodeKind::state)
-            refuse("a trigger of a transition from a junction", transition.name, step.span);
+            report_unsupported("a trigger of a transition from a junction", transition.name, step.span);
         if (source.kind == NodeKind::probabilistic && transition.guard)
-            refuse("a condition beside a probability", transition.name, step.span);
+            report_unsupported("a condition beside a probability", transition.name, step.span);
         if (source.kind == NodeKind::initial && transition.guard)
-            refuse("a condition of an initial transition", transition.name, step.span);
+            report_unsupported("a condition of an initial transition", transition.name, step.span);
         chart_.steps.push_back(std::move(step));
     }
 
@@ -97,33 +97,34 @@ private:
         std::vector<Step> done;
         for (Step& step : chart_.steps)
             if (step.trigger != nullptr)
-                follow(std::move(step), 0, done);
+                follow_junctions(std::move(step), 0, done);
             else
                 done.push_back(std::move(step));
         chart_.steps = std::move(done);
         drop_unreached_junctions();
     }
 
-    void follow(Step step, unsigned depth, std::vector<Step>& done) {
+    void follow_junctions(Step step, unsigned depth, std::vector<Step>& done) {
         context_.diagnostics.poll();
         if (chart_.places[step.target].kind != NodeKind::junction) {
             done.push_back(std::move(step));
             return;
         }
         if (depth == 100 || done.size() > 10'000)
-            return refuse("too many ways through junctions after a trigger", step.name, step.span);
+            return report_unsupported("too many ways through junctions after a trigger", step.name, step.span);
         const std::size_t junction = step.target;
         for (const ir::TransitionId id : machine_.nodes[junction].outgoing) {
             const ir::Transition& next = machine_.transitions[id.index];
-            if (next.guard && !step.action.empty()) refuse("a condition after an action", next.name, next.origin.span);
+            if (next.guard && !step.action.empty())
+                report_unsupported("a condition after an action", next.name, next.origin.span);
             Step longer = step;
             longer.name += "_" + next.name;
             longer.target = next.target.index;
             if (next.guard) longer.guards.push_back(next.guard);
             std::vector<ir::StmtPtr> action;
-            flatten(next.action, next.name, action);
+            flatten_statement(next.action, next.name, action);
             longer.action.insert(longer.action.end(), action.begin(), action.end());
-            follow(std::move(longer), depth + 1, done);
+            follow_junctions(std::move(longer), depth + 1, done);
         }
     }
 
@@ -151,11 +152,11 @@ private:
             }
             const std::size_t junction = add_place(NodeKind::probabilistic, "sp_pj", chart_.places[step.source].parent);
             Step first = step;
-            first.name = context_.added("sp1");
+            first.name = context_.added_name("sp1");
             first.target = junction;
             first.action.clear();
             Step second = std::move(step);
-            second.name = context_.added("sp2");
+            second.name = context_.added_name("sp2");
             second.source = junction;
             second.trigger = nullptr;
             second.guards.clear();
@@ -174,12 +175,12 @@ private:
             const Place& each = chart_.places[place];
             if (each.kind != NodeKind::state || !each.parent || each.composite || left.contains(place)) continue;
             const std::size_t loop = add_place(NodeKind::state, "loop", each.parent);
-            chart_.steps.push_back(plain(context_.added("loop_self"), loop, loop));
-            chart_.steps.push_back(plain(context_.added("to_loop"), place, loop));
+            chart_.steps.push_back(plain_step(context_.added_name("loop_self"), loop, loop));
+            chart_.steps.push_back(plain_step(context_.added_name("to_loop"), place, loop));
         }
     }
 
-    static Step plain(std::string name, std::size_t source, std::size_t target) {
+    static Step plain_step(std::string name, std::size_t source, std::size_t target) {
         Step step;
         step.name = std::move(name);
         step.source = source;
@@ -190,7 +191,7 @@ private:
     std::size_t add_place(NodeKind kind, const std::string& stem, std::optional<std::size_t> parent) {
         Place place;
         place.kind = kind;
-        place.name = context_.added(stem);
+        place.name = context_.added_name(stem);
         place.path = parent ? chart_.places[*parent].path + "::" + place.name : place.name;
         place.parent = parent;
         chart_.places.push_back(std::move(place));

@@ -33,24 +33,26 @@ public:
     Emission emission;
 
     /// A name that begins with `wanted` and is neither reserved nor in use.
-    [[nodiscard]] std::string unique(const std::string& wanted);
+    [[nodiscard]] std::string unique_name(const std::string& wanted);
     /// Records the PRISM name of a variable of the model.
-    void note(const ir::Variable& variable, const std::string& element, const std::string& name);
+    void record_name(const ir::Variable& variable, const std::string& element, const std::string& name);
     /// Records the PRISM name of an element.
-    void note(const std::string& kind, const std::string& element, const std::string& name);
+    void record_name(const std::string& kind, const std::string& element, const std::string& name);
     /// A numbered name, such as "tick_16" or "Action_20". The numbers increase over the whole model.
-    [[nodiscard]] std::string numbered(const std::string& stem) { return unique(stem + "_" + std::to_string(next_++)); }
+    [[nodiscard]] std::string numbered_name(const std::string& stem) {
+        return unique_name(stem + "_" + std::to_string(next_++));
+    }
     /// A numbered name for an element that the normal form adds.
-    [[nodiscard]] std::string added(const std::string& stem) { return stem + "_" + std::to_string(next_added_++); }
+    [[nodiscard]] std::string added_name(const std::string& stem) { return stem + "_" + std::to_string(next_added_++); }
 
     /// R3: the range of a type. No value, with a finding about `element`, if the type has no encoding.
-    [[nodiscard]] std::optional<Carrier> carrier(ir::TypeId type, const std::string& element,
-                                                 const diagnostics::Span& span);
+    [[nodiscard]] std::optional<Carrier> find_carrier(ir::TypeId type, const std::string& element,
+                                                      const diagnostics::Span& span);
     /// The declaration of a variable with this range.
-    [[nodiscard]] static prism::Variable variable(const std::string& name, const Carrier& carrier,
-                                                  prism::ExprPtr initial);
+    [[nodiscard]] static prism::Variable declare_variable(const std::string& name, const Carrier& carrier,
+                                                          prism::ExprPtr initial);
     /// The PRISM name of a literal. R1: enumerations are constants, `SHuman_inRed`.
-    [[nodiscard]] const std::string& literal(ir::TypeId type, std::int64_t index);
+    [[nodiscard]] const std::string& literal_name(ir::TypeId type, std::int64_t index);
 
 private:
     const Preferences& preferences_;

@@ -5,13 +5,13 @@
 
 #include <map>
 
-#include "prism/syntax/printer.hpp"
 #include "prism/emit/channels.hpp"
 #include "prism/emit/context.hpp"
 #include "prism/emit/expressions.hpp"
 #include "prism/emit/machine.hpp"
 #include "prism/emit/ranges.hpp"
 #include "prism/emit/tree.hpp"
+#include "prism/syntax/printer.hpp"
 
 namespace robochart::prism_emit {
 namespace {
@@ -25,7 +25,7 @@ void add_exit_constants(Context& context) {
         {"Exit_NONE", 0},    {"Exit_ACT_Parent", 1},      {"Exit_ACT_Trans", 2}, {"Exit_EXITED", 3},
         {"Exit_Sub_ACT", 4}, {"Exit_Sub_ACT_Waiting", 5}, {"Exit_Sub_EXITED", 6}};
     for (const auto& [name, value] : stages)
-        context.emission.model.constants.push_back(tree::constant(context.unique(name), value));
+        context.emission.model.constants.push_back(tree::constant(context.unique_name(name), value));
 }
 
 /// R3: "Variables provided by the platform become global."
@@ -34,23 +34,23 @@ std::map<std::string, std::string> add_globals(Context& context) {
     const std::string platform = context.module.name + "::" + context.module.platform.name + "::";
     for (const ir::Variable& variable : context.module.platform.variables) {
         const std::string element = platform + variable.name;
-        const auto carrier = context.carrier(variable.type, element, variable.origin.span);
+        const auto carrier = context.find_carrier(variable.type, element, variable.origin.span);
         if (!carrier) continue;
-        const std::string name = context.unique(variable.name);
+        const std::string name = context.unique_name(variable.name);
         names[variable.name] = name;
-        context.note(variable, element, name);
+        context.record_name(variable, element, name);
         Scope scope;
         scope.element = element;
         prism::ExprPtr initial;
         if (variable.initial) initial = whole_value(context, scope, *variable.initial);
-        context.emission.model.globals.push_back(Context::variable(name, *carrier, initial));
+        context.emission.model.globals.push_back(Context::declare_variable(name, *carrier, initial));
     }
     return names;
 }
 
 }  // namespace
 
-Preferences preferences(const ir::Instantiation& instantiation) {
+Preferences preferences_of(const ir::Instantiation& instantiation) {
     const auto range = [](const std::vector<std::int64_t>& values, std::int64_t scale) {
         return values.empty() ? Range{} : Range{values.front() / scale, values.back() / scale};
     };
@@ -82,7 +82,7 @@ bool is_of_robochart(std::string_view text) {
 }
 
 /// R1: "A comment block `renames of the ... [a::b] to [a_b]` at the end is read by the property generator."
-std::string text(const Emission& emission) {
+std::string file_text(const Emission& emission) {
     const prism::ModelFile model = in_ranges(emission.model);
     std::string result;
     if (model.labels.size() > emission.model.labels.size())

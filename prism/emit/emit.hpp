@@ -17,7 +17,7 @@
 namespace robochart::prism_emit {
 
 /// The ranges of numbers in a finite instantiation.
-[[nodiscard]] Preferences preferences(const ir::Instantiation&);
+[[nodiscard]] Preferences preferences_of(const ir::Instantiation&);
 
 /// Encodes the module in PRISM. Constants without a value stay open. Returns no value, with findings, if the encoding
 /// does not support some construct. `functions` take precedence over the model's definitions.
@@ -26,7 +26,7 @@ namespace robochart::prism_emit {
 
 /// The text of the file: the model with updates restricted to their ranges (ranges.hpp), then the names as comments
 /// (R1).
-[[nodiscard]] std::string text(const Emission&);
+[[nodiscard]] std::string file_text(const Emission&);
 /// Whether the text is such a file, or a file written by RoboTool.
 [[nodiscard]] bool is_of_robochart(std::string_view text);
 

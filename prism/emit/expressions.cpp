@@ -56,7 +56,7 @@ std::optional<Op> operator_of(ExprKind kind) {
 }
 
 /// An exact decimal in PRISM's notation.
-ExprPtr decimal(const ir::Decimal& value) {
+ExprPtr decimal_literal(const ir::Decimal& value) {
     if (value.decimals == 0) return tree::number(value.unscaled);
     std::string digits = std::to_string(value.unscaled);
     const bool negative = digits.front() == '-';
@@ -73,60 +73,62 @@ public:
 
     ExprPtr operator()(const ir::Expr& expr) {
         context_.diagnostics.poll();
-        if (const auto op = operator_of(expr.kind)) return tree::apply(*op, operands(expr));
+        if (const auto op = operator_of(expr.kind)) return tree::apply(*op, translate_operands(expr));
         switch (expr.kind) {
             case ExprKind::boolean:
                 return tree::truth(expr.number != 0);
             case ExprKind::integer:
                 return tree::number(expr.number);
             case ExprKind::real:
-                return decimal(expr.decimal);
+                return decimal_literal(expr.decimal);
             case ExprKind::enum_literal:
-                return literal(expr);
+                return translate_literal(expr);
             case ExprKind::variable:
-                return scope_.variable ? tree::name(scope_.variable(expr.variable)) : refuse(expr, "a variable here");
+                return scope_.variable ? tree::name(scope_.variable(expr.variable))
+                                       : refuse_expression(expr, "a variable here");
             case ExprKind::constant:
-                return scope_.constant ? tree::name(scope_.constant(expr.constant)) : refuse(expr, "a constant here");
+                return scope_.constant ? tree::name(scope_.constant(expr.constant))
+                                       : refuse_expression(expr, "a constant here");
             case ExprKind::trigger_value:
                 return tree::name(scope_.received);
             case ExprKind::modulus:
-                return tree::call("mod", operands(expr));
+                return tree::call("mod", translate_operands(expr));
             case ExprKind::divide:
-                return tree::apply(Op::divide, operands(expr));  // division is on reals in both languages
+                return tree::apply(Op::divide, translate_operands(expr));  // division is on reals in both languages
             case ExprKind::cast:
-                return cast(expr);
+                return translate_cast(expr);
             case ExprKind::call:
-                return call(expr);
+                return translate_call(expr);
             case ExprKind::bound:
-                return bound(expr);
+                return translate_bound(expr);
             case ExprKind::since:
             case ExprKind::since_entry:
-                return refuse(expr, "a clock outside a comparison");
+                return refuse_expression(expr, "a clock outside a comparison");
             default:
-                return refuse(expr, "this form of expression");
+                return refuse_expression(expr, "this form of expression");
         }
     }
 
 private:
-    ExprPtr refuse(const ir::Expr& expr, const std::string& what) {
+    ExprPtr refuse_expression(const ir::Expr& expr, const std::string& what) {
         context_.diagnostics.report(rules::unsupported_expression, expr.span, {what, scope_.element});
         return tree::truth(true);
     }
 
-    std::vector<ExprPtr> operands(const ir::Expr& expr) {
+    std::vector<ExprPtr> translate_operands(const ir::Expr& expr) {
         std::vector<ExprPtr> result;
         for (const ir::ExprPtr& each : expr.args) result.push_back((*this)(*each));
         return result;
     }
 
-    ExprPtr literal(const ir::Expr& expr) {
-        if (!expr.args.empty()) return refuse(expr, "a literal with arguments");
-        return tree::name(context_.literal(expr.type, expr.number));
+    ExprPtr translate_literal(const ir::Expr& expr) {
+        if (!expr.args.empty()) return refuse_expression(expr, "a literal with arguments");
+        return tree::name(context_.literal_name(expr.type, expr.number));
     }
 
     /// PRISM has one type of numbers. Whole numbers need no rounding. Other numbers are rejected when they are assigned
     /// to a variable.
-    ExprPtr cast(const ir::Expr& expr) {
+    ExprPtr translate_cast(const ir::Expr& expr) {
         const bool rounds = context_.system.type(expr.type).kind != ir::TypeKind::real &&
                             context_.system.type(expr.args.front()->type).kind == ir::TypeKind::real;
         const ExprPtr value = (*this)(*expr.args.front());
@@ -135,23 +137,24 @@ private:
 
     /// R16, "Functions stay as #CALLFUNC!f$args# until an assertion supplies pfunctions": such a placeholder is not
     /// valid PRISM. If an assertion, or the model itself, defines the result, it is inserted instead.
-    ExprPtr call(const ir::Expr& expr) {
+    ExprPtr translate_call(const ir::Expr& expr) {
         const ir::Function& function = context_.system.functions[expr.function.index];
         const auto given = context_.functions.find(function.name);
-        if (given != context_.functions.end()) return given->second(operands(expr));
-        const ir::Expr* result = definition(function);
+        if (given != context_.functions.end()) return given->second(translate_operands(expr));
+        const ir::Expr* result = result_definition(function);
         if (result == nullptr || depth_ > 0)
-            return refuse(expr, "a call of the function '" + function.name + "', which no `result == ...` defines");
+            return refuse_expression(
+                expr, "a call of the function '" + function.name + "', which no `result == ...` defines");
         Scope inner = scope_;
         inner.bound.clear();
-        const std::vector<ExprPtr> arguments = operands(expr);
+        const std::vector<ExprPtr> arguments = translate_operands(expr);
         for (std::size_t i = 0; i < arguments.size(); ++i) inner.bound[function.parameter_names[i]] = arguments[i];
         Translator translator(context_, inner);
         translator.depth_ = depth_ + 1;
         return translator(*result);
     }
 
-    static const ir::Expr* definition(const ir::Function& function) {
+    static const ir::Expr* result_definition(const ir::Function& function) {
         if (function.postconditions.size() != 1) return nullptr;
         const ir::Expr& condition = *function.postconditions.front();
         if (condition.kind != ExprKind::equal) return nullptr;
@@ -159,9 +162,9 @@ private:
         return left.kind == ExprKind::bound && left.text == "result" ? condition.args[1].get() : nullptr;
     }
 
-    ExprPtr bound(const ir::Expr& expr) {
+    ExprPtr translate_bound(const ir::Expr& expr) {
         const auto found = scope_.bound.find(expr.text);
-        return found == scope_.bound.end() ? refuse(expr, "this form of expression") : found->second;
+        return found == scope_.bound.end() ? refuse_expression(expr, "this form of expression") : found->second;
     }
 
     Context& context_;
@@ -170,48 +173,48 @@ private:
 };
 
 /// R15: "each clock atom becomes true". RoboTool's treatment of clocks under a negation is unknown, so it is rejected.
-ExprPtr timeless(Context& context, const Scope& scope, const ir::Expr& expr) {
+ExprPtr translate_timeless(Context& context, const Scope& scope, const ir::Expr& expr) {
     bool timed = false;
     ir::visit_operands(expr, [&](const ir::Expr& each) { timed = timed || ir::reads_clock(each); });
-    if (!timed) return expression(context, scope, expr);
+    if (!timed) return translate_expression(context, scope, expr);
     if (ir::is_comparison(expr.kind)) return tree::truth(true);
     if (expr.kind == ExprKind::conjunction || expr.kind == ExprKind::disjunction)
-        return tree::apply(*operator_of(expr.kind),
-                           {timeless(context, scope, *expr.args[0]), timeless(context, scope, *expr.args[1])});
+        return tree::apply(*operator_of(expr.kind), {translate_timeless(context, scope, *expr.args[0]),
+                                                     translate_timeless(context, scope, *expr.args[1])});
     context.diagnostics.report(rules::unsupported_expression, expr.span,
                                {"a clock under other operators than `/\\` and `\\/`", scope.element});
     return tree::truth(true);
 }
 
 /// The part of an expression that is not a whole number; null if there is none.
-const ir::Expr* fraction(const Context& context, const ir::Expr& expr) {
+const ir::Expr* find_fraction(const Context& context, const ir::Expr& expr) {
     const bool real = context.system.type(expr.type).kind == ir::TypeKind::real;
     if (expr.kind == ExprKind::real && expr.decimal.decimals > 0) return &expr;
     if (real && (expr.kind == ExprKind::divide || expr.kind == ExprKind::constant)) return &expr;
     const bool rounds = expr.kind == ExprKind::cast && !real;
     if (rounds || ir::is_comparison(expr.kind)) return nullptr;
     for (const ir::ExprPtr& each : expr.args)
-        if (const ir::Expr* found = fraction(context, *each)) return found;
+        if (const ir::Expr* found = find_fraction(context, *each)) return found;
     return nullptr;
 }
 
 }  // namespace
 
-prism::ExprPtr expression(Context& context, const Scope& scope, const ir::Expr& expr) {
+prism::ExprPtr translate_expression(Context& context, const Scope& scope, const ir::Expr& expr) {
     return Translator(context, scope)(expr);
 }
 
-prism::ExprPtr condition(Context& context, const Scope& scope, const ir::Expr& expr) {
-    return timeless(context, scope, expr);
+prism::ExprPtr translate_condition(Context& context, const Scope& scope, const ir::Expr& expr) {
+    return translate_timeless(context, scope, expr);
 }
 
 prism::ExprPtr whole_value(Context& context, const Scope& scope, const ir::Expr& expr) {
-    if (const ir::Expr* found = fraction(context, expr)) {
+    if (const ir::Expr* found = find_fraction(context, expr)) {
         context.diagnostics.report(rules::unsupported_expression, found->span,
                                    {"a value that need not be whole", scope.element});
         return tree::truth(true);
     }
-    return expression(context, scope, expr);
+    return translate_expression(context, scope, expr);
 }
 
 }  // namespace robochart::prism_emit

@@ -20,9 +20,9 @@ struct Scope {
 };
 
 /// Translates the expression. If there are findings, the result has no meaning.
-[[nodiscard]] prism::ExprPtr expression(Context&, const Scope&, const ir::Expr&);
+[[nodiscard]] prism::ExprPtr translate_expression(Context&, const Scope&, const ir::Expr&);
 /// Translates a condition. R15: each comparison with a clock is `true`.
-[[nodiscard]] prism::ExprPtr condition(Context&, const Scope&, const ir::Expr&);
+[[nodiscard]] prism::ExprPtr translate_condition(Context&, const Scope&, const ir::Expr&);
 /// Translates the value of a variable, which is a whole number even for type real.
 [[nodiscard]] prism::ExprPtr whole_value(Context&, const Scope&, const ir::Expr&);
 

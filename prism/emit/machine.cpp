@@ -22,14 +22,14 @@ constexpr auto sub_act = "Exit_Sub_ACT";
 constexpr auto waiting = "Exit_Sub_ACT_Waiting";
 constexpr auto sub_exited = "Exit_Sub_EXITED";
 
-std::string joined(std::string path) {
+std::string join_path(std::string path) {
     for (std::size_t at = path.find("::"); at != std::string::npos; at = path.find("::")) path.replace(at, 2, "_");
     return path;
 }
 
 /// Two groups of assignments, one after the other; for each variable only the last assignment is kept.
-std::vector<prism::Assignment> both(std::vector<prism::Assignment> first,
-                                    const std::vector<prism::Assignment>& second) {
+std::vector<prism::Assignment> combine_assignments(std::vector<prism::Assignment> first,
+                                                   const std::vector<prism::Assignment>& second) {
     for (const prism::Assignment& each : second) {
         std::erase_if(first, [&](const auto& other) { return other.variable.text == each.variable.text; });
         first.push_back(each);
@@ -53,11 +53,11 @@ MachineEmitter::MachineEmitter(Context& context, Channels& channels, const std::
 void MachineEmitter::operator()() {
     Part& part = part_of(instance_.machine, instance_.name, false);
     module_.name.text = part.stem;
-    emit(part);
+    emit_part(part);
     context_.emission.model.modules.push_back(std::move(module_));
 }
 
-void MachineEmitter::emit(Part& part) {
+void MachineEmitter::emit_part(Part& part) {
     emit_entries(part);
     emit_steps(part);
     emit_exits(part);
@@ -74,8 +74,8 @@ Part& MachineEmitter::part_of(ir::MachineId machine, const std::string& name, bo
     const std::string controller = context_.module.controllers[seat_.controller].name;
     part->element = context_.module.name + "::" + controller + "::" + instance_.name;
     if (operation) part->element += "::" + name;
-    part->stem = context_.unique(joined(part->element));
-    if (!operation) context_.note("STM", part->element, part->stem);
+    part->stem = context_.unique_name(join_path(part->element));
+    if (!operation) context_.record_name("STM", part->element, part->stem);
     part->chart = normal_form(context_, *part->machine, part->element);
     name_variables(*part);
     name_constants(*part);
@@ -91,8 +91,8 @@ void MachineEmitter::name_variables(Part& part) {
     for (const ir::Variable& variable : part.machine->variables) {
         std::string name;
         if (variable.scope != ir::VariableScope::required) {
-            name = context_.unique(part.stem + "_" + variable.name);
-            context_.note(variable, part.element + "::" + variable.name, name);
+            name = context_.unique_name(part.stem + "_" + variable.name);
+            context_.record_name(variable, part.element + "::" + variable.name, name);
         } else if (host != &part) {
             const auto& known = host->machine->variables;
             const auto own =
@@ -117,11 +117,12 @@ void MachineEmitter::name_variables(Part& part) {
 }
 
 void MachineEmitter::name_constants(Part& part) {
-    for (std::uint32_t i = 0; i < part.machine->constants.size(); ++i) part.constants.push_back(constant(part, {i}));
+    for (std::uint32_t i = 0; i < part.machine->constants.size(); ++i)
+        part.constants.push_back(constant_name(part, {i}));
 }
 
 /// R3: "`const` without value: undefined `const double|int`."
-std::string MachineEmitter::constant(Part& part, ir::ConstantId id) {
+std::string MachineEmitter::constant_name(Part& part, ir::ConstantId id) {
     const ir::Constant& declared = part.machine->constants[id.index];
     const ir::ConstantSource source = ir::constant_source(context_.system, &context_.module, &controller_,
                                                           name_in_controller(part), *part.machine, id);
@@ -131,19 +132,19 @@ std::string MachineEmitter::constant(Part& part, ir::ConstantId id) {
     const std::string key = own ? element : source.name;
     const auto found = constants_.find(key);
     if (found != constants_.end()) return found->second;
-    const std::string name = context_.unique(joined(element));
-    const std::optional<Carrier> carrier = context_.carrier(given.type, element, given.origin.span);
+    const std::string name = context_.unique_name(join_path(element));
+    const std::optional<Carrier> carrier = context_.find_carrier(given.type, element, given.origin.span);
     const bool real = context_.system.type(given.type).kind == ir::TypeKind::real;
     prism::Constant made{real ? prism::Type::real : prism::Type::integer, {name, {}}, nullptr};
     if (carrier && carrier->boolean) made.type = prism::Type::boolean;
     if (given.value) {
         Scope scope;
         scope.element = element;
-        if (own) scope.constant = [&](ir::ConstantId other) { return constant(part, other); };
-        made.value = expression(context_, scope, *given.value);
+        if (own) scope.constant = [&](ir::ConstantId other) { return constant_name(part, other); };
+        made.value = translate_expression(context_, scope, *given.value);
     }
     context_.emission.model.constants.push_back(std::move(made));
-    context_.note("constant", element, name);
+    context_.record_name("constant", element, name);
     constants_[key] = name;
     return name;
 }
@@ -159,13 +160,13 @@ std::string MachineEmitter::name_in_controller(const Part& part) const {
 Region MachineEmitter::make_region(Part& part, std::optional<std::size_t> owner) {
     Region result;
     result.owner = owner;
-    result.stem = owner ? part.stem + "_" + joined(part.chart.places[*owner].path) : part.stem;
-    result.pc = context_.unique(result.stem + "_scpc_8");
-    result.exit = context_.unique(result.stem + "_exit_9");
-    result.inactive = context_.unique(result.stem + "_INACTIVE_10");
+    result.stem = owner ? part.stem + "_" + join_path(part.chart.places[*owner].path) : part.stem;
+    result.pc = context_.unique_name(result.stem + "_scpc_8");
+    result.exit = context_.unique_name(result.stem + "_exit_9");
+    result.inactive = context_.unique_name(result.stem + "_INACTIVE_10");
     const std::string element = owner ? part.element + "::" + part.chart.places[*owner].path : part.element;
-    context_.note("variable", element + "::scpc_8", result.pc);
-    context_.note("variable", element + "::exit_9", result.exit);
+    context_.record_name("variable", element + "::scpc_8", result.pc);
+    context_.record_name("variable", element + "::exit_9", result.exit);
     context_.emission.model.constants.push_back(tree::constant(result.inactive, 0));
     return result;
 }
@@ -178,9 +179,9 @@ std::string MachineEmitter::add_point(Region& region, const std::string& name) {
 /// R4: "Each state; X_entering iff X has an entry action; Action_n for each further statement; e_n after a typed
 /// communication; junctions; i0; final states."
 void MachineEmitter::name_places(Part& part) {
-    part.lock = context_.unique(part.stem + "_lock_7");
-    part.free = context_.unique(part.stem + "_LOCK_FREE");
-    context_.note("variable", part.element + "::lock_7", part.lock);
+    part.lock = context_.unique_name(part.stem + "_lock_7");
+    part.free = context_.unique_name(part.stem + "_LOCK_FREE");
+    context_.record_name("variable", part.element + "::lock_7", part.lock);
     context_.emission.model.constants.push_back(tree::constant(part.free, 0));
     part.regions.push_back(make_region(part, std::nullopt));
     part.region_of[std::nullopt] = 0;
@@ -197,21 +198,21 @@ void MachineEmitter::name_places(Part& part) {
             part.entering.emplace_back();
             continue;
         }
-        Region& around = region(part, i);
-        const std::string name = context_.unique(part.stem + "_" + joined(place.path));
+        Region& around = region_at(part, i);
+        const std::string name = context_.unique_name(part.stem + "_" + join_path(place.path));
         part.points.push_back(add_point(around, name));
-        part.entering.push_back(place.entry.empty() ? "" : add_point(around, context_.unique(name + "_entering")));
-        context_.note("node", part.element + "::" + place.path, name);
+        part.entering.push_back(place.entry.empty() ? "" : add_point(around, context_.unique_name(name + "_entering")));
+        context_.record_name("node", part.element + "::" + place.path, name);
         if (place.kind == NodeKind::final && !place.parent) finals.push_back(name);
     }
-    part.terminated = context_.unique(part.stem + "_TERMINATED_11");
+    part.terminated = context_.unique_name(part.stem + "_TERMINATED_11");
     if (finals.size() > 1)
         context_.diagnostics.report(rules::unsupported_operation, part.machine->origin.span,
                                     {part.machine->name, part.element, "it has several final states"});
     if (!part.machine->preconditions.empty() || !part.machine->postconditions.empty())
         context_.diagnostics.report(rules::unsupported_operation, part.machine->origin.span,
                                     {part.machine->name, part.element, "it has conditions"});
-    if (!part.machine->initial.valid())
+    if (!part.machine->initial.is_valid())
         context_.diagnostics.report(rules::unsupported_construct, part.machine->origin.span,
                                     {"no initial node", part.element});
     if (finals.size() == 1)
@@ -223,10 +224,10 @@ void MachineEmitter::name_places(Part& part) {
 std::string MachineEmitter::add_lock(Part& part, const Step& step) {
     const Place& source = part.chart.places[step.source];
     const std::string stem = part.regions[part.region_of.at(source.parent)].stem;
-    const std::string name = context_.unique(stem + "_" + step.name);
+    const std::string name = context_.unique_name(stem + "_" + step.name);
     context_.emission.model.constants.push_back(tree::constant(name, ++part.locks));
     const std::string path = source.parent ? "::" + part.chart.places[*source.parent].path : "";
-    context_.note("transition", part.element + path + "::" + step.name, name);
+    context_.record_name("transition", part.element + path + "::" + step.name, name);
     return name;
 }
 
@@ -234,13 +235,14 @@ void MachineEmitter::declare_variables(Part& part) {
     for (std::size_t i = 0; i < part.machine->variables.size(); ++i) {
         const ir::Variable& variable = part.machine->variables[i];
         if (variable.scope == ir::VariableScope::required) continue;
-        const auto carrier = context_.carrier(variable.type, part.element + "::" + variable.name, variable.origin.span);
+        const auto carrier =
+            context_.find_carrier(variable.type, part.element + "::" + variable.name, variable.origin.span);
         if (!carrier) continue;
         // R3: "Initial value absent: no `init`, so the least."
         ExprPtr initial;
         if (variable.initial)
-            initial = whole_value(context_, scope(part, part.element + "::" + variable.name), *variable.initial);
-        module_.variables.push_back(Context::variable(part.variables[i], *carrier, initial));
+            initial = whole_value(context_, make_scope(part, part.element + "::" + variable.name), *variable.initial);
+        module_.variables.push_back(Context::declare_variable(part.variables[i], *carrier, initial));
     }
 }
 
@@ -249,7 +251,7 @@ void MachineEmitter::declare_variables(Part& part) {
 void MachineEmitter::declare_counters(const Part& part) {
     const bool machine = part.machine->kind == ir::MachineKind::state_machine;
     for (const Region& each : part.regions) {
-        const bool starts = machine && !each.owner && part.machine->initial.valid();
+        const bool starts = machine && !each.owner && part.machine->initial.is_valid();
         const std::string initial = starts ? part.points[part.machine->initial.index] : each.inactive;
         module_.variables.push_back(tree::range(each.pc, 0, each.points, tree::name(initial)));
         module_.variables.push_back(tree::range(each.exit, 0, 6, tree::name(none)));
@@ -261,7 +263,7 @@ void MachineEmitter::declare_counters(const Part& part) {
         context_.emission.model.constants.push_back(tree::constant(part.terminated, part.regions.front().points + 1));
 }
 
-Scope MachineEmitter::scope(const Part& part, const std::string& where) const {
+Scope MachineEmitter::make_scope(const Part& part, const std::string& where) const {
     Scope result;
     result.element = where;
     result.variable = [&part](ir::VariableId id) { return part.variables[id.index]; };
@@ -271,12 +273,12 @@ Scope MachineEmitter::scope(const Part& part, const std::string& where) const {
 
 // ---------------------------------------------------------------- places
 
-Region& MachineEmitter::region(Part& part, std::size_t place) {
+Region& MachineEmitter::region_at(Part& part, std::size_t place) {
     return part.regions[part.region_of.at(part.chart.places[place].parent)];
 }
 
 /// R6: "Substates add parentscpc=P for every ancestor."
-std::vector<ExprPtr> MachineEmitter::active(const Part& part, std::optional<std::size_t> composite) const {
+std::vector<ExprPtr> MachineEmitter::active_conditions(const Part& part, std::optional<std::size_t> composite) const {
     std::vector<ExprPtr> result;
     for (; composite; composite = part.chart.places[*composite].parent) {
         const Region& around = part.regions[part.region_of.at(part.chart.places[*composite].parent)];
@@ -285,25 +287,25 @@ std::vector<ExprPtr> MachineEmitter::active(const Part& part, std::optional<std:
     return result;
 }
 
-ExprPtr MachineEmitter::at(Part& part, std::size_t place, const std::string& point) const {
+ExprPtr MachineEmitter::at_point(Part& part, std::size_t place, const std::string& point) const {
     const std::optional<std::size_t> parent = part.chart.places[place].parent;
-    std::vector<ExprPtr> result = active(part, parent);
+    std::vector<ExprPtr> result = active_conditions(part, parent);
     result.push_back(tree::is(part.regions[part.region_of.at(parent)].pc, point));
     return tree::all_of(result);
 }
 
 /// R6: "junction, else Y_entering, else Y (with lock'=FREE in the same step)"; R9: a composite state begins with its
 /// child's "scpc'=i0 (the lock stays)".
-MachineEmitter::Assignments MachineEmitter::arrive(Part& part, std::size_t place) {
+MachineEmitter::Assignments MachineEmitter::arrive_at(Part& part, std::size_t place) {
     const Place& target = part.chart.places[place];
-    if (!target.entry.empty()) return {tree::set(region(part, place).pc, part.entering[place])};
-    if (target.kind == NodeKind::state || target.kind == NodeKind::final) return entered(part, place);
-    return {tree::set(region(part, place).pc, part.points[place])};
+    if (!target.entry.empty()) return {tree::set(region_at(part, place).pc, part.entering[place])};
+    if (target.kind == NodeKind::state || target.kind == NodeKind::final) return enter_place(part, place);
+    return {tree::set(region_at(part, place).pc, part.points[place])};
 }
 
 /// R9: "the last statement sets scpc'=X, then unlock (simple) or child scpc'=i0 (composite; the lock stays)."
-MachineEmitter::Assignments MachineEmitter::entered(Part& part, std::size_t place) {
-    Assignments result{tree::set(region(part, place).pc, part.points[place])};
+MachineEmitter::Assignments MachineEmitter::enter_place(Part& part, std::size_t place) {
+    Assignments result{tree::set(region_at(part, place).pc, part.points[place])};
     const Place& target = part.chart.places[place];
     if (!target.composite)
         result.push_back(tree::set(part.lock, part.free));
@@ -312,7 +314,7 @@ MachineEmitter::Assignments MachineEmitter::entered(Part& part, std::size_t plac
     return result;
 }
 
-bool MachineEmitter::unlocks(const Part& part, const Assignments& assignments) const {
+bool MachineEmitter::releases_lock(const Part& part, const Assignments& assignments) const {
     return std::ranges::any_of(assignments, [&](const auto& each) { return each.variable.text == part.lock; });
 }
 
@@ -323,7 +325,8 @@ void MachineEmitter::emit_entries(Part& part) {
     for (std::size_t i = 0; i < part.chart.places.size(); ++i) {
         const Place& place = part.chart.places[i];
         if (!place.entry.empty())
-            run(part, i, part.entering[i], place.entry, entered(part, i), part.element + "::" + place.path);
+            run_statements(part, i, part.entering[i], place.entry, enter_place(part, i),
+                           part.element + "::" + place.path);
     }
 }
 
@@ -352,12 +355,13 @@ void MachineEmitter::emit_steps(Part& part) {
 
 /// The assignments that begin the action of a step or, without an action, enter its target.
 MachineEmitter::Assignments MachineEmitter::go_on(Part& part, const Step& step) {
-    if (step.action.empty()) return arrive(part, step.target);
-    const std::string first = context_.numbered("Action");
-    Region& around = region(part, step.source);
+    if (step.action.empty()) return arrive_at(part, step.target);
+    const std::string first = context_.numbered_name("Action");
+    Region& around = region_at(part, step.source);
     add_point(around, first);
-    run(part, step.target, first, step.action, arrive(part, step.target), part.element + "::" + step.name);
-    return {tree::set(region(part, step.source).pc, first)};
+    run_statements(part, step.target, first, step.action, arrive_at(part, step.target),
+                   part.element + "::" + step.name);
+    return {tree::set(region_at(part, step.source).pc, first)};
 }
 
 /// R5: "[] scpc=i0 -> scpc'=target (a step of its own; plus unlock if the target is a simple state without entry
@@ -367,20 +371,20 @@ void MachineEmitter::from_initial(Part& part, const Step& step) {
     const std::string lock = add_lock(part, step);
     Assignments then = go_on(part, step);
     if (!step.action.empty() || part.chart.places[step.target].composite) then.push_back(tree::set(part.lock, lock));
-    add(tree::command("", at(part, step.source, part.points[step.source]), then));
+    add_command(tree::command("", at_point(part, step.source, part.points[step.source]), then));
 }
 
-std::vector<ExprPtr> MachineEmitter::guards(Part& part, const Step& step, const std::string& received) {
-    Scope inner = scope(part, part.element + "::" + step.name);
+std::vector<ExprPtr> MachineEmitter::step_guards(Part& part, const Step& step, const std::string& received) {
+    Scope inner = make_scope(part, part.element + "::" + step.name);
     inner.received = received;
     std::vector<ExprPtr> result;
-    for (const ir::ExprPtr& each : step.guards) result.push_back(condition(context_, inner, *each));
+    for (const ir::ExprPtr& each : step.guards) result.push_back(translate_condition(context_, inner, *each));
     return result;
 }
 
 bool MachineEmitter::trigger_fits(const Part& part, const Step& step, const Channel& channel) {
     const ir::Communication& trigger = *step.trigger;
-    const bool fits = channel.carrier ? trigger.kind == ir::CommKind::input && trigger.variable.valid()
+    const bool fits = channel.carrier ? trigger.kind == ir::CommKind::input && trigger.variable.is_valid()
                                       : trigger.kind == ir::CommKind::simple;
     if (!fits || trigger.predicate)
         context_.diagnostics.report(rules::unsupported_construct, step.span,
@@ -394,12 +398,12 @@ void MachineEmitter::from_state(Part& part, const Step& step) {
     const std::string lock = add_lock(part, step);
     Channel* found = nullptr;
     if (step.trigger != nullptr) {
-        found = channel(part, step.trigger->event, Direction::in, step.span);
+        found = channel_of(part, step.trigger->event, Direction::in, step.span);
         if (found == nullptr || !trigger_fits(part, step, *found)) return;
     }
-    std::vector<ExprPtr> guard{at(part, step.source, part.points[step.source]), tree::is(part.lock, part.free)};
+    std::vector<ExprPtr> guard{at_point(part, step.source, part.points[step.source]), tree::is(part.lock, part.free)};
     // R13: "A guard on the received value reads EVT__... in the first command."
-    for (ExprPtr& each : guards(part, step, found != nullptr ? found->value_at(Direction::in) : ""))
+    for (ExprPtr& each : step_guards(part, step, found != nullptr ? found->value_at(Direction::in) : ""))
         guard.push_back(std::move(each));
     if (part.chart.places[step.source].composite)
         from_composite(part, step, lock, found, std::move(guard));
@@ -412,22 +416,22 @@ void MachineEmitter::from_simple(Part& part, const Step& step, const std::string
     Assignments then = go_on(part, step);
     const std::string label = channel != nullptr ? channel->in_label() : "";
     if (channel == nullptr || !channel->carrier) {
-        if (!unlocks(part, then)) then.push_back(tree::set(part.lock, lock));
-        add(tree::command(label, tree::all_of(guard), then));
+        if (!releases_lock(part, then)) then.push_back(tree::set(part.lock, lock));
+        add_command(tree::command(label, tree::all_of(guard), then));
         return;
     }
     // R13: "Receiver: [IN_...] ... & FIN=true -> FIN'=false & scpc'=e_n, then x'=EVT & FIN'=true."
     declare_value(*channel, Direction::in);
     const std::string ready = channel->ready_at(Direction::in);
-    const std::string name = context_.numbered(part.machine->events[step.trigger->event.index].name);
-    const std::string point = add_point(region(part, step.source), name);
+    const std::string name = context_.numbered_name(part.machine->events[step.trigger->event.index].name);
+    const std::string point = add_point(region_at(part, step.source), name);
     guard.push_back(tree::is(ready, true));
-    add(tree::command(
+    add_command(tree::command(
         label, tree::all_of(guard),
-        {tree::set(ready, false), tree::set(region(part, step.source).pc, point), tree::set(part.lock, lock)}));
+        {tree::set(ready, false), tree::set(region_at(part, step.source).pc, point), tree::set(part.lock, lock)}));
     const Assignments read{tree::set(part.variables[step.trigger->variable.index], channel->value_at(Direction::in)),
                            tree::set(ready, true)};
-    add(tree::command("", at(part, step.source, point), both(read, then)));
+    add_command(tree::command("", at_point(part, step.source, point), combine_assignments(read, then)));
 }
 
 /// R10: "(1) lock'=t & exit'=ACT_Trans; (7) EXITED & lock=t -> NONE and on to action/target."
@@ -439,38 +443,39 @@ void MachineEmitter::from_composite(Part& part, const Step& step, const std::str
         return;
     }
     const std::string exit = part.regions[part.region_of.at(step.source)].exit;
-    add(tree::command(channel != nullptr ? channel->in_label() : "", tree::all_of(guard),
-                      {tree::set(part.lock, lock), tree::set(exit, act_trans)}));
+    add_command(tree::command(channel != nullptr ? channel->in_label() : "", tree::all_of(guard),
+                              {tree::set(part.lock, lock), tree::set(exit, act_trans)}));
     const Assignments then = go_on(part, step);
-    add(tree::command("",
-                      tree::all_of({at(part, step.source, part.points[step.source]), tree::is(part.lock, lock),
-                                    tree::is(exit, exited)}),
-                      both({tree::set(exit, none)}, then)));
+    add_command(tree::command("",
+                              tree::all_of({at_point(part, step.source, part.points[step.source]),
+                                            tree::is(part.lock, lock), tree::is(exit, exited)}),
+                              combine_assignments({tree::set(exit, none)}, then)));
 }
 
 /// R8: "Junction: one unlabelled command per outgoing guard."
 void MachineEmitter::from_junction(Part& part, const Step& step) {
-    std::vector<ExprPtr> guard{at(part, step.source, part.points[step.source])};
-    for (ExprPtr& each : guards(part, step, "")) guard.push_back(std::move(each));
-    add(tree::command("", tree::all_of(guard), go_on(part, step)));
+    std::vector<ExprPtr> guard{at_point(part, step.source, part.points[step.source])};
+    for (ExprPtr& each : step_guards(part, step, "")) guard.push_back(std::move(each));
+    add_command(tree::command("", tree::all_of(guard), go_on(part, step)));
 }
 
 /// R8: "Probabilistic junction: one unlabelled command p1:(scpc'=...) + p2:(...); lock stays."
 void MachineEmitter::from_probabilistic(Part& part, std::size_t junction) {
-    prism::Command command = tree::command("", at(part, junction, part.points[junction]), {});
+    prism::Command command = tree::command("", at_point(part, junction, part.points[junction]), {});
     command.branches.clear();
     for (const Step& step : part.chart.steps) {
         if (step.source != junction) continue;
         prism::Branch branch;
         if (step.probability)
-            branch.probability = expression(context_, scope(part, part.element + "::" + step.name), *step.probability);
+            branch.probability =
+                translate_expression(context_, make_scope(part, part.element + "::" + step.name), *step.probability);
         branch.assignments = go_on(part, step);
         command.branches.push_back(std::move(branch));
     }
     if (command.branches.size() > 1)
         for (prism::Branch& each : command.branches)
             if (!each.probability) each.probability = tree::number(1);
-    add(std::move(command));
+    add_command(std::move(command));
 }
 
 // ---------------------------------------------------------------- exits
@@ -485,9 +490,9 @@ void MachineEmitter::emit_exits(Part& part) {
             emit_composite_exit(part, i);
             continue;
         }
-        const std::string exit = region(part, i).exit;
-        add(tree::command("", tree::all_of({at(part, i, part.points[i]), tree::is(exit, sub_act)}),
-                          {tree::set(exit, sub_exited)}));
+        const std::string exit = region_at(part, i).exit;
+        add_command(tree::command("", tree::all_of({at_point(part, i, part.points[i]), tree::is(exit, sub_act)}),
+                                  {tree::set(exit, sub_exited)}));
     }
 }
 
@@ -497,17 +502,17 @@ void MachineEmitter::emit_exits(Part& part) {
 /// step each.
 void MachineEmitter::emit_composite_exit(Part& part, std::size_t place) {
     const Region& inner = part.regions[part.region_of.at(place)];
-    const std::string outer = region(part, place).exit;
-    const ExprPtr here = at(part, place, part.points[place]);
+    const std::string outer = region_at(part, place).exit;
+    const ExprPtr here = at_point(part, place, part.points[place]);
     const ExprPtr asked =
         tree::apply(prism::Op::disjunction, {tree::is(inner.exit, act_parent), tree::is(inner.exit, act_trans)});
-    add(tree::command("", tree::all_of({here, asked}), {tree::set(inner.exit, sub_act)}));
-    add(tree::command("", tree::all_of({here, tree::is(outer, sub_act)}),
-                      {tree::set(outer, waiting), tree::set(inner.exit, act_parent)}));
-    add(tree::command("", tree::all_of({here, tree::is(inner.exit, sub_exited)}),
-                      {tree::set(inner.exit, exited), tree::set(inner.pc, inner.inactive)}));
-    add(tree::command("", tree::all_of({here, tree::is(inner.exit, exited), tree::is(outer, waiting)}),
-                      {tree::set(inner.exit, none), tree::set(outer, sub_exited)}));
+    add_command(tree::command("", tree::all_of({here, asked}), {tree::set(inner.exit, sub_act)}));
+    add_command(tree::command("", tree::all_of({here, tree::is(outer, sub_act)}),
+                              {tree::set(outer, waiting), tree::set(inner.exit, act_parent)}));
+    add_command(tree::command("", tree::all_of({here, tree::is(inner.exit, sub_exited)}),
+                              {tree::set(inner.exit, exited), tree::set(inner.pc, inner.inactive)}));
+    add_command(tree::command("", tree::all_of({here, tree::is(inner.exit, exited), tree::is(outer, waiting)}),
+                              {tree::set(inner.exit, none), tree::set(outer, sub_exited)}));
 }
 
 }  // namespace robochart::prism_emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A state machine with its operations as one module of PRISM (R2 to R11, R14).
+// Encodes a state machine with its operations as one module of PRISM (R2 to R11, R14).
 #pragma once
 
 #include <map>
@@ -56,7 +56,7 @@ private:
     Part& part_of(ir::MachineId machine, const std::string& name, bool operation);
     void name_variables(Part& part);
     void name_constants(Part& part);
-    [[nodiscard]] std::string constant(Part& part, ir::ConstantId id);
+    [[nodiscard]] std::string constant_name(Part& part, ir::ConstantId id);
     [[nodiscard]] std::string name_in_controller(const Part& part) const;
     void name_places(Part& part);
     Region make_region(Part& part, std::optional<std::size_t> owner);
@@ -64,17 +64,18 @@ private:
     std::string add_lock(Part& part, const Step& step);
     void declare_variables(Part& part);
     void declare_counters(const Part& part);
-    [[nodiscard]] Scope scope(const Part& part, const std::string& where) const;
+    [[nodiscard]] Scope make_scope(const Part& part, const std::string& where) const;
 
     // places
-    [[nodiscard]] Region& region(Part& part, std::size_t place);
-    [[nodiscard]] std::vector<prism::ExprPtr> active(const Part& part, std::optional<std::size_t> composite) const;
-    [[nodiscard]] prism::ExprPtr at(Part& part, std::size_t place, const std::string& point) const;
-    [[nodiscard]] Assignments arrive(Part& part, std::size_t place);
-    [[nodiscard]] Assignments entered(Part& part, std::size_t place);
+    [[nodiscard]] Region& region_at(Part& part, std::size_t place);
+    [[nodiscard]] std::vector<prism::ExprPtr> active_conditions(const Part& part,
+                                                                std::optional<std::size_t> composite) const;
+    [[nodiscard]] prism::ExprPtr at_point(Part& part, std::size_t place, const std::string& point) const;
+    [[nodiscard]] Assignments arrive_at(Part& part, std::size_t place);
+    [[nodiscard]] Assignments enter_place(Part& part, std::size_t place);
 
     // rules
-    void emit(Part& part);
+    void emit_part(Part& part);
     void emit_entries(Part& part);
     void emit_exits(Part& part);
     void emit_composite_exit(Part& part, std::size_t place);
@@ -87,28 +88,28 @@ private:
                         std::vector<prism::ExprPtr> guard);
     void from_junction(Part& part, const Step& step);
     void from_probabilistic(Part& part, std::size_t junction);
-    [[nodiscard]] std::vector<prism::ExprPtr> guards(Part& part, const Step& step, const std::string& received);
+    [[nodiscard]] std::vector<prism::ExprPtr> step_guards(Part& part, const Step& step, const std::string& received);
     [[nodiscard]] bool trigger_fits(const Part& part, const Step& step, const Channel& channel);
     [[nodiscard]] Assignments go_on(Part& part, const Step& step);
-    [[nodiscard]] bool unlocks(const Part& part, const Assignments& assignments) const;
+    [[nodiscard]] bool releases_lock(const Part& part, const Assignments& assignments) const;
 
     // actions
-    void run(Part& part, std::size_t place, std::string point, const std::vector<ir::StmtPtr>& statements,
-             const Assignments& then, const std::string& where);
-    void statement(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt, Assignments then,
+    void run_statements(Part& part, std::size_t place, std::string point, const std::vector<ir::StmtPtr>& statements,
+                        const Assignments& then, const std::string& where);
+    void emit_statement(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt, Assignments then,
+                        const std::string& where);
+    void emit_communication(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt,
+                            Assignments then, const std::string& where);
+    void emit_send(Part& part, std::size_t place, const std::string& point, const Channel& channel,
+                   const ir::Expr* value, Assignments then, const std::string& where);
+    void emit_receive(Part& part, std::size_t place, const std::string& point, const Channel& channel,
+                      ir::VariableId variable, const Assignments& then);
+    void emit_call(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt, Assignments then,
                    const std::string& where);
-    void communicate(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt, Assignments then,
-                     const std::string& where);
-    void send(Part& part, std::size_t place, const std::string& point, const Channel& channel, const ir::Expr* value,
-              Assignments then, const std::string& where);
-    void receive(Part& part, std::size_t place, const std::string& point, const Channel& channel,
-                 ir::VariableId variable, const Assignments& then);
-    void call(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt, Assignments then,
-              const std::string& where);
-    [[nodiscard]] Part* called(const Part& caller, const ir::Stmt& stmt);
-    [[nodiscard]] Channel* channel(const Part& part, ir::EventId event, Direction direction, diagnostics::Span span);
+    [[nodiscard]] Part* called_operation(const Part& caller, const ir::Stmt& stmt);
+    [[nodiscard]] Channel* channel_of(const Part& part, ir::EventId event, Direction direction, diagnostics::Span span);
     void declare_value(const Channel& channel, Direction direction);
-    void add(prism::Command command) { module_.commands.push_back(std::move(command)); }
+    void add_command(prism::Command command) { module_.commands.push_back(std::move(command)); }
 
     Context& context_;
     Channels& channels_;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kind_key = "PRISM_MODELTYPE";
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim_blanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
     return text;
@@ -47,8 +47,8 @@ std::string read_line(std::string_view line, Preferences& preferences) {
     if (line.empty() || line.front() == '#') return "";
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return "KEY=VALUE is expected";
-    const std::string key(trimmed(line.substr(0, equals)));
-    const std::string_view value = trimmed(line.substr(equals + 1));
+    const std::string key(trim_blanks(line.substr(0, equals)));
+    const std::string_view value = trim_blanks(line.substr(equals + 1));
     struct Bound {
         Range* range;
         std::int64_t Range::*side;
@@ -68,7 +68,7 @@ std::string read_line(std::string_view line, Preferences& preferences) {
     // A misspelt key would silently leave a range unchanged.
     std::vector<std::string> keys{kind_key};
     for (const auto& [name, each] : bounds) keys.push_back(name);
-    const std::string meant = diagnostics::nearest(key, keys);
+    const std::string meant = diagnostics::nearest_spelling(key, keys);
     if (diagnostics::is_certain(key, meant, keys)) return fmt::format("{}: did you mean {}?", key, meant);
     if (!means_nothing(key, value)) preferences.ignored.push_back(key);
     return "";
@@ -79,7 +79,7 @@ std::string read_line(std::string_view line, Preferences& preferences) {
 std::string read_preferences(std::string_view text, Preferences& preferences, std::size_t* wrong_line) {
     for (std::size_t number = 1; !text.empty(); ++number) {
         const auto end = text.find('\n');
-        const std::string error = read_line(trimmed(text.substr(0, end)), preferences);
+        const std::string error = read_line(trim_blanks(text.substr(0, end)), preferences);
         if (!error.empty()) {
             if (wrong_line != nullptr) *wrong_line = number;
             return fmt::format("line {}: {}", number, error);

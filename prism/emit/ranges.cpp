@@ -26,9 +26,9 @@ public:
     explicit RangeKeeper(prism::ModelFile& model) : model_(model) {
         for (const prism::Constant& each : model.constants)
             if (each.value) constants_[each.name.text] = each.value;
-        for (const prism::Variable& each : model.globals) add(each);
+        for (const prism::Variable& each : model.globals) add_variable(each);
         for (const prism::Module& module : model.modules)
-            for (const prism::Variable& each : module.variables) add(each);
+            for (const prism::Variable& each : module.variables) add_variable(each);
     }
 
     void operator()() {
@@ -47,10 +47,10 @@ public:
     }
 
 private:
-    void add(const prism::Variable& variable) {
+    void add_variable(const prism::Variable& variable) {
         if (!variable.low) return;
-        const Known low = bounds(*variable.low);
-        const Known high = bounds(*variable.high);
+        const Known low = bounds_of(*variable.low);
+        const Known high = bounds_of(*variable.high);
         if (low && high) ranges_[variable.name.text] = {low->low, high->high};
     }
 
@@ -74,7 +74,7 @@ private:
     void stays_inside(const prism::Assignment& assignment, std::vector<ExprPtr>& conditions) const {
         const auto range = ranges_.find(assignment.variable.text);
         if (range == ranges_.end()) return;
-        const Known value = bounds(*assignment.value);
+        const Known value = bounds_of(*assignment.value);
         if (!value || value->low < range->second.low)
             conditions.push_back(tree::apply(Op::greater_equal, {assignment.value, tree::number(range->second.low)}));
         if (!value || value->high > range->second.high)
@@ -95,13 +95,13 @@ private:
     }
 
     /// The least and greatest value of an integer; no value if they are unknown.
-    Known bounds(const Expr& expr) const {
+    Known bounds_of(const Expr& expr) const {
         constexpr std::int64_t most = std::int64_t{1} << 40U;
-        const Known result = computed(expr);
+        const Known result = compute_bounds(expr);
         return result && result->low >= -most && result->high <= most ? result : std::nullopt;
     }
 
-    Known computed(const Expr& expr) const {
+    Known compute_bounds(const Expr& expr) const {
         switch (expr.op) {
             case Op::integer: {
                 std::int64_t value = 0;
@@ -109,28 +109,28 @@ private:
                 return Bounds{value, value};
             }
             case Op::name:
-                return of_name(expr.text);
+                return bounds_of_name(expr.text);
             case Op::minus:
-                if (const Known a = bounds(*expr.parts[0])) return Bounds{-a->high, -a->low};
+                if (const Known a = bounds_of(*expr.parts[0])) return Bounds{-a->high, -a->low};
                 return std::nullopt;
             case Op::add:
             case Op::subtract:
             case Op::conditional:
-                return of_two(expr);
+                return bounds_of_operation(expr);
             default:
                 return std::nullopt;
         }
     }
 
-    Known of_name(const std::string& name) const {
+    Known bounds_of_name(const std::string& name) const {
         if (const auto range = ranges_.find(name); range != ranges_.end()) return range->second;
         const auto constant = constants_.find(name);
-        return constant == constants_.end() ? std::nullopt : bounds(*constant->second);
+        return constant == constants_.end() ? std::nullopt : bounds_of(*constant->second);
     }
 
-    Known of_two(const Expr& expr) const {
-        const Known a = bounds(*expr.parts[expr.parts.size() - 2]);
-        const Known b = bounds(*expr.parts.back());
+    Known bounds_of_operation(const Expr& expr) const {
+        const Known a = bounds_of(*expr.parts[expr.parts.size() - 2]);
+        const Known b = bounds_of(*expr.parts.back());
         if (!a || !b) return std::nullopt;
         if (expr.op == Op::add) return Bounds{a->low + b->low, a->high + b->high};
         if (expr.op == Op::subtract) return Bounds{a->low - b->high, a->high - b->low};

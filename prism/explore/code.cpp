@@ -67,10 +67,10 @@ Code::Root Code::compiled(const ExprPtr& expr) {
             root = name(*expr);
             break;
         case Op::call:
-            root = folded(call(*expr));
+            root = fold_constants(call(*expr));
             break;
         default:
-            root = folded(operation(*expr));
+            root = fold_constants(operation(*expr));
             break;
     }
     known_[expr.get()] = root;
@@ -202,7 +202,7 @@ std::vector<Code::Root> Code::operands(const Node& node) const {
 
 /// Evaluates an expression that reads no variable. If the evaluation fails, the expression is kept, because it may
 /// never be evaluated.
-Code::Root Code::folded(Root root) {
+Code::Root Code::fold_constants(Root root) {
     const Node node = nodes_[root];
     using enum Operation;
     if (node.op == conditional && is_constant(node.a)) {

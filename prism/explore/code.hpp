@@ -66,15 +66,15 @@ private:
     Root operation(const Expr& expr);
     Root call(const Expr& expr);
     Root comparison(const Expr& expr);
-    Root folded(Root root);
+    Root fold_constants(Root root);
     [[nodiscard]] std::vector<Root> operands(const Node& node) const;
-    [[nodiscard]] std::int64_t checked(std::int64_t value, Root root) const;
-    [[nodiscard]] bool compared(const Node& node, Root root, StateValues state) const;
+    [[nodiscard]] std::int64_t check_range(std::int64_t value, Root root) const;
+    [[nodiscard]] bool compare_reals(const Node& node, Root root, StateValues state) const;
     [[nodiscard]] std::int64_t arithmetic(const Node& node, Root root, StateValues state) const;
     [[nodiscard]] std::int64_t integral_power(std::int64_t base, std::int64_t exponent, Root root) const;
-    [[nodiscard]] std::int64_t rounded(const Node& node, Root root, StateValues state) const;
-    [[nodiscard]] Real computed(const Node& node, Root root, StateValues state) const;
-    [[nodiscard]] Real extreme(const Node& node, Root root, StateValues state) const;
+    [[nodiscard]] std::int64_t round_real(const Node& node, Root root, StateValues state) const;
+    [[nodiscard]] Real compute_real(const Node& node, Root root, StateValues state) const;
+    [[nodiscard]] Real extreme_of_list(const Node& node, Root root, StateValues state) const;
     [[noreturn]] void fail(Root root, std::string what) const;
     [[noreturn]] void too_close(Root root, const Real& a, const Real& b) const;
 

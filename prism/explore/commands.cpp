@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "prism/explore/rules.hpp"
 #include "base/diagnostics/splitmix64.hpp"
+#include "prism/explore/rules.hpp"
 
 namespace robochart::prism {
 
@@ -15,7 +15,7 @@ LeftOut::LeftOut(const CheckedModel& model, Code& code) : code_(code) {
     if (model.left_out) root_ = code.compile(model.left_out);
 }
 
-void LeftOut::refuse(StateValues state) const {
+void LeftOut::refuse_left_out(StateValues state) const {
     if (root_ && code_.holds(*root_, state)) throw EvaluationError(rules::left_out, code_.span(*root_), {});
 }
 
@@ -101,7 +101,7 @@ void CommandTable::evaluate(StateValues state) {
             for (const std::uint32_t command : enabled_[i]) evaluate_effects(commands_[command], state);
 }
 
-NumberTable::Id CommandTable::evaluated(Probability& probability, StateValues state) {
+NumberTable::Id CommandTable::evaluate_probability(Probability& probability, StateValues state) {
     if (probability.fixed) return probability.id;
     constexpr std::size_t most_known = 1U << 16U;
     std::vector<std::int32_t> values;
@@ -137,7 +137,7 @@ void CommandTable::evaluate_effects(CodedCommand& command, StateValues state) {
     command.effects.clear();
     for (CodedBranch& branch : command.branches) {
         Effect effect;
-        effect.probability = evaluated(branch.probability, state);
+        effect.probability = evaluate_probability(branch.probability, state);
         check_probability(branch.probability, effect.probability);
         if (effect.probability == NumberTable::zero) continue;
         write_values(branch, effect, state);
@@ -167,7 +167,7 @@ void CommandTable::check_sum(CodedCommand& command) {
     if (sum == NumberTable::one) return;
     const Real& total = numbers_[sum];
     const Enclosure bounds = total.bounds();
-    if (!total.exact() && bounds.low <= 1 && bounds.high >= 1) return;
+    if (!total.is_exact() && bounds.low <= 1 && bounds.high >= 1) return;
     constexpr double tolerance = 1e-5;
     if (sum == NumberTable::zero || bounds.low < 1 - tolerance || bounds.high > 1 + tolerance)
         throw EvaluationError(rules::wrong_sum, command.source->span, {total.text()});

@@ -7,11 +7,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "prism/checks/checked.hpp"
 #include "prism/explore/code.hpp"
 #include "prism/explore/layout.hpp"
 #include "prism/explore/number_table.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::prism {
 
@@ -30,7 +30,7 @@ class LeftOut {
 public:
     LeftOut(const CheckedModel& model, Code& code);
     /// Throws EvaluationError.
-    void refuse(StateValues state) const;
+    void refuse_left_out(StateValues state) const;
 
 private:
     const Code& code_;
@@ -60,8 +60,12 @@ public:
     /// The effects of one command that is enabled in the state.
     void evaluate_effects(std::uint32_t command, StateValues state) { evaluate_effects(commands_[command], state); }
     /// Returns the enabled commands of a group, as indices for the effects of commands.
-    [[nodiscard]] const std::vector<std::uint32_t>& enabled(std::uint32_t group) const { return enabled_[group]; }
-    [[nodiscard]] const std::vector<Effect>& effects(std::uint32_t command) const { return commands_[command].effects; }
+    [[nodiscard]] const std::vector<std::uint32_t>& enabled_commands(std::uint32_t group) const {
+        return enabled_[group];
+    }
+    [[nodiscard]] const std::vector<Effect>& effects_of(std::uint32_t command) const {
+        return commands_[command].effects;
+    }
     [[nodiscard]] const Write* write(std::uint32_t index) const { return writes_.data() + index; }
     [[nodiscard]] Span span(std::uint32_t command) const { return commands_[command].source->span; }
     /// The name of the module that contains the commands of a group.
@@ -97,7 +101,7 @@ private:
     Probability probability(const ExprPtr& expr);
     std::uint32_t group(const ActionOfModule& part);
     std::uint32_t action(const std::string& name);
-    NumberTable::Id evaluated(Probability& probability, StateValues state);
+    NumberTable::Id evaluate_probability(Probability& probability, StateValues state);
     void check_probability(const Probability& probability, NumberTable::Id id);
     void evaluate_effects(CodedCommand& command, StateValues state);
     void write_values(const CodedBranch& branch, Effect& effect, StateValues state);

@@ -20,7 +20,7 @@ void Code::too_close(Root root, const Real& a, const Real& b) const {
                           {fmt::format("{} and {} are too close to be compared", a.text(), b.text())});
 }
 
-std::int64_t Code::checked(std::int64_t value, Root root) const {
+std::int64_t Code::check_range(std::int64_t value, Root root) const {
     constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     if (value < least || value > most) fail(root, fmt::format("the integer {} does not fit 32 bits", value));
@@ -83,17 +83,17 @@ std::int64_t Code::integer(Root root, StateValues state) const {
         case real_less_equal:
         case real_greater:
         case real_greater_equal:
-            return compared(node, root, state) ? 1 : 0;
+            return compare_reals(node, root, state) ? 1 : 0;
         case floor:
         case ceil:
         case round:
-            return rounded(node, root, state);
+            return round_real(node, root, state);
         default:
             return arithmetic(node, root, state);
     }
 }
 
-bool Code::compared(const Node& node, Root root, StateValues state) const {
+bool Code::compare_reals(const Node& node, Root root, StateValues state) const {
     const Real a = real(node.a, state);
     const Real b = real(node.b, state);
     const std::optional<int> order = a.compare(b);
@@ -126,15 +126,15 @@ std::int64_t Code::arithmetic(const Node& node, Root root, StateValues state) co
         return best;
     }
     const std::int64_t a = integer(node.a, state);
-    if (node.op == minus) return checked(-a, root);
+    if (node.op == minus) return check_range(-a, root);
     const std::int64_t b = integer(node.b, state);
     switch (node.op) {
         case add:
-            return checked(a + b, root);
+            return check_range(a + b, root);
         case subtract:
-            return checked(a - b, root);
+            return check_range(a - b, root);
         case multiply:
-            return checked(a * b, root);
+            return check_range(a * b, root);
         case mod:
             if (b <= 0) fail(root, fmt::format("mod({},{}): the divisor must be above 0", a, b));
             return ((a % b) + b) % b;
@@ -149,29 +149,29 @@ std::int64_t Code::integral_power(std::int64_t base, std::int64_t exponent, Root
     if (base == 0 || base == 1) return exponent == 0 ? 1 : base;
     if (base == -1) return exponent % 2 == 0 ? 1 : -1;
     std::int64_t result = 1;
-    for (std::int64_t i = 0; i < exponent; ++i) result = checked(result * base, root);
+    for (std::int64_t i = 0; i < exponent; ++i) result = check_range(result * base, root);
     return result;
 }
 
 /// `round` rounds ties up: round(-1.5) is -1.
-std::int64_t Code::rounded(const Node& node, Root root, StateValues state) const {
+std::int64_t Code::round_real(const Node& node, Root root, StateValues state) const {
     Real operand = real(node.a, state);
     if (node.op == Operation::round) operand = operand + Real(Rational(1, 2));
     if (node.op == Operation::ceil) operand = Real(std::int64_t{0}) - operand;
-    if (operand.infinite()) fail(root, operand.text() + " is no integer");
+    if (operand.is_infinite()) fail(root, operand.text() + " is no integer");
     const std::optional<Rational> whole = floor_of(operand);
     if (!whole) too_close(root, operand, operand);
     const Rational result = node.op == Operation::ceil ? Rational(-*whole) : *whole;
     if (abs(result) > Rational(std::numeric_limits<std::int32_t>::max()) + 1)
         fail(root, fmt::format("the integer {} does not fit 32 bits", Real(result).text().substr(0, 40)));
-    return checked(result.convert_to<std::int64_t>(), root);
+    return check_range(result.convert_to<std::int64_t>(), root);
 }
 
 Real Code::real(Root root, StateValues state) const {
     const Node& node = nodes_[root];
     if (node.type != Type::real) return Real(integer(root, state));
     try {
-        return computed(node, root, state);
+        return compute_real(node, root, state);
     } catch (const Unclear& error) {
         throw EvaluationError(rules::too_close, spans_[root], {error.what()});
     } catch (const std::domain_error& error) {
@@ -179,7 +179,7 @@ Real Code::real(Root root, StateValues state) const {
     }
 }
 
-Real Code::computed(const Node& node, Root root, StateValues state) const {
+Real Code::compute_real(const Node& node, Root root, StateValues state) const {
     using enum Operation;
     switch (node.op) {
         case constant:
@@ -201,11 +201,11 @@ Real Code::computed(const Node& node, Root root, StateValues state) const {
         case log:
             return logarithm(real(node.a, state), real(node.b, state));
         default:
-            return extreme(node, root, state);
+            return extreme_of_list(node, root, state);
     }
 }
 
-Real Code::extreme(const Node& node, Root root, StateValues state) const {
+Real Code::extreme_of_list(const Node& node, Root root, StateValues state) const {
     Real best = real(lists_[node.a], state);
     for (std::uint32_t i = node.a + 1; i < node.b; ++i) {
         const Real next = real(lists_[i], state);

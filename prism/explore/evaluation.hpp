@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "prism/explore/real.hpp"
 #include "prism/syntax/syntax.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::prism {
 

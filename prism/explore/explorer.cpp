@@ -34,11 +34,11 @@ void Explorer::operator()() {
         try {
             expand(static_cast<markov::State>(state));
         } catch (EvaluationError& error) {
-            error.state = space_.layout().text(values_.data());
+            error.state = space_.layout().state_text(values_.data());
             throw;
         }
     }
-    finish();
+    finish_model();
 }
 
 void Explorer::initial_states() {
@@ -62,26 +62,26 @@ markov::State Explorer::insert(const lts::Word* words) {
 void Explorer::expand(markov::State state) {
     const lts::StateView packed = space_.store_[state];
     space_.layout().unpack(packed, values_.data());
-    left_out_.refuse(values_.data());
+    left_out_.refuse_left_out(values_.data());
     commands_.evaluate(values_.data());
     partial_[0].assign(packed.begin(), packed.end());
     all_.clear();
     combinations_ = 0;
-    for (const CommandTable::Act& each : commands_.acts()) act(each);
+    for (const CommandTable::Act& each : commands_.acts()) explore_act(each);
     finish_state(state);
 }
 
 /// Every combination of one enabled command of each part is a choice.
-void Explorer::act(const CommandTable::Act& act) {
+void Explorer::explore_act(const CommandTable::Act& act) {
     for (const std::uint32_t group : act.groups)
-        if (commands_.enabled(group).empty()) return;
+        if (commands_.enabled_commands(group).empty()) return;
     Distribution choice;
     combine(act, 0, choice);
 }
 
 void Explorer::combine(const CommandTable::Act& act, std::size_t part, Distribution& distribution) {
     if (part < act.groups.size()) {
-        for (const std::uint32_t command : commands_.enabled(act.groups[part])) {
+        for (const std::uint32_t command : commands_.enabled_commands(act.groups[part])) {
             chosen_[part] = command;
             combine(act, part + 1, distribution);
         }
@@ -93,7 +93,7 @@ void Explorer::combine(const CommandTable::Act& act, std::size_t part, Distribut
     if (chain) return branch(act, 0, NumberTable::one, all_);
     distribution.clear();
     branch(act, 0, NumberTable::one, distribution);
-    merge(distribution);
+    merge_branches(distribution);
     push_choice(act.action, distribution);
 }
 
@@ -104,7 +104,7 @@ void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTabl
         distribution.emplace_back(insert(partial_[part].data()), probability);
         return;
     }
-    for (const Effect& effect : commands_.effects(chosen_[part])) {
+    for (const Effect& effect : commands_.effects_of(chosen_[part])) {
         std::vector<lts::Word>& next = partial_[part + 1];
         next = partial_[part];
         const Write* const end = commands_.write(effect.end_write);
@@ -115,7 +115,7 @@ void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTabl
 }
 
 /// Combines branches with the same target.
-void Explorer::merge(Distribution& distribution) {
+void Explorer::merge_branches(Distribution& distribution) {
     std::ranges::stable_sort(distribution, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::size_t kept = 0;
     for (std::size_t i = 1; i < distribution.size(); ++i) {
@@ -156,7 +156,7 @@ void Explorer::finish_state(markov::State state) {
         ++space_.deadlock_count_;
         push_choice(0, {{state, NumberTable::one}});
     } else if (chain.kind == markov::Kind::dtmc) {
-        merge(all_);
+        merge_branches(all_);
         const NumberTable::Id count = number_of(combinations_);
         for (auto& [target, number] : all_) number = numbers_.quotient(number, count);
         push_choice(0, all_);
@@ -164,17 +164,17 @@ void Explorer::finish_state(markov::State state) {
     chain.first_choice.push_back(static_cast<std::uint32_t>(chain.choices()));
 }
 
-void Explorer::finish() {
+void Explorer::finish_model() {
     markov::Model& chain = space_.chain_;
     bool exact = true;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
         const Real& number = numbers_[static_cast<NumberTable::Id>(i)];
         const Enclosure bounds = number.bounds();
         chain.numbers.push_back({std::max(0.0, bounds.low), bounds.high});
-        if (number.exact()) chain.exact.push_back(number.value());
-        if (!number.exact() && space_.options_.exact)
+        if (number.is_exact()) chain.exact.push_back(number.value());
+        if (!number.is_exact() && space_.options_.exact)
             throw EvaluationError(rules::not_exact, {}, {fmt::format("the probability {}", number.text())});
-        exact = exact && number.exact();
+        exact = exact && number.is_exact();
     }
     if (!exact) chain.exact.clear();
     const std::uint64_t count = space_.deadlock_count_;
@@ -183,7 +183,8 @@ void Explorer::finish() {
     auto& finding =
         space_.diagnostics_.report(rules::deadlocks, {}, {count == 1 ? "one state" : fmt::format("{} states", count)});
     finding.notes.push_back(
-        {{}, fmt::format("{}{}", count == 1 ? "" : "the first: ", space_.text(static_cast<markov::State>(first)))});
+        {{},
+         fmt::format("{}{}", count == 1 ? "" : "the first: ", space_.state_text(static_cast<markov::State>(first)))});
 }
 
 }  // namespace robochart::prism

@@ -20,16 +20,16 @@ private:
 
     void initial_states();
     void expand(markov::State state);
-    void act(const CommandTable::Act& act);
+    void explore_act(const CommandTable::Act& act);
     void combine(const CommandTable::Act& act, std::size_t part, Distribution& distribution);
     void branch(const CommandTable::Act& act, std::size_t part, NumberTable::Id probability,
                 Distribution& distribution);
-    void merge(Distribution& distribution);
+    void merge_branches(Distribution& distribution);
     void push_choice(std::uint32_t action, const Distribution& distribution);
     NumberTable::Id number_of(std::uint64_t count);
     void finish_state(markov::State state);
     markov::State insert(const lts::Word* words);
-    void finish();
+    void finish_model();
 
     StateSpace& space_;
     Code& code_;

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/budget.hpp"
 #include "prism/checks/checked.hpp"
 #include "prism/explore/code.hpp"
 #include "prism/explore/layout.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace robochart::prism {
 

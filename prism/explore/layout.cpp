@@ -60,11 +60,11 @@ void Layout::pack(const std::int32_t* values, lts::Word* state) const {
     for (std::size_t i = 0; i < fields_.size(); ++i) set(state, static_cast<std::uint32_t>(i), values[i]);
 }
 
-std::string Layout::text(const std::int32_t* values) const {
-    return changes(nullptr, values);
+std::string Layout::state_text(const std::int32_t* values) const {
+    return changes_text(nullptr, values);
 }
 
-std::string Layout::changes(const std::int32_t* before, const std::int32_t* after) const {
+std::string Layout::changes_text(const std::int32_t* before, const std::int32_t* after) const {
     std::string result;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         if (before != nullptr && before[i] == after[i]) continue;

@@ -38,9 +38,9 @@ public:
         state[field.word] = (state[field.word] & ~(field.mask << field.shift)) | bits << field.shift;
     }
     /// "x=1, y=false".
-    [[nodiscard]] std::string text(const std::int32_t* values) const;
+    [[nodiscard]] std::string state_text(const std::int32_t* values) const;
     /// The same for the variables whose values differ from `before`. If `before` is null, all variables are included.
-    [[nodiscard]] std::string changes(const std::int32_t* before, const std::int32_t* after) const;
+    [[nodiscard]] std::string changes_text(const std::int32_t* before, const std::int32_t* after) const;
 
 private:
     std::vector<Field> fields_;

@@ -28,8 +28,8 @@ MoveReader::MoveReader(const StateSpace& space)
       commands_(space.model(), space.layout(), code_, numbers_, unused_),
       values_(space.layout().fields().size()) {}
 
-std::vector<Move> MoveReader::moves(markov::State state, std::uint32_t choice, std::optional<markov::State> to) {
-    const lts::StateView from = space_.packed(state);
+std::vector<Move> MoveReader::list_moves(markov::State state, std::uint32_t choice, std::optional<markov::State> to) {
+    const lts::StateView from = space_.packed_state(state);
     from_.assign(from.begin(), from.end());
     space_.unpack(state, values_.data());
     to_ = to;
@@ -46,7 +46,7 @@ std::vector<Move> MoveReader::moves(markov::State state, std::uint32_t choice, s
 
 void MoveReader::combine(const CommandTable::Act& act, std::size_t part) {
     if (part < act.groups.size()) {
-        for (const std::uint32_t command : commands_.enabled(act.groups[part])) {
+        for (const std::uint32_t command : commands_.enabled_commands(act.groups[part])) {
             chosen_[part] = command;
             combine(act, part + 1);
         }
@@ -55,7 +55,7 @@ void MoveReader::combine(const CommandTable::Act& act, std::size_t part) {
     Branches branches;
     branch(act, 0, from_, NumberTable::one, branches);
     if ((!to_ || branches.contains(*to_)) && (space_.chain().kind == markov::Kind::dtmc || is_choice(branches)))
-        found_.push_back(move(act));
+        found_.push_back(make_move(act));
 }
 
 void MoveReader::branch(const CommandTable::Act& act, std::size_t part, const std::vector<lts::Word>& words,
@@ -64,7 +64,7 @@ void MoveReader::branch(const CommandTable::Act& act, std::size_t part, const st
         branches[space_.number_of({words.data(), words.size()})] += numbers_[probability].bounds().middle();
         return;
     }
-    for (const Effect& effect : commands_.effects(chosen_[part])) {
+    for (const Effect& effect : commands_.effects_of(chosen_[part])) {
         std::vector<lts::Word> next = words;
         for (std::uint32_t i = effect.first_write; i < effect.end_write; ++i) {
             const Write& write = *commands_.write(i);
@@ -88,7 +88,7 @@ bool MoveReader::is_choice(const Branches& branches) const {
     return true;
 }
 
-Move MoveReader::move(const CommandTable::Act& act) const {
+Move MoveReader::make_move(const CommandTable::Act& act) const {
     Move result;
     result.action = commands_.actions()[act.action];
     for (std::size_t i = 0; i < chosen_.size(); ++i)

@@ -34,8 +34,8 @@ public:
     /// Returns the commands for a choice of a state; if `to` is given, only those that may lead to it. In a dtmc there
     /// may be several elements, of which the model draws one. In an mdp there are several if different commands form
     /// the same choice. Empty for the loop of a deadlock.
-    [[nodiscard]] std::vector<Move> moves(markov::State state, std::uint32_t choice,
-                                          std::optional<markov::State> to = {});
+    [[nodiscard]] std::vector<Move> list_moves(markov::State state, std::uint32_t choice,
+                                               std::optional<markov::State> to = {});
 
 private:
     using Branches = std::map<markov::State, double>;
@@ -44,7 +44,7 @@ private:
     void branch(const CommandTable::Act& act, std::size_t part, const std::vector<lts::Word>& words,
                 NumberTable::Id probability, Branches& branches);
     [[nodiscard]] bool is_choice(const Branches& branches) const;
-    [[nodiscard]] Move move(const CommandTable::Act& act) const;
+    [[nodiscard]] Move make_move(const CommandTable::Act& act) const;
 
     const StateSpace& space_;
     Code code_;

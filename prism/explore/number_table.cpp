@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t places = std::size_t{1} << 14U;
 
 std::size_t hash_of(const Real& number) {
-    if (number.exact()) return hash_value(number.value());
+    if (number.is_exact()) return hash_value(number.value());
     const Enclosure bounds = number.bounds();
     return diagnostics::splitmix64_mixed(std::bit_cast<std::uint64_t>(bounds.low) ^
                                          std::rotl(std::bit_cast<std::uint64_t>(bounds.high), 21));
 }
 
-bool same(const Real& a, const Real& b) {
-    if (a.exact() != b.exact()) return false;
-    return a.exact() ? a.value() == b.value() : a.bounds() == b.bounds();
+bool same_number(const Real& a, const Real& b) {
+    if (a.is_exact() != b.is_exact()) return false;
+    return a.is_exact() ? a.value() == b.value() : a.bounds() == b.bounds();
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ NumberTable::Id NumberTable::id(const Real& number) {
     const std::size_t hash = hash_of(number);
     const auto [first, last] = found_.equal_range(hash);
     for (auto at = first; at != last; ++at)
-        if (same(numbers_[at->second], number)) return at->second;
+        if (same_number(numbers_[at->second], number)) return at->second;
     const auto id = static_cast<Id>(numbers_.size());
     numbers_.push_back(number);
     found_.emplace(hash, id);

@@ -23,7 +23,7 @@ unsigned bits(const Integer& value) {
 }
 
 /// Widens a value by a few units in the last place, which covers the error of the mathematical library.
-Enclosure around(double value) {
+Enclosure widen_by_rounding(double value) {
     double low = value;
     double high = value;
     for (int i = 0; i < 4; ++i) {
@@ -94,7 +94,7 @@ Real::Real(Rational value) : value_(std::move(value)) {
 }
 
 Real::Real(Enclosure bounds) : bounds_(bounds) {
-    exact_ = bounds.exact() && std::isfinite(bounds.low);
+    exact_ = bounds.is_exact() && std::isfinite(bounds.low);
     if (exact_) value_ = Rational(bounds.low);
 }
 
@@ -104,7 +104,7 @@ std::optional<int> Real::compare(const Real& other) const {
     const Enclosure b = other.bounds();
     if (a.high < b.low) return -1;
     if (a.low > b.high) return 1;
-    if (std::isinf(a.low) && a == b) return a.exact() ? std::optional(0) : std::nullopt;
+    if (std::isinf(a.low) && a == b) return a.is_exact() ? std::optional(0) : std::nullopt;
     return std::nullopt;
 }
 
@@ -120,14 +120,14 @@ std::string fraction_text(const Rational& value) {
 
 std::string Real::text() const {
     if (exact_) return fraction_text(value_);
-    if (bounds_.exact()) return bounds_.low > 0 ? "Infinity" : "-Infinity";  // finite exact values are fractions
+    if (bounds_.is_exact()) return bounds_.low > 0 ? "Infinity" : "-Infinity";  // finite exact values are fractions
     const auto side = [](double bound) {
         return std::isinf(bound) ? std::string(bound > 0 ? "Infinity" : "-Infinity") : fmt::format("{}", bound);
     };
     return fmt::format("between {} and {}", side(bounds_.low), side(bounds_.high));
 }
 
-bool Real::infinite() const {
+bool Real::is_infinite() const {
     return !exact_ && std::isinf(bounds_.low) && bounds_.low == bounds_.high;
 }
 
@@ -138,11 +138,11 @@ bool Real::finite() const {
 namespace {
 
 bool is_zero(const Real& a) {
-    return a.exact() && a.value() == 0;
+    return a.is_exact() && a.value() == 0;
 }
 
 bool may_be_zero(const Real& a) {
-    if (a.exact()) return a.value() == 0;
+    if (a.is_exact()) return a.value() == 0;
     return a.bounds().low <= 0 && a.bounds().high >= 0;
 }
 
@@ -157,8 +157,8 @@ Real infinite(bool positive) {
     throw Unclear("whether it is " + what + " is not known");
 }
 
-Real negated(const Real& a) {
-    if (a.exact()) return Rational(-a.value());
+Real negate_real(const Real& a) {
+    if (a.is_exact()) return Rational(-a.value());
     return Enclosure{-a.bounds().high, -a.bounds().low};
 }
 
@@ -170,19 +170,19 @@ Real operator+(const Real& a, const Real& b) {
     const Enclosure right = b.bounds();
     const auto opposed = [](double most, double least) { return most == infinity && least == -infinity; };
     if (opposed(left.high, right.low) || opposed(right.high, left.low))
-        no_value(a.infinite() && b.infinite(), "Infinity - Infinity");
+        no_value(a.is_infinite() && b.is_infinite(), "Infinity - Infinity");
     return left + right;
 }
 
 Real operator-(const Real& a, const Real& b) {
     if (a.exact_ && b.exact_) return Rational(a.value_ - b.value_);
-    return a + negated(b);
+    return a + negate_real(b);
 }
 
 Real operator*(const Real& a, const Real& b) {
     if (a.exact_ && b.exact_) return Rational(a.value_ * b.value_);
     if ((may_be_zero(a) && !b.finite()) || (may_be_zero(b) && !a.finite()))
-        no_value((is_zero(a) && b.infinite()) || (is_zero(b) && a.infinite()), "0 * Infinity");
+        no_value((is_zero(a) && b.is_infinite()) || (is_zero(b) && a.is_infinite()), "0 * Infinity");
     return a.bounds() * b.bounds();
 }
 
@@ -196,7 +196,7 @@ Real operator/(const Real& a, const Real& b) {
         return Enclosure{(Enclosure{dividend.low, dividend.low} / Enclosure{divisor.high, divisor.high}).low, infinity};
     }
     if (a.exact_ && b.exact_) return Rational(a.value_ / b.value_);
-    if (!a.finite() && !b.finite()) no_value(a.infinite() && b.infinite(), "Infinity/Infinity");
+    if (!a.finite() && !b.finite()) no_value(a.is_infinite() && b.is_infinite(), "Infinity/Infinity");
     return dividend / divisor;
 }
 
@@ -205,7 +205,7 @@ namespace {
 /// The base or the exponent must be known to be infinite.
 Real infinite_power(const Real& base, const Real& exponent) {
     const auto compared = [](const Real& a, std::int64_t b) { return a.compare(Real(b)); };
-    if (base.infinite()) {
+    if (base.is_infinite()) {
         const std::optional<int> sign = compared(exponent, 0);
         if (!sign || base.bounds().low < 0) throw Unclear("a power of infinity is not known");
         return *sign > 0 ? base : Real(std::int64_t{*sign == 0 ? 1 : 0});
@@ -220,10 +220,10 @@ Real infinite_power(const Real& base, const Real& exponent) {
 }  // namespace
 
 Real power(const Real& base, const Real& exponent) {
-    const bool whole = exponent.exact() && denominator(exponent.value()) == 1;
+    const bool whole = exponent.is_exact() && denominator(exponent.value()) == 1;
     if (is_zero(exponent)) return Real(std::int64_t{1});
-    if (base.infinite() || exponent.infinite()) return infinite_power(base, exponent);
-    if (whole && base.exact()) {
+    if (base.is_infinite() || exponent.is_infinite()) return infinite_power(base, exponent);
+    if (whole && base.is_exact()) {
         const bool negative = exponent.value() < 0;
         if (base.value() == 0) return negative ? infinite(true) : base;
         const unsigned size = std::max(bits(numerator(base.value())), bits(denominator(base.value())));
@@ -236,14 +236,14 @@ Real power(const Real& base, const Real& exponent) {
     const Enclosure e = exponent.bounds();
     if (!base.finite() || !exponent.finite()) throw Unclear("a power of numbers that may be infinite is not known");
     if (b.low < 0) {
-        if (exponent.exact() && !whole && b.high < 0)
+        if (exponent.is_exact() && !whole && b.high < 0)
             no_value(true, "a power of a negative number with an exponent that is not whole");
         throw Unclear("a power of a number that may be negative is not known");
     }
     Enclosure result{infinity, -infinity};
     for (const double x : {b.low, b.high})
         for (const double y : {e.low, e.high}) {
-            const Enclosure corner = around(std::pow(x, y));
+            const Enclosure corner = widen_by_rounding(std::pow(x, y));
             result.low = std::min(result.low, std::max(corner.low, 0.0));
             result.high = std::max(result.high, corner.high);
         }
@@ -254,10 +254,12 @@ namespace {
 
 Real natural_logarithm(const Real& value) {
     const Enclosure v = value.bounds();
-    if (value.exact() && value.value() == 1) return Real(std::int64_t{0});
+    if (value.is_exact() && value.value() == 1) return Real(std::int64_t{0});
     if (v.low < 0) no_value(v.high < 0, "the logarithm of a negative number");
-    const double low = v.low == 0 ? -infinity : std::isinf(v.low) ? infinity : around(std::log(v.low)).low;
-    const double high = v.high == 0 ? -infinity : std::isinf(v.high) ? infinity : around(std::log(v.high)).high;
+    const double low = v.low == 0 ? -infinity : std::isinf(v.low) ? infinity : widen_by_rounding(std::log(v.low)).low;
+    const double high = v.high == 0          ? -infinity
+                        : std::isinf(v.high) ? infinity
+                                             : widen_by_rounding(std::log(v.high)).high;
     return Enclosure{low, high};
 }
 
@@ -265,7 +267,7 @@ Real natural_logarithm(const Real& value) {
 
 Real logarithm(const Real& value, const Real& base) {
     // The logarithm of a whole power of the base, such as log(8,2), is exact.
-    if (value.exact() && value.value() > 0 && base.exact() && base.value() > 1) {
+    if (value.is_exact() && value.value() > 0 && base.is_exact() && base.value() > 1) {
         const double near = std::round(std::log(value.bounds().low) / std::log(base.bounds().low));
         if (std::abs(near) <= 4096 && power(base, Real(static_cast<std::int64_t>(near))).compare(value) == 0)
             return Real(static_cast<std::int64_t>(near));
@@ -273,7 +275,7 @@ Real logarithm(const Real& value, const Real& base) {
     return natural_logarithm(value) / natural_logarithm(base);
 }
 
-Real extreme(const Real& a, const Real& b, bool least) {
+Real extreme_of(const Real& a, const Real& b, bool least) {
     if (const std::optional<int> order = b.compare(a)) return (least ? *order < 0 : *order > 0) ? b : a;
     const Enclosure left = a.bounds();
     const Enclosure right = b.bounds();
@@ -282,11 +284,11 @@ Real extreme(const Real& a, const Real& b, bool least) {
 }
 
 std::optional<Rational> floor_of(const Real& value) {
-    if (value.exact()) {
+    if (value.is_exact()) {
         const Integer whole = floor_of(value.value());
         return Rational(whole);
     }
-    if (value.infinite()) throw std::domain_error("Infinity is no integer");
+    if (value.is_infinite()) throw std::domain_error("Infinity is no integer");
     const Enclosure bounds = value.bounds();
     const double low = std::floor(bounds.low);
     if (!std::isfinite(low) || low != std::floor(bounds.high)) return std::nullopt;

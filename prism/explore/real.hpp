@@ -36,11 +36,11 @@ public:
     explicit Real(std::int64_t value) : Real(Rational(value)) {}
     Real(Enclosure bounds);  // NOLINT
 
-    [[nodiscard]] bool exact() const { return exact_; }
+    [[nodiscard]] bool is_exact() const { return exact_; }
     [[nodiscard]] const Rational& value() const { return value_; }  ///< valid if exact
     [[nodiscard]] Enclosure bounds() const { return exact_ ? enclose(value_) : bounds_; }
-    [[nodiscard]] bool infinite() const;  ///< known to be infinite
-    [[nodiscard]] bool finite() const;    ///< known to be finite
+    [[nodiscard]] bool is_infinite() const;  ///< known to be infinite
+    [[nodiscard]] bool finite() const;       ///< known to be finite
     /// Returns -1, 0 or 1 for less than, equal to or greater than. No value if the enclosures overlap.
     [[nodiscard]] std::optional<int> compare(const Real& other) const;
     /// "1/3", "0.25", "between 0.1 and 0.2".
@@ -62,7 +62,7 @@ private:
 [[nodiscard]] Real power(const Real& base, const Real& exponent);
 [[nodiscard]] Real logarithm(const Real& value, const Real& base);
 /// Returns the lesser or the greater of two numbers. Returns an enclosure of it if they cannot be compared.
-[[nodiscard]] Real extreme(const Real& a, const Real& b, bool least);
+[[nodiscard]] Real extreme_of(const Real& a, const Real& b, bool least);
 /// Returns the greatest integer that is not greater than the number. No value if the enclosure does not determine it.
 /// Throws std::domain_error for infinity.
 [[nodiscard]] std::optional<Rational> floor_of(const Real& value);

@@ -41,9 +41,9 @@ public:
             space_.unpack(state, values_.data());
             try {
                 if (!of_states_.empty()) add(sum(of_states_), result_.state, result_.exact_state);
-                if (on_transitions_) choices(state);
+                if (on_transitions_) add_choice_rewards(state);
             } catch (EvaluationError& error) {
-                error.state = space_.layout().text(values_.data());
+                error.state = space_.layout().state_text(values_.data());
                 throw;
             }
         }
@@ -77,29 +77,30 @@ private:
         const Enclosure bounds = number.bounds();
         numbers.push_back({std::max(0.0, bounds.low), bounds.high});
         if (!exact_) return;
-        if (!number.exact()) throw EvaluationError(rules::not_exact, {}, {fmt::format("the reward {}", number.text())});
+        if (!number.is_exact())
+            throw EvaluationError(rules::not_exact, {}, {fmt::format("the reward {}", number.text())});
         exact.push_back(number.value());
     }
 
-    void choices(markov::State state) {
+    void add_choice_rewards(markov::State state) {
         const markov::Model& chain = space_.chain_;
         // A loop that was added at a deadlock earns no reward. Given states have no such loops.
         const bool deadlock = space_.deadlocks_[state] && !space_.given_;
         if (chain.kind == markov::Kind::dtmc)
-            return add(deadlock ? NumberTable::zero : mean(), result_.choice, result_.exact_choice);
+            return add(deadlock ? NumberTable::zero : mean_reward(), result_.choice, result_.exact_choice);
         for (std::size_t choice = chain.first_choice[state]; choice < chain.first_choice[state + 1]; ++choice)
             add(deadlock ? NumberTable::zero : sum(by_action_[chain.action[choice]]), result_.choice,
                 result_.exact_choice);
     }
 
-    Id mean() {
+    Id mean_reward() {
         commands_.evaluate_guards(values_.data());
         std::vector<std::int64_t> combinations(by_action_.size());
         std::int64_t all = 0;
         for (const CommandTable::Act& act : commands_.acts()) {
             std::int64_t count = 1;
             for (const std::uint32_t group : act.groups)
-                count *= static_cast<std::int64_t>(commands_.enabled(group).size());
+                count *= static_cast<std::int64_t>(commands_.enabled_commands(group).size());
             combinations[act.action] += count;
             all += count;
         }

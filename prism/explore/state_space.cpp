@@ -30,13 +30,13 @@ StateSpace::StateSpace(const CheckedModel& model, const Values& constants, Given
     for (const bool each : deadlocks_) deadlock_count_ += each ? 1 : 0;
 }
 
-std::string StateSpace::text(markov::State state) const {
+std::string StateSpace::state_text(markov::State state) const {
     std::vector<std::int32_t> values(layout().fields().size());
     unpack(state, values.data());
-    return layout().text(values.data());
+    return layout().state_text(values.data());
 }
 
-markov::StateSet StateSpace::satisfying(const Code& code, Code::Root root) const {
+markov::StateSet StateSpace::states_satisfying(const Code& code, Code::Root root) const {
     markov::StateSet result(chain_.states());
     std::vector<std::int32_t> values(layout().fields().size());
     for (markov::State state = 0; state < result.size(); ++state) {
@@ -45,7 +45,7 @@ markov::StateSet StateSpace::satisfying(const Code& code, Code::Root root) const
         try {
             result[state] = code.holds(root, values.data());
         } catch (EvaluationError& error) {
-            error.state = layout().text(values.data());
+            error.state = layout().state_text(values.data());
             throw;
         }
     }

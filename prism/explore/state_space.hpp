@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/lts/state_store.hpp"
-#include "prism/markov/model/model.hpp"
 #include "prism/explore/instance.hpp"
 #include "prism/explore/number_table.hpp"
-#include "base/diagnostics/diagnostic.hpp"
+#include "prism/markov/model/model.hpp"
 
 namespace robochart::prism {
 
@@ -54,19 +54,19 @@ public:
     [[nodiscard]] std::uint64_t deadlock_count() const { return deadlock_count_; }
 
     /// "x=1, y=false".
-    [[nodiscard]] std::string text(markov::State state) const;
-    [[nodiscard]] lts::StateView packed(markov::State state) const {
+    [[nodiscard]] std::string state_text(markov::State state) const;
+    [[nodiscard]] lts::StateView packed_state(markov::State state) const {
         if (!given_) return store_[state];
         return lts::StateView(rows_).subspan(std::size_t{state} * layout().words(), layout().words());
     }
     /// The number of a reachable packed state; only for explored spaces.
     [[nodiscard]] markov::State number_of(lts::StateView packed) const { return store_.find(packed); }
-    void unpack(markov::State state, std::int32_t* values) const { layout().unpack(packed(state), values); }
+    void unpack(markov::State state, std::int32_t* values) const { layout().unpack(packed_state(state), values); }
 
     /// Code for expressions over its states, with more constants. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more) const { return instance_.code(more); }
     /// The states in which a bool expression holds; labels of the model, "deadlock" and "init" must have been replaced.
-    [[nodiscard]] markov::StateSet satisfying(const Code& code, Code::Root root) const;
+    [[nodiscard]] markov::StateSet states_satisfying(const Code& code, Code::Root root) const;
     /// Returns the rewards of a structure, given by its index. `exact`: whether to include fractions.
     [[nodiscard]] markov::Rewards rewards(std::size_t structure, bool exact) const;
 

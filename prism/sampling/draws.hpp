@@ -17,14 +17,14 @@ public:
           increment_(diagnostics::splitmix64_mixed(state_ + diagnostics::splitmix64_step) | 1U) {}
 
     /// The next 64 bits.
-    std::uint64_t next() { return diagnostics::splitmix64_mixed(state_ += increment_); }
+    std::uint64_t draw_bits() { return diagnostics::splitmix64_mixed(state_ += increment_); }
     /// Returns a number that is uniform in [0, 1), a multiple of 2^-53.
-    double unit() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+    double draw_unit() { return static_cast<double>(draw_bits() >> 11U) * 0x1.0p-53; }
     /// Returns a number that is uniform below `count`, which must not be 0. Rejection sampling avoids a bias.
-    std::uint64_t below(std::uint64_t count) {
+    std::uint64_t draw_below(std::uint64_t count) {
         const std::uint64_t refused = (0 - count) % count;
         while (true)
-            if (const std::uint64_t drawn = next(); drawn >= refused) return drawn % count;
+            if (const std::uint64_t drawn = draw_bits(); drawn >= refused) return drawn % count;
     }
 
 private:

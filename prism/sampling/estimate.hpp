@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "prism/sampling/method.hpp"
 #include "base/statistics/binomial.hpp"
+#include "prism/sampling/method.hpp"
 
 namespace robochart::prism {
 

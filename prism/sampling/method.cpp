@@ -36,7 +36,7 @@ double above_zero(const std::string& part, const std::string& text) {
     return *value;
 }
 
-std::uint64_t count(const std::string& part, const std::string& text) {
+std::uint64_t parse_count(const std::string& part, const std::string& text) {
     const std::optional<std::uint64_t> value = number<std::uint64_t>(text);
     if (!value || *value == 0) throw BadMethod(part + ": expected a number from 1 on");
     return *value;
@@ -48,13 +48,13 @@ void set(Method& method, const std::string& part) {
     const std::string value = part.substr(std::min(part.size(), equals + 1));
     const bool sprt = method.kind == Method::Kind::sprt;
     if (key == "samples" && !sprt)
-        method.samples = count(part, value);
+        method.samples = parse_count(part, value);
     else if (key == "width")
         method.width = above_zero(part, value);
     else if (key == "confidence")
         method.confidence = share(part, value);
     else if (key == "path")
-        method.path = count(part, value);
+        method.path = parse_count(part, value);
     else
         throw BadMethod(fmt::format("{}: {} takes {}width, confidence and path", part, method_name(method.kind),
                                     sprt ? "" : "samples, "));

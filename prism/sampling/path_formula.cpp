@@ -29,7 +29,7 @@ ExprPtr state_expression(const ExprPtr& expr) {
 }  // namespace
 
 PathFormula::PathFormula(const ExprPtr& formula, Code& code) : code_(code) {
-    root_ = this->formula(formula, 0);
+    root_ = this->add_formula(formula, 0);
 }
 
 std::size_t PathFormula::node(Kind kind, std::size_t a, std::size_t b) {
@@ -37,7 +37,7 @@ std::size_t PathFormula::node(Kind kind, std::size_t a, std::size_t b) {
     return nodes_.size() - 1;
 }
 
-std::size_t PathFormula::until(Until until) {
+std::size_t PathFormula::add_until(Until until) {
     untils_.push_back(std::move(until));
     return node(Kind::until, untils_.size() - 1);
 }
@@ -46,18 +46,18 @@ Code::Root PathFormula::state(const ExprPtr& expr) {
     return code_.compile(state_expression(expr));
 }
 
-std::size_t PathFormula::formula(const ExprPtr& expr, std::uint64_t begin) {
+std::size_t PathFormula::add_formula(const ExprPtr& expr, std::uint64_t begin) {
     if (!is_path(*expr)) {
         const Code::Root root = state(expr);
-        return until({begin, root, root, {0, 0}, {}});
+        return add_until({begin, root, root, {0, 0}, {}});
     }
-    return is_temporal(expr->op) ? temporal(*expr, begin) : connective(*expr, begin);
+    return is_temporal(expr->op) ? add_temporal(*expr, begin) : add_connective(*expr, begin);
 }
 
-std::size_t PathFormula::connective(const Expr& expr, std::uint64_t begin) {
-    const std::size_t a = formula(expr.parts[0], begin);
+std::size_t PathFormula::add_connective(const Expr& expr, std::uint64_t begin) {
+    const std::size_t a = add_formula(expr.parts[0], begin);
     if (expr.op == Op::negation) return node(Kind::negation, a);
-    const std::size_t b = formula(expr.parts[1], begin);
+    const std::size_t b = add_formula(expr.parts[1], begin);
     if (expr.op == Op::conjunction) return node(Kind::conjunction, a, b);
     if (expr.op == Op::iff) return node(Kind::equivalence, a, b);
     // a | b is !(!a & !b), a => b is !(a & !b).
@@ -65,8 +65,8 @@ std::size_t PathFormula::connective(const Expr& expr, std::uint64_t begin) {
     return node(Kind::negation, node(Kind::conjunction, left, node(Kind::negation, b)));
 }
 
-std::size_t PathFormula::temporal(const Expr& expr, std::uint64_t begin) {
-    if (expr.op == Op::next) return formula(expr.parts[0], begin + 1);
+std::size_t PathFormula::add_temporal(const Expr& expr, std::uint64_t begin) {
+    if (expr.op == Op::next) return add_formula(expr.parts[0], begin + 1);
     Until made;
     made.begin = begin;
     if (expr.steps) made.steps = step_range(*expr.steps, code_);
@@ -89,23 +89,23 @@ std::size_t PathFormula::temporal(const Expr& expr, std::uint64_t begin) {
     }
     made.left = state(left);
     made.right = state(right);
-    const std::size_t result = until(std::move(made));
+    const std::size_t result = add_until(std::move(made));
     const bool negated = expr.op == Op::globally || expr.op == Op::weak_until || expr.op == Op::release;
     return negated ? node(Kind::negation, result) : result;
 }
 
-void PathFormula::restart() {
+void PathFormula::start_path() {
     seen_ = 0;
     for (Until& each : untils_) each.holds.reset();
 }
 
-void PathFormula::observe(StateValues state) {
+void PathFormula::observe_state(StateValues state) {
     for (Until& each : untils_)
-        if (!each.holds && seen_ >= each.begin) observe(each, state);
+        if (!each.holds && seen_ >= each.begin) observe_state(each, state);
     ++seen_;
 }
 
-void PathFormula::observe(Until& until, StateValues values) const {
+void PathFormula::observe_state(Until& until, StateValues values) const {
     const std::uint64_t step = seen_ - until.begin;
     if (step >= until.steps.from && code_.holds(until.right, values))
         until.holds = true;
@@ -114,7 +114,7 @@ void PathFormula::observe(Until& until, StateValues values) const {
 }
 
 /// An event that has not happened in any of the repeated states never happens.
-void PathFormula::repeats(std::uint64_t period) {
+void PathFormula::end_in_loop(std::uint64_t period) {
     for (Until& each : untils_)
         if (!each.holds && seen_ >= each.begin + each.steps.from + period) each.holds = false;
 }

@@ -20,11 +20,11 @@ public:
     PathFormula(const ExprPtr& formula, Code& code);
 
     /// Starts a new path.
-    void restart();
+    void start_path();
     /// Processes the next state of the path. Throws EvaluationError.
-    void observe(StateValues state);
+    void observe_state(StateValues state);
     /// States that the last `period` states of the path repeat forever.
-    void repeats(std::uint64_t period);
+    void end_in_loop(std::uint64_t period);
     /// Whether the formula holds; no value if this is not known yet.
     [[nodiscard]] std::optional<bool> holds() const { return holds(root_); }
 
@@ -42,12 +42,12 @@ private:
     };
 
     std::size_t node(Kind kind, std::size_t a, std::size_t b = 0);
-    std::size_t formula(const ExprPtr& expr, std::uint64_t begin);
-    std::size_t connective(const Expr& expr, std::uint64_t begin);
-    std::size_t temporal(const Expr& expr, std::uint64_t begin);
-    std::size_t until(Until until);
+    std::size_t add_formula(const ExprPtr& expr, std::uint64_t begin);
+    std::size_t add_connective(const Expr& expr, std::uint64_t begin);
+    std::size_t add_temporal(const Expr& expr, std::uint64_t begin);
+    std::size_t add_until(Until until);
     Code::Root state(const ExprPtr& expr);
-    void observe(Until& until, StateValues values) const;
+    void observe_state(Until& until, StateValues values) const;
     [[nodiscard]] std::optional<bool> holds(std::size_t node) const;
 
     Code& code_;

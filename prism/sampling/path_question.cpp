@@ -28,14 +28,14 @@ PathQuestion::PathQuestion(const Expr& question, const Instance& instance, Code&
     rewards_.emplace(model.rewards[reward_index(*question.query, model, code)], walk.actions(), code);
 }
 
-Sample PathQuestion::ask(const Draws& draws, std::uint64_t most_steps, diagnostics::Budget* budget) {
+Sample PathQuestion::follow_path(const Draws& draws, std::uint64_t most_steps, diagnostics::Budget* budget) {
     walk_.begin(draws);
-    if (formula_) formula_->restart();
+    if (formula_) formula_->start_path();
     earned_ = 0;
     try {
         while (true) {
             if (budget != nullptr) budget->poll();
-            if (const std::optional<double> known = answer()) return {true, *known, walk_.length()};
+            if (const std::optional<double> known = known_answer()) return {true, *known, walk_.length()};
             if (walk_.length() == most_steps) return {false, 0, walk_.length()};
             const std::optional<std::uint32_t> action = walk_.choose();
             if (rewards_) earned_ += rewards_->of_state(walk_.state());
@@ -43,18 +43,18 @@ Sample PathQuestion::ask(const Draws& draws, std::uint64_t most_steps, diagnosti
             walk_.step();
         }
     } catch (EvaluationError& error) {
-        if (error.state.empty()) error.state = instance_.layout().text(walk_.state());
+        if (error.state.empty()) error.state = instance_.layout().state_text(walk_.state());
         throw;
     }
 }
 
 /// Returns the answer of the path in its current state, if it is known.
-std::optional<double> PathQuestion::answer() {
+std::optional<double> PathQuestion::known_answer() {
     if (kind_ == Op::cumulative) return walk_.length() == steps_ ? std::optional(earned_) : std::nullopt;
     if (kind_ == Op::instantaneous)
         return walk_.length() == steps_ ? std::optional(rewards_->of_state(walk_.state())) : std::nullopt;
-    formula_->observe(walk_.state());
-    if (walk_.period()) formula_->repeats(*walk_.period());
+    formula_->observe_state(walk_.state());
+    if (walk_.loop_period()) formula_->end_in_loop(*walk_.loop_period());
     const std::optional<bool> holds = formula_->holds();
     if (!holds) return std::nullopt;
     if (kind_ == Op::probability) return *holds ? 1.0 : 0.0;

@@ -25,10 +25,10 @@ public:
     PathQuestion(const Expr& question, const Instance& instance, Code& code, Walk& walk);
 
     /// Follows a path for at most `most_steps` steps. Throws EvaluationError, LimitReached.
-    [[nodiscard]] Sample ask(const Draws& draws, std::uint64_t most_steps, diagnostics::Budget* budget);
+    [[nodiscard]] Sample follow_path(const Draws& draws, std::uint64_t most_steps, diagnostics::Budget* budget);
 
 private:
-    [[nodiscard]] std::optional<double> answer();
+    [[nodiscard]] std::optional<double> known_answer();
 
     const Instance& instance_;
     Walk& walk_;

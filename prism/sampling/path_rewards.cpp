@@ -14,7 +14,7 @@ PathRewards::PathRewards(const RewardStructure& structure, const std::vector<std
         Item coded{code.compile(item.guard), code.compile(item.value), false, 0};
         coded.fixed = code.is_constant(coded.value) &&
                       code.real(coded.value, nullptr).compare(Real(std::int64_t{0})).value_or(0) >= 0;
-        if (coded.fixed) coded.amount = amount(coded.value, nullptr);
+        if (coded.fixed) coded.amount = reward_amount(coded.value, nullptr);
         if (!item.transition) {
             of_states_.push_back(coded);
             continue;
@@ -24,7 +24,7 @@ PathRewards::PathRewards(const RewardStructure& structure, const std::vector<std
     }
 }
 
-double PathRewards::amount(Code::Root value, StateValues state) const {
+double PathRewards::reward_amount(Code::Root value, StateValues state) const {
     const Real real = code_.real(value, state);
     if (real.compare(Real(std::int64_t{0})) == -1)
         throw EvaluationError(rules::negative_reward, code_.span(value), {real.text()});
@@ -34,7 +34,7 @@ double PathRewards::amount(Code::Root value, StateValues state) const {
 double PathRewards::sum(const std::vector<Item>& items, StateValues state) const {
     double result = 0;
     for (const Item& item : items)
-        if (code_.holds(item.guard, state)) result += item.fixed ? item.amount : amount(item.value, state);
+        if (code_.holds(item.guard, state)) result += item.fixed ? item.amount : reward_amount(item.value, state);
     return result;
 }
 

@@ -30,7 +30,7 @@ private:
         double amount;  ///< if it is constant
     };
 
-    [[nodiscard]] double amount(Code::Root value, StateValues state) const;
+    [[nodiscard]] double reward_amount(Code::Root value, StateValues state) const;
     [[nodiscard]] double sum(const std::vector<Item>& items, StateValues state) const;
 
     Code& code_;

@@ -21,7 +21,7 @@ RandomPath random_path(const Instance& instance, std::uint64_t seed, std::uint64
         if (budget != nullptr) budget->poll();
         const std::optional<std::uint32_t> action = walk.choose();
         if (!action) break;
-        RandomPath::Step step{walk.actions()[*action], walk.movers(), {}};
+        RandomPath::Step step{walk.actions()[*action], walk.moving_modules(), {}};
         walk.step();
         step.values.assign(walk.state(), walk.state() + variables);
         result.steps.push_back(std::move(step));

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "prism/explore/instance.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "prism/explore/instance.hpp"
 
 namespace robochart::prism {
 

@@ -38,13 +38,13 @@ Sampler::Sampler(const Instance& instance, const Expr& question, const Values& c
 
 Sampler::~Sampler() = default;
 
-Sample Sampler::next() {
-    if (taken_ == block_.size()) fill();
+Sample Sampler::next_sample() {
+    if (taken_ == block_.size()) fill_block();
     return block_[taken_++];
 }
 
 /// Blocks grow over time, so that few samples are computed in vain.
-void Sampler::fill() {
+void Sampler::fill_block() {
     finished_ += block_.size();
     taken_ = 0;
     const std::uint64_t size = std::clamp<std::uint64_t>(finished_, first_block, greatest_block);
@@ -55,7 +55,7 @@ void Sampler::fill() {
         block_.size(), static_cast<unsigned>(workers_.size()), [&](std::size_t number, unsigned thread) {
             if (number > open) return;
             const Draws draws(options_.seed, finished_ + number);
-            block_[number] = workers_[thread]->question.ask(draws, options_.method.path, options_.budget);
+            block_[number] = workers_[thread]->question.follow_path(draws, options_.method.path, options_.budget);
             if (block_[number].decided) return;
             for (std::size_t least = open; number < least && !open.compare_exchange_weak(least, number);) {
             }
@@ -65,7 +65,7 @@ void Sampler::fill() {
 void Sampler::report(diagnostics::Diagnostics& diagnostics) const {
     std::vector<diagnostics::Span> seen;
     for (const auto& worker : workers_)
-        for (const diagnostics::Diagnostic& each : worker->diagnostics.sorted()) {
+        for (const diagnostics::Diagnostic& each : worker->diagnostics.sorted_findings()) {
             if (std::ranges::find(seen, each.span) != seen.end()) continue;
             seen.push_back(each.span);
             diagnostics.report(*each.rule, each.span, each.arguments);

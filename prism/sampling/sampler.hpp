@@ -23,13 +23,13 @@ public:
     Sampler& operator=(const Sampler&) = delete;
 
     /// Throws EvaluationError, LimitReached.
-    [[nodiscard]] Sample next();
+    [[nodiscard]] Sample next_sample();
     /// Reports the warnings of all threads, each once.
     void report(diagnostics::Diagnostics& diagnostics) const;
 
 private:
     struct Worker;
-    void fill();
+    void fill_block();
 
     const SamplingOptions& options_;
     const std::uint64_t most_;

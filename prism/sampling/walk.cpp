@@ -42,16 +42,16 @@ void Walk::begin(const Draws& draws) {
     anchor_ = initial_;
     anchored_at_ = 0;
     patience_ = 1;
-    arrive();
+    find_enabled_combinations();
 }
 
 /// Finds the combinations of commands that are possible next. They also determine the label "deadlock".
-void Walk::arrive() {
+void Walk::find_enabled_combinations() {
     try {
-        left_out_.refuse(values_.data());
+        left_out_.refuse_left_out(values_.data());
         commands_.evaluate_guards(values_.data());
     } catch (EvaluationError& error) {
-        error.state = instance_.layout().text(values_.data());
+        error.state = instance_.layout().state_text(values_.data());
         throw;
     }
     enabled_ = 0;
@@ -63,7 +63,7 @@ void Walk::arrive() {
 std::uint64_t Walk::combinations(const CommandTable::Act& act) const {
     std::uint64_t count = 1;
     for (const std::uint32_t group : act.groups) {
-        count *= commands_.enabled(group).size();
+        count *= commands_.enabled_commands(group).size();
         if (count > most_combinations)
             throw diagnostics::LimitReached("a state of a path has more than 2^32 combinations of commands");
     }
@@ -75,7 +75,7 @@ std::optional<std::uint32_t> Walk::choose() {
     forced_ = enabled_ <= 1;
     chosen_.clear();
     act_ = nullptr;
-    std::uint64_t number = forced_ ? 0 : draws_.below(enabled_);
+    std::uint64_t number = forced_ ? 0 : draws_.draw_below(enabled_);
     for (const CommandTable::Act& act : commands_.acts()) {
         const std::uint64_t count = combinations(act);
         if (number >= count) {
@@ -83,7 +83,7 @@ std::optional<std::uint32_t> Walk::choose() {
             continue;
         }
         for (const std::uint32_t group : act.groups) {
-            const std::vector<std::uint32_t>& enabled = commands_.enabled(group);
+            const std::vector<std::uint32_t>& enabled = commands_.enabled_commands(group);
             chosen_.push_back(enabled[number % enabled.size()]);
             number /= enabled.size();
         }
@@ -93,7 +93,7 @@ std::optional<std::uint32_t> Walk::choose() {
     return std::nullopt;
 }
 
-std::vector<std::string> Walk::movers() const {
+std::vector<std::string> Walk::moving_modules() const {
     std::vector<std::string> result;
     if (act_ != nullptr)
         for (const std::uint32_t group : act_->groups) result.push_back(commands_.module(group));
@@ -105,7 +105,7 @@ void Walk::step() {
     try {
         for (const std::uint32_t command : chosen_) commands_.evaluate_effects(command, values_.data());
     } catch (EvaluationError& error) {
-        error.state = instance_.layout().text(values_.data());
+        error.state = instance_.layout().state_text(values_.data());
         throw;
     }
     for (const std::uint32_t command : chosen_) {
@@ -117,14 +117,14 @@ void Walk::step() {
     }
     ++length_;
     watch_for_repetition();
-    arrive();
+    find_enabled_combinations();
 }
 
 const Effect& Walk::draw_effect(std::uint32_t command) {
-    const std::vector<Effect>& effects = commands_.effects(command);
+    const std::vector<Effect>& effects = commands_.effects_of(command);
     if (effects.size() == 1) return effects.front();
     forced_ = false;
-    double left = draws_.unit();
+    double left = draws_.draw_unit();
     for (std::size_t i = 0; i + 1 < effects.size(); ++i) {
         left -= probability(effects[i].probability);
         if (left < 0) return effects[i];

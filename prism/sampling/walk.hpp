@@ -33,7 +33,7 @@ public:
     void step();
 
     /// The names of the modules whose commands were drawn.
-    [[nodiscard]] std::vector<std::string> movers() const;
+    [[nodiscard]] std::vector<std::string> moving_modules() const;
 
     /// The values of the state, followed by the booleans that Instance::code names.
     [[nodiscard]] StateValues state() const { return values_.data(); }
@@ -41,10 +41,10 @@ public:
     [[nodiscard]] std::uint64_t length() const { return length_; }
     [[nodiscard]] const std::vector<std::string>& actions() const { return commands_.actions(); }
     /// The number of states that repeat forever, if it is known that all further steps of the path are determined.
-    [[nodiscard]] std::optional<std::uint64_t> period() const { return period_; }
+    [[nodiscard]] std::optional<std::uint64_t> loop_period() const { return period_; }
 
 private:
-    void arrive();
+    void find_enabled_combinations();
     [[nodiscard]] std::uint64_t combinations(const CommandTable::Act& act) const;
     const Effect& draw_effect(std::uint32_t command);
     double probability(NumberTable::Id id);

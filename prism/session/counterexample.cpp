@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// See counterexample.hpp. An upper bound is violated if the formula is too likely; a lower bound is violated if the
-// negation of the formula is too likely. Both are probabilities to reach states (docs/probability.md,
-// "Counterexamples"). If `left U right` is too unlikely, the paths to states from which it has probability 0 are too
-// likely.
-#include "prism/counterexample.hpp"
+// See counterexample.hpp. An upper bound is violated if the formula is too likely, a lower bound if its negation is.
+// Either is a reachability probability, see docs/probability.md, "Counterexamples": if `left U right` is too unlikely,
+// paths to states from which it has probability 0 are too likely.
+#include "prism/session/counterexample.hpp"
 
 #include <algorithm>
 
+#include "prism/explore/question_numbers.hpp"
 #include "prism/markov/graph/qualitative.hpp"
 #include "prism/markov/operators/unbounded.hpp"
 #include "prism/markov/paths/probable_paths.hpp"
-#include "prism/explore/question_numbers.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -22,7 +21,7 @@ markov::Precision with_strategy(const EvaluatorOptions& options) {
 }
 
 /// The chain in which every state takes its choice of a strategy.
-markov::Model induced(const markov::Model& model, const std::vector<std::uint32_t>& strategy) {
+markov::Model induced_chain(const markov::Model& model, const std::vector<std::uint32_t>& strategy) {
     markov::Model chain;
     chain.initial = model.initial;
     chain.numbers = model.numbers;
@@ -47,20 +46,21 @@ public:
 
     ProbablePath operator()(const markov::Path& path) {
         ProbablePath result;
-        result.from = space_.text(path.states.front());
+        result.from = space_.state_text(path.states.front());
         result.probability = path.probability;
         for (std::size_t i = 1; i < path.states.size(); ++i) {
             const markov::State before = path.states[i - 1];
             const markov::State after = path.states[i];
-            result.steps.push_back({reader_.moves(before, strategy_[before], after),
-                                    space_.layout().changes(values(before).data(), values(after).data()),
-                                    space_.text(after)});
+            result.steps.push_back(
+                {reader_.list_moves(before, strategy_[before], after),
+                 space_.layout().changes_text(state_values(before).data(), state_values(after).data()),
+                 space_.state_text(after)});
         }
         return result;
     }
 
 private:
-    [[nodiscard]] std::vector<std::int32_t> values(markov::State state) const {
+    [[nodiscard]] std::vector<std::int32_t> state_values(markov::State state) const {
         std::vector<std::int32_t> result(space_.layout().fields().size());
         space_.unpack(state, result.data());
         return result;
@@ -99,18 +99,18 @@ public:
         result.scheduled = space_.chain().kind == markov::Kind::mdp;
         const StepRange steps = body.steps ? step_range(*body.steps, code_) : StepRange{};
         if (steps.from > 0 || (steps.to && (result.never || result.scheduled))) return std::nullopt;
-        choose(reach, result);
+        choose_strategy(reach, result);
         const Real bound = bound_of(question, code_);
         Event event{std::move(reach.left), std::move(reach.right), steps.to,
                     upper ? bound : Real(std::int64_t{1}) - bound,
                     relation == Op::less_equal || relation == Op::greater_equal};
-        if (result.never) avoid(event);
+        if (result.never) replace_by_avoidance(event);
         search(event, result);
         return result.count == 0 ? std::nullopt : std::optional(std::move(result));
     }
 
-    /// Returns a scheduler that attains the value of a query.
-    std::vector<std::uint32_t> best(const Expr& question) {
+    /// A scheduler that attains the value of a query.
+    std::vector<std::uint32_t> best_strategy(const Expr& question) {
         constexpr const char* supported =
             "a strategy exists for P [ F, G, U, W, R ], R [ F ] and R [ C ] without steps";
         if (question.op != Op::probability && question.op != Op::reward) throw Undecided(supported);
@@ -118,21 +118,21 @@ public:
         const markov::Direction direction = direction_of(*question.query);
         if (question.op == Op::probability && !body.steps && is_path(body)) {
             const Reachability reach = evaluator_.reachability(body);
-            return until(reach, (direction == markov::Direction::minimum) == reach.negated);
+            return until_strategy(reach, (direction == markov::Direction::minimum) == reach.negated);
         }
         if (question.op == Op::reward && (body.op == Op::total || (body.op == Op::eventually && !body.steps))) {
             const markov::Rewards rewards = space_.rewards(reward_index(*question.query, space_.model(), code_), false);
             return body.op == Op::total
                        ? total_reward(space_.chain(), rewards, direction, with_strategy(options_)).strategy
-                       : reachability_reward(space_.chain(), rewards, evaluator_.set(body.parts[0]), direction,
-                                             with_strategy(options_))
+                       : reachability_reward(space_.chain(), rewards, evaluator_.states_satisfying(body.parts[0]),
+                                             direction, with_strategy(options_))
                              .strategy;
         }
         throw Undecided(supported);
     }
 
 private:
-    std::vector<std::uint32_t> until(const Reachability& reach, bool greatest) {
+    std::vector<std::uint32_t> until_strategy(const Reachability& reach, bool greatest) {
         return markov::until(space_.chain(), reach.left, reach.right,
                              greatest ? markov::Direction::maximum : markov::Direction::minimum,
                              with_strategy(options_))
@@ -140,15 +140,15 @@ private:
     }
 
     /// Chooses the scheduler under which the event is most likely.
-    void choose(const Reachability& reach, const Counterexample& result) {
+    void choose_strategy(const Reachability& reach, const Counterexample& result) {
         const auto& first = space_.chain().first_choice;
         strategy_.assign(first.begin(), first.end() - 1);
-        if (result.scheduled) strategy_ = until(reach, !result.never);
+        if (result.scheduled) strategy_ = until_strategy(reach, !result.never);
     }
 
-    /// Replaces the event by its negation: reaching states from which it has become impossible.
-    void avoid(Event& event) const {
-        const markov::Model chain = induced(space_.chain(), strategy_);
+    /// Replaces the event by reaching states in which it has become impossible.
+    void replace_by_avoidance(Event& event) const {
+        const markov::Model chain = induced_chain(space_.chain(), strategy_);
         markov::StateSet never = prob0a(markov::Graph(chain), event.left, event.right);
         event.left = std::move(event.right);
         event.left.flip();
@@ -192,7 +192,7 @@ std::optional<Counterexample> counterexample(const StateSpace& space, Code& code
 
 std::vector<std::uint32_t> best_choices(const StateSpace& space, Code& code, const ExprPtr& question,
                                         const EvaluatorOptions& options) {
-    return Explainer(space, code, options).best(*question);
+    return Explainer(space, code, options).best_strategy(*question);
 }
 
 }  // namespace robochart::prism

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "prism/session/evaluator.hpp"
 #include "prism/explore/moves.hpp"
+#include "prism/session/evaluator.hpp"
 
 namespace robochart::prism {
 

@@ -18,54 +18,54 @@ const markov::Graph& Evaluator::graph() {
     return *graph_;
 }
 
-markov::StateSet Evaluator::initial() const {
+markov::StateSet Evaluator::initial_state_set() const {
     StateSet result(chain_.states());
     for (const markov::State state : chain_.initial) result[state] = true;
     return result;
 }
 
 /// Whether the expression contains a query, or a label that no formula of the model defines.
-bool Evaluator::asks(const ExprPtr& expr) {
+bool Evaluator::contains_query(const ExprPtr& expr) {
     if (const auto known = asks_.find(expr.get()); known != asks_.end()) return known->second;
     bool result =
         expr->op == Op::label || expr->op == Op::filter || (expr->op >= Op::probability && expr->op <= Op::exists_path);
-    for (const ExprPtr& part : expr->parts) result = asks(part) || result;
+    for (const ExprPtr& part : expr->parts) result = contains_query(part) || result;
     asks_.emplace(expr.get(), result);
     return result;
 }
 
 StateVector Evaluator::evaluate(const ExprPtr& expr) {
-    if (!asks(expr)) return state_expression(expr);
+    if (!contains_query(expr)) return state_expression(expr);
     switch (expr->op) {
         case Op::label:
-            return StateVector::of(expr->text == "deadlock" ? space_.deadlocks() : initial());
+            return StateVector::from_set(expr->text == "deadlock" ? space_.deadlocks() : initial_state_set());
         case Op::conditional:
-            return conditional(*expr);
+            return evaluate_conditional(*expr);
         case Op::implies:
         case Op::iff:
         case Op::disjunction:
         case Op::conjunction:
         case Op::negation:
-            return logical(*expr);
+            return evaluate_logical(*expr);
         case Op::equal:
         case Op::unequal:
         case Op::less:
         case Op::less_equal:
         case Op::greater:
         case Op::greater_equal:
-            return comparison(*expr);
+            return evaluate_comparison(*expr);
         case Op::probability:
         case Op::steady:
         case Op::reward:
-            return query(*expr);
+            return evaluate_query(*expr);
         case Op::forall_paths:
-            return StateVector::of(branching(*expr->parts[0], true));
+            return StateVector::from_set(branching_states(*expr->parts[0], true));
         case Op::exists_path:
-            return StateVector::of(branching(*expr->parts[0], false));
+            return StateVector::from_set(branching_states(*expr->parts[0], false));
         case Op::filter:
-            return filter(*expr);
+            return evaluate_filter(*expr);
         default:
-            return arithmetic(*expr);
+            return evaluate_arithmetic(*expr);
     }
 }
 
@@ -74,7 +74,7 @@ StateVector Evaluator::state_expression(const ExprPtr& expr) {
     if (code_.is_constant(root)) return all_states(code_.value(root, nullptr));
     if (code_.type(root) != Type::boolean) return state_by_state(root);
     try {
-        return StateVector::of(space_.satisfying(code_, root));
+        return StateVector::from_set(space_.states_satisfying(code_, root));
     } catch (const EvaluationError&) {
         return state_by_state(root);
     }
@@ -100,10 +100,11 @@ StateVector Evaluator::state_by_state(Code::Root root) {
 }
 
 /// Throws the error of a missing value whose state needs it.
-void Evaluator::used(const NoValue& missing) const {
-    const std::string state = space_.text(static_cast<markov::State>(missing.state()));
-    if (!missing.why().open.empty()) throw Undecided(fmt::format("in the state {}: {}", state, missing.why().open));
-    EvaluationError error = missing.why().error;
+void Evaluator::throw_missing_value(const NoValue& missing) const {
+    const std::string state = space_.state_text(static_cast<markov::State>(missing.state()));
+    if (!missing.undefined_reason().open.empty())
+        throw Undecided(fmt::format("in the state {}: {}", state, missing.undefined_reason().open));
+    EvaluationError error = missing.undefined_reason().error;
     error.state = state;
     throw error;
 }
@@ -118,23 +119,23 @@ StateVector Evaluator::all_states(const Value& value) const {
     return result;
 }
 
-markov::StateSet Evaluator::set(const ExprPtr& expr) {
+markov::StateSet Evaluator::states_satisfying(const ExprPtr& expr) {
     const StateVector values = evaluate(expr);
     StateSet result(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values.require(i);
+        values.require_value(i);
         if (values.truths[i] == Truth::unknown)
             throw Undecided(
-                fmt::format("in the state {}: {}", space_.text(static_cast<markov::State>(i)), values.reason));
+                fmt::format("in the state {}: {}", space_.state_text(static_cast<markov::State>(i)), values.reason));
         result[i] = values.truths[i] == Truth::yes;
     }
     return result;
 }
 
-StateVector Evaluator::logical(const Expr& expr) {
+StateVector Evaluator::evaluate_logical(const Expr& expr) {
     StateVector left = evaluate(expr.parts[0]);
     if (expr.op == Op::negation) {
-        for (Truth& each : left.truths) each = negated(each);
+        for (Truth& each : left.truths) each = negation_of(each);
         return left;
     }
     const StateVector right = evaluate(expr.parts[1]);
@@ -143,10 +144,12 @@ StateVector Evaluator::logical(const Expr& expr) {
     for (std::size_t i = 0; i < left.size(); ++i) {
         const Truth a = left.truths[i];
         const Truth b = right.truths[i];
-        Truth truth = both(a, b);
-        if (expr.op == Op::disjunction) truth = negated(both(negated(a), negated(b)));
-        if (expr.op == Op::implies) truth = negated(both(a, negated(b)));
-        if (expr.op == Op::iff) truth = both(negated(both(a, negated(b))), negated(both(b, negated(a))));
+        Truth truth = conjunction_of(a, b);
+        if (expr.op == Op::disjunction) truth = negation_of(conjunction_of(negation_of(a), negation_of(b)));
+        if (expr.op == Op::implies) truth = negation_of(conjunction_of(a, negation_of(b)));
+        if (expr.op == Op::iff)
+            truth = conjunction_of(negation_of(conjunction_of(a, negation_of(b))),
+                                   negation_of(conjunction_of(b, negation_of(a))));
         if (truth != Truth::undefined) {
             result.truths.push_back(truth);
             continue;
@@ -157,7 +160,7 @@ StateVector Evaluator::logical(const Expr& expr) {
     return result;
 }
 
-StateVector Evaluator::comparison(const Expr& expr) {
+StateVector Evaluator::evaluate_comparison(const Expr& expr) {
     const StateVector left = evaluate(expr.parts[0]);
     const StateVector right = evaluate(expr.parts[1]);
     StateVector result;
@@ -177,14 +180,14 @@ StateVector Evaluator::comparison(const Expr& expr) {
         }
         const Real a = left.number(i);
         const Real b = right.number(i);
-        result.truths.push_back(related(a, expr.op, b));
+        result.truths.push_back(apply_relation(a, expr.op, b));
         if (result.truths.back() == Truth::unknown && result.reason.empty())
             result.reason = fmt::format("{} and {} are too close to be compared", a.text(), b.text());
     }
     return result;
 }
 
-StateVector Evaluator::conditional(const Expr& expr) {
+StateVector Evaluator::evaluate_conditional(const Expr& expr) {
     const StateVector condition = evaluate(expr.parts[0]);
     const StateVector yes = evaluate(expr.parts[1]);
     const StateVector no = evaluate(expr.parts[2]);
@@ -195,7 +198,7 @@ StateVector Evaluator::conditional(const Expr& expr) {
         const StateVector& taken = condition.truths[i] == Truth::yes ? yes : no;
         if (condition.truths[i] == Truth::unknown)
             throw Undecided(
-                fmt::format("in the state {}: {}", space_.text(static_cast<markov::State>(i)), condition.reason));
+                fmt::format("in the state {}: {}", space_.state_text(static_cast<markov::State>(i)), condition.reason));
         UndefinedPtr why = condition.undefined_in(i);
         if (!why) why = taken.undefined_in(i);
         if (why)
@@ -210,13 +213,13 @@ StateVector Evaluator::conditional(const Expr& expr) {
 
 namespace {
 
-Real extreme(const std::vector<StateVector>& arguments, std::size_t state, bool least) {
+Real extreme_argument(const std::vector<StateVector>& arguments, std::size_t state, bool least) {
     Real best = arguments[0].number(state);
-    for (std::size_t i = 1; i < arguments.size(); ++i) best = extreme(best, arguments[i].number(state), least);
+    for (std::size_t i = 1; i < arguments.size(); ++i) best = extreme_of(best, arguments[i].number(state), least);
     return best;
 }
 
-Real whole(const Real& value, const std::string& function) {
+Real round_to_integer(const Real& value, const std::string& function) {
     Real operand = value;
     if (function == "round") operand = operand + Real(Rational(1, 2));
     if (function == "ceil") operand = Real(std::int64_t{0}) - operand;
@@ -225,7 +228,7 @@ Real whole(const Real& value, const std::string& function) {
     return function == "ceil" ? Rational(-*result) : *result;
 }
 
-Real operated(const Expr& expr, const std::vector<StateVector>& arguments, std::size_t state) {
+Real apply_operator(const Expr& expr, const std::vector<StateVector>& arguments, std::size_t state) {
     const Real a = arguments[0].number(state);
     const auto b = [&] { return arguments[1].number(state); };
     switch (expr.op) {
@@ -244,20 +247,20 @@ Real operated(const Expr& expr, const std::vector<StateVector>& arguments, std::
         default:
             break;
     }
-    if (expr.text == "min" || expr.text == "max") return extreme(arguments, state, expr.text == "min");
+    if (expr.text == "min" || expr.text == "max") return extreme_argument(arguments, state, expr.text == "min");
     if (expr.text == "pow") return power(a, b());
     if (expr.text == "log") return logarithm(a, b());
-    if (expr.text != "mod") return whole(a, expr.text);
+    if (expr.text != "mod") return round_to_integer(a, expr.text);
     const Real divisor = b();
     const std::optional<int> sign = divisor.compare(Real(std::int64_t{0}));
     if (!sign) throw Unclear("whether the divisor of mod is above 0 is not known");
     if (*sign != 1) throw std::domain_error("mod: the divisor must be above 0");
-    return a - divisor * whole(a / divisor, "floor");
+    return a - divisor * round_to_integer(a / divisor, "floor");
 }
 
 }  // namespace
 
-StateVector Evaluator::arithmetic(const Expr& expr) {
+StateVector Evaluator::evaluate_arithmetic(const Expr& expr) {
     std::vector<StateVector> arguments;
     bool real = expr.op == Op::divide || expr.text == "log";
     StateVector result;
@@ -273,7 +276,7 @@ StateVector Evaluator::arithmetic(const Expr& expr) {
         for (const StateVector& argument : arguments)
             if (!why) why = argument.undefined_in(i);
         try {
-            if (!why) result.reals.push_back(operated(expr, arguments, i));
+            if (!why) result.reals.push_back(apply_operator(expr, arguments, i));
         } catch (const Unclear& error) {
             why = std::make_shared<const Undefined>(
                 Undefined{EvaluationError(rules::too_close, expr.span, {error.what()}), error.what()});

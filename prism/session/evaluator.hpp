@@ -11,11 +11,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "prism/explore/question_numbers.hpp"
+#include "prism/explore/state_space.hpp"
 #include "prism/markov/graph/graph.hpp"
 #include "prism/markov/operators/exact.hpp"
 #include "prism/markov/solve/solution.hpp"
-#include "prism/explore/question_numbers.hpp"
-#include "prism/explore/state_space.hpp"
 #include "prism/session/result.hpp"
 #include "prism/session/state_values.hpp"
 
@@ -56,9 +56,9 @@ public:
     /// value is used.
     [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
     /// Returns the result for the states of the filter if there is one, otherwise for the initial states.
-    [[nodiscard]] Result answer(const ExprPtr& expr);
+    [[nodiscard]] Result answer_question(const ExprPtr& expr);
     /// Returns the states in which the expression holds. Throws Undecided if this is unknown in some state.
-    [[nodiscard]] markov::StateSet set(const ExprPtr& expr);
+    [[nodiscard]] markov::StateSet states_satisfying(const ExprPtr& expr);
     /// F, G, U, W or R of state formulas. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U !b.
     [[nodiscard]] Reachability reachability(const Expr& expr);
 
@@ -69,51 +69,53 @@ private:
     // expressions
     StateVector state_expression(const ExprPtr& expr);
     StateVector state_by_state(Code::Root root);
-    StateVector logical(const Expr& expr);
-    StateVector comparison(const Expr& expr);
-    StateVector conditional(const Expr& expr);
-    StateVector arithmetic(const Expr& expr);
+    StateVector evaluate_logical(const Expr& expr);
+    StateVector evaluate_comparison(const Expr& expr);
+    StateVector evaluate_conditional(const Expr& expr);
+    StateVector evaluate_arithmetic(const Expr& expr);
     StateVector all_states(const Value& value) const;
 
     // queries
-    StateVector query(const Expr& expr);
-    StateVector question(const Expr& expr, Direction direction);
-    StateVector bounded(const Expr& expr, const StateVector& numbers, const Real& bound, Op relation) const;
-    std::optional<StateVector> qualitative(const Expr& expr, Direction direction, const Real& bound, Op relation);
-    StateVector path(const ExprPtr& expr, Direction direction);
+    StateVector evaluate_query(const Expr& expr);
+    StateVector evaluate_question(const Expr& expr, Direction direction);
+    StateVector compare_with_bound(const Expr& expr, const StateVector& numbers, const Real& bound, Op relation) const;
+    std::optional<StateVector> compare_qualitatively(const Expr& expr, Direction direction, const Real& bound,
+                                                     Op relation);
+    StateVector path_probabilities(const ExprPtr& expr, Direction direction);
     class PathReader;
     StateVector nested_path(const ExprPtr& expr, Direction direction);
     [[nodiscard]] StateVector in_product(const automata::Product& product, const StateSet& goal,
                                          Direction direction) const;
-    StateVector next(const ExprPtr& operand, Direction direction);
+    StateVector next_probabilities(const ExprPtr& operand, Direction direction);
     StateVector one_step_before(const StateVector& after, Direction direction) const;
-    StateVector until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction);
+    StateVector until_probabilities(const StateSet& left, const StateSet& right, const StepBound* steps,
+                                    Direction direction);
     StateVector timed_until(const StateSet& left, const StateSet& right, const StepBound& steps, Direction direction);
     StateVector layered_until(const StateSet& left, const StateSet& right, const StepRange& range, Direction direction);
     StateVector long_until(const StateSet& left, const StateSet& right, Direction direction);
     StateVector timed_reward(const markov::Rewards& rewards, std::uint64_t units, Direction direction);
     StateVector again_and_again(const ExprPtr& operand, bool always, Direction direction);
     StateSet maximal_components(const StateSet& within, const StateSet& touched);
-    StateVector reward(const Expr& expr, Direction direction);
-    const markov::Rewards& rewards(std::size_t structure);
+    StateVector evaluate_reward(const Expr& expr, Direction direction);
+    const markov::Rewards& reward_structure(std::size_t structure);
     StateVector long_run(const Expr& expr);
-    StateSet branching(const Expr& expr, bool always);
-    StateVector filter(const Expr& expr);
-    Result filtered(const Expr& expr);
+    StateSet branching_states(const Expr& expr, bool always);
+    StateVector evaluate_filter(const Expr& expr);
+    Result filter_result(const Expr& expr);
 
-    [[nodiscard]] StateVector complement(StateVector values) const;
-    [[nodiscard]] StateVector solved(const markov::Solution& solution) const;
-    [[nodiscard]] StateVector solved(const markov::ExactSolution& solution) const;
-    [[nodiscard]] StateVector solved(std::vector<Enclosure> numbers) const;
+    [[nodiscard]] StateVector complement_values(StateVector values) const;
+    [[nodiscard]] StateVector to_state_vector(const markov::Solution& solution) const;
+    [[nodiscard]] StateVector to_state_vector(const markov::ExactSolution& solution) const;
+    [[nodiscard]] StateVector to_state_vector(std::vector<Enclosure> numbers) const;
     [[nodiscard]] markov::Precision precision() const {
         return {options_.relative, most_sweeps, options_.budget, false};
     }
-    [[nodiscard]] bool asks(const ExprPtr& expr);
+    [[nodiscard]] bool contains_query(const ExprPtr& expr);
     [[nodiscard]] const markov::Graph& graph();
-    Result over(const StateVector& values, const StateSet& states) const;
+    Result summarise_values(const StateVector& values, const StateSet& states) const;
     Result extreme_states(const Expr& expr);
-    [[noreturn]] void used(const NoValue& missing) const;
-    [[nodiscard]] StateSet initial() const;
+    [[noreturn]] void throw_missing_value(const NoValue& missing) const;
+    [[nodiscard]] StateSet initial_state_set() const;
     void poll() const {
         if (options_.budget != nullptr) options_.budget->poll();
     }

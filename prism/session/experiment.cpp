@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/spelling.hpp"
 #include "prism/checks/types.hpp"
 #include "prism/explore/code.hpp"
 #include "prism/syntax/reader.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -36,9 +36,10 @@ Value value_of(const std::string& text, const Constant& constant) {
     const ExprPtr expr = read_expression(sources, sources.add("--const", text), diagnostics);
     const Scope scope;
     TypeChecker types(scope, diagnostics);
-    if (expr) types.expect(expr, constant.type);
+    if (expr) types.expect_type(expr, constant.type);
     if (!diagnostics.ok())
-        throw BadValue(fmt::format("{}={}: {}", constant.name.text, text, diagnostics.sorted().front().message()));
+        throw BadValue(
+            fmt::format("{}={}: {}", constant.name.text, text, diagnostics.sorted_findings().front().message()));
     try {
         Code code({}, {}, {});
         Value value = code.value(code.compile(expr), nullptr);
@@ -47,7 +48,8 @@ Value value_of(const std::string& text, const Constant& constant) {
         return value;
     } catch (const EvaluationError& error) {
         error.report(diagnostics);
-        throw BadValue(fmt::format("{}={}: {}", constant.name.text, text, diagnostics.sorted().front().message()));
+        throw BadValue(
+            fmt::format("{}={}: {}", constant.name.text, text, diagnostics.sorted_findings().front().message()));
     }
 }
 
@@ -73,7 +75,7 @@ Series read_one(const std::string& text, const std::vector<Constant>& open) {
     if (constant == open.end()) {
         std::vector<std::string> known;
         for (const Constant& each : open) known.push_back(each.name.text);
-        const std::string meant = diagnostics::nearest(name, known);
+        const std::string meant = diagnostics::nearest_spelling(name, known);
         throw BadValue(fmt::format("there is no open constant '{}'{}", name,
                                    meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)));
     }

@@ -75,7 +75,7 @@ void export_labels(const StateSpace& space, const TextSink& sink) {
     for (const Definition& label : space.model().labels) {
         head += fmt::format(" {}=\"{}\"", sets.size(), label.name.text);
         const Code::Root root = code.compile(label.body);
-        sets.push_back(space.satisfying(code, root));
+        sets.push_back(space.states_satisfying(code, root));
     }
     sink(head + "\n");
     for (std::size_t state = 0; state < space.chain().states(); ++state) {
@@ -91,7 +91,7 @@ void export_graph(const StateSpace& space, const TextSink& sink) {
     const bool mdp = chain.kind == markov::Kind::mdp;
     sink("digraph model {\n  node [shape=box];\n");
     for (markov::State state = 0; state < chain.states(); ++state)
-        sink(fmt::format("  {} [label=\"{}\"];\n", state, diagnostics::label_text(space.text(state))));
+        sink(fmt::format("  {} [label=\"{}\"];\n", state, diagnostics::label_text(space.state_text(state))));
     std::uint32_t last = ~0U;
     for_each_branch(chain, [&](std::size_t state, std::uint32_t number, std::uint32_t choice, std::uint64_t branch) {
         const std::string from = mdp ? fmt::format("c{}", choice) : fmt::format("{}", state);
@@ -117,7 +117,7 @@ void export_strategy(const StateSpace& space, const std::vector<std::uint32_t>& 
         const markov::State state = reached[next];
         const std::uint32_t choice = choices[state];
         if (chain.first_choice[state + 1] - chain.first_choice[state] > 1)
-            sink(fmt::format("{}: {}\n", space.text(state), text_of(reader.moves(state, choice), sources)));
+            sink(fmt::format("{}: {}\n", space.state_text(state), text_of(reader.list_moves(state, choice), sources)));
         for (std::uint64_t i = chain.first_branch[choice]; i < chain.first_branch[choice + 1]; ++i) {
             const markov::State target = chain.target[i];
             if (!seen[target]) reached.push_back(target);

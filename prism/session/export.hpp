@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "prism/session/counterexample.hpp"
 #include "prism/explore/state_space.hpp"
+#include "prism/session/counterexample.hpp"
 
 namespace robochart::prism {
 

@@ -6,19 +6,19 @@
 #include <optional>
 #include <utility>
 
-#include "prism/session/evaluator.hpp"
 #include "prism/explore/rules.hpp"
+#include "prism/session/evaluator.hpp"
 
 namespace robochart::prism {
 namespace {
 
 /// The least and the greatest number in a set of states.
-std::pair<Real, Real> extremes(const StateVector& values, const markov::StateSet& states) {
+std::pair<Real, Real> least_and_greatest(const StateVector& values, const markov::StateSet& states) {
     std::optional<std::pair<Real, Real>> result;
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (!states[i]) continue;
         const Real value = values.number(i);
-        result = result ? std::pair(extreme(result->first, value, true), extreme(result->second, value, false))
+        result = result ? std::pair(extreme_of(result->first, value, true), extreme_of(result->second, value, false))
                         : std::pair(value, value);
     }
     return *result;
@@ -31,20 +31,20 @@ std::string value_text(const StateVector& values, std::size_t state) {
     return truth == Truth::unknown ? "unknown" : truth == Truth::yes ? "true" : "false";
 }
 
-std::size_t count(const markov::StateSet& states) {
+std::size_t count_states(const markov::StateSet& states) {
     return static_cast<std::size_t>(std::ranges::count(states, true));
 }
 
 }  // namespace
 
 /// Summarises values. Booleans give the conjunction over all states; numbers give the value or the range.
-Result Evaluator::over(const StateVector& values, const StateSet& states) const {
+Result Evaluator::summarise_values(const StateVector& values, const StateSet& states) const {
     Result result;
     result.type = values.type;
     result.reason = values.reason;
     if (values.type != Type::boolean) {
-        const auto [least, most] = extremes(values, states);
-        result.kind = count(states) == 1 ? Result::Kind::number : Result::Kind::range;
+        const auto [least, most] = least_and_greatest(values, states);
+        result.kind = count_states(states) == 1 ? Result::Kind::number : Result::Kind::range;
         result.low = least;
         result.high = most;
         return result;
@@ -52,26 +52,26 @@ Result Evaluator::over(const StateVector& values, const StateSet& states) const 
     Truth all = Truth::yes;
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (!states[i]) continue;
-        all = both(all, values.truths[i]);
+        all = conjunction_of(all, values.truths[i]);
         if (values.truths[i] == Truth::no && result.where.empty())
-            result.where = space_.text(static_cast<markov::State>(i));
+            result.where = space_.state_text(static_cast<markov::State>(i));
     }
     if (all == Truth::unknown) return result;
     if (all == Truth::undefined)
         for (std::size_t i = 0; i < states.size(); ++i)
-            if (states[i]) values.require(i);
+            if (states[i]) values.require_value(i);
     result.kind = Result::Kind::truth;
     result.truth = all == Truth::yes;
     result.reason.clear();
     return result;
 }
 
-Result Evaluator::answer(const ExprPtr& expr) {
+Result Evaluator::answer_question(const ExprPtr& expr) {
     try {
-        if (expr->op == Op::filter) return filtered(*expr);
-        return over(evaluate(expr), initial());
+        if (expr->op == Op::filter) return filter_result(*expr);
+        return summarise_values(evaluate(expr), initial_state_set());
     } catch (const NoValue& missing) {
-        used(missing);
+        throw_missing_value(missing);
     }
 }
 
@@ -80,10 +80,11 @@ namespace {
 /// Returns the states with the least or the greatest value. A state is unknown if enclosures overlap, unless no other
 /// state can have the extreme value.
 StateVector at_extreme(const StateVector& values, const markov::StateSet& states, bool least) {
-    const auto [low, high] = extremes(values, states);
+    const auto [low, high] = least_and_greatest(values, states);
     StateVector result;
     for (std::size_t i = 0; i < states.size(); ++i)
-        result.truths.push_back(states[i] ? related(values.number(i), Op::equal, least ? low : high) : Truth::no);
+        result.truths.push_back(states[i] ? apply_relation(values.number(i), Op::equal, least ? low : high)
+                                          : Truth::no);
     if (std::ranges::count(result.truths, Truth::no) + 1 == std::ssize(result.truths))
         std::ranges::replace(result.truths, Truth::unknown, Truth::yes);
     result.reason = fmt::format("which states have the {} value is not known", least ? "least" : "greatest");
@@ -98,8 +99,8 @@ bool asks_for_states(const Expr& filter) {
 
 /// argmin and argmax.
 Result Evaluator::extreme_states(const Expr& expr) {
-    const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);
-    if (count(states) == 0) throw Undecided("no state satisfies the filter");
+    const StateSet states = expr.parts.size() > 1 ? states_satisfying(expr.parts[1]) : StateSet(chain_.states(), true);
+    if (count_states(states) == 0) throw Undecided("no state satisfies the filter");
     const StateVector values = evaluate(expr.parts[0]);
     const StateVector found = at_extreme(values, states, expr.text == "argmin");
     Result result;
@@ -110,18 +111,19 @@ Result Evaluator::extreme_states(const Expr& expr) {
     result.reason.clear();
     for (std::size_t i = 0; i < states.size(); ++i)
         if (found.truths[i] == Truth::yes)
-            result.printed.emplace_back(space_.text(static_cast<markov::State>(i)), value_text(values, i));
+            result.printed.emplace_back(space_.state_text(static_cast<markov::State>(i)), value_text(values, i));
     return result;
 }
 
 /// As an expression, a filter has the same value in all states.
-StateVector Evaluator::filter(const Expr& expr) {
+StateVector Evaluator::evaluate_filter(const Expr& expr) {
     if (asks_for_states(expr)) {
-        const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);
-        if (count(states) == 0) throw Undecided("no state satisfies the filter");
+        const StateSet states =
+            expr.parts.size() > 1 ? states_satisfying(expr.parts[1]) : StateSet(chain_.states(), true);
+        if (count_states(states) == 0) throw Undecided("no state satisfies the filter");
         return at_extreme(evaluate(expr.parts[0]), states, expr.text == "argmin");
     }
-    const Result result = filtered(expr);
+    const Result result = filter_result(expr);
     if (result.kind == Result::Kind::unknown) throw Undecided(result.reason);
     if (result.kind == Result::Kind::range) throw Undecided("a range of values stands in an expression");
     StateVector everywhere;
@@ -134,13 +136,13 @@ StateVector Evaluator::filter(const Expr& expr) {
     return everywhere;
 }
 
-Result Evaluator::filtered(const Expr& expr) {
+Result Evaluator::filter_result(const Expr& expr) {
     const std::string& kind = expr.text;
     if (asks_for_states(expr)) return extreme_states(expr);
     const StateVector values = evaluate(expr.parts[0]);
-    const StateSet states = expr.parts.size() > 1 ? set(expr.parts[1]) : StateSet(chain_.states(), true);
+    const StateSet states = expr.parts.size() > 1 ? states_satisfying(expr.parts[1]) : StateSet(chain_.states(), true);
     const bool logical = kind == "forall" || kind == "&" || kind == "exists" || kind == "|" || kind == "count";
-    if (!logical && count(states) == 0) throw Undecided("no state satisfies the filter");
+    if (!logical && count_states(states) == 0) throw Undecided("no state satisfies the filter");
     Result result;
     result.type = values.type;
     result.reason = values.reason;
@@ -150,13 +152,13 @@ Result Evaluator::filtered(const Expr& expr) {
         return result;
     };
     if (kind == "print" || kind == "printall") {
-        Result all = over(values, initial());
+        Result all = summarise_values(values, initial_state_set());
         for (std::size_t i = 0; i < states.size(); ++i) {
             const bool zero = !values.undefined_in(i) &&
                               (values.type == Type::boolean ? values.truths[i] == Truth::no
                                                             : values.number(i).compare(Real(std::int64_t{0})) == 0);
             if (states[i] && (kind == "printall" || !zero))
-                all.printed.emplace_back(space_.text(static_cast<markov::State>(i)), value_text(values, i));
+                all.printed.emplace_back(space_.state_text(static_cast<markov::State>(i)), value_text(values, i));
         }
         return all;
     }
@@ -164,7 +166,7 @@ Result Evaluator::filtered(const Expr& expr) {
         std::int64_t least = 0;
         std::int64_t most = 0;
         for (std::size_t i = 0; i < states.size(); ++i) {
-            if (states[i]) values.require(i);
+            if (states[i]) values.require_value(i);
             if (states[i] && values.truths[i] == Truth::yes) ++least;
             if (states[i] && values.truths[i] != Truth::no) ++most;
         }
@@ -175,19 +177,19 @@ Result Evaluator::filtered(const Expr& expr) {
     }
     if (kind == "exists" || kind == "|") {
         StateVector not_so = values;
-        for (Truth& each : not_so.truths) each = negated(each);
-        Result none = over(not_so, states);
+        for (Truth& each : not_so.truths) each = negation_of(each);
+        Result none = summarise_values(not_so, states);
         none.truth = !none.truth;
         none.where.clear();
         return none;
     }
-    if (kind == "forall" || kind == "&") return over(values, states);
+    if (kind == "forall" || kind == "&") return summarise_values(values, states);
     if (kind == "first" || kind == "state") {
-        if (kind == "state" && count(states) != 1)
-            throw Undecided(fmt::format("the filter asks for one state, and {} satisfy it", count(states)));
+        if (kind == "state" && count_states(states) != 1)
+            throw Undecided(fmt::format("the filter asks for one state, and {} satisfy it", count_states(states)));
         StateSet first(states.size());
         first[static_cast<std::size_t>(std::ranges::find(states, true) - states.begin())] = true;
-        return over(values, first);
+        return summarise_values(values, first);
     }
     if (kind == "sum" || kind == "+" || kind == "avg") {
         Real sum;
@@ -199,9 +201,9 @@ Result Evaluator::filtered(const Expr& expr) {
         } catch (const std::domain_error& error) {
             throw EvaluationError(rules::arithmetic, expr.span, {error.what()});
         }
-        return number(kind == "avg" ? sum / Real(static_cast<std::int64_t>(count(states))) : sum);
+        return number(kind == "avg" ? sum / Real(static_cast<std::int64_t>(count_states(states))) : sum);
     }
-    const auto [least, most] = extremes(values, states);
+    const auto [least, most] = least_and_greatest(values, states);
     if (kind == "min") return number(least);
     if (kind == "max") return number(most);
     result.kind = Result::Kind::range;

@@ -14,12 +14,12 @@ LabelResolver::LabelResolver(const CheckedModel& model, const CheckedProperties&
 ExprPtr LabelResolver::operator()(const ExprPtr& expr) {
     if (!expr) return expr;
     if (const auto known = done_.find(expr.get()); known != done_.end()) return known->second;
-    ExprPtr result = replaced(expr);
+    ExprPtr result = replace_labels(expr);
     done_.emplace(expr.get(), result);
     return result;
 }
 
-ExprPtr LabelResolver::replaced(const ExprPtr& expr) {
+ExprPtr LabelResolver::replace_labels(const ExprPtr& expr) {
     if (expr->op == Op::label) {
         const auto found = bodies_.find(expr->text);
         return found == bodies_.end() ? expr : (*this)(found->second);

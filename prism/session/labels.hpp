@@ -17,7 +17,7 @@ public:
     [[nodiscard]] ExprPtr operator()(const ExprPtr& expr);
 
 private:
-    ExprPtr replaced(const ExprPtr& expr);
+    ExprPtr replace_labels(const ExprPtr& expr);
 
     std::map<std::string, ExprPtr, std::less<>> bodies_;
     std::unordered_map<const Expr*, ExprPtr> done_;

@@ -2,9 +2,9 @@
 // Nested path formulas: builds the product of the model with an automaton of the formula. See evaluator.hpp.
 #include <algorithm>
 
+#include "prism/automata/product.hpp"
 #include "prism/markov/operators/exact.hpp"
 #include "prism/markov/operators/unbounded.hpp"
-#include "prism/automata/product.hpp"
 #include "prism/session/evaluator.hpp"
 
 namespace robochart::prism {
@@ -20,16 +20,16 @@ public:
         if (step && !evaluator_.chain_.counted.empty())
             throw Undecided("path formulas with steps inside of others are not decided where steps are not counted");
         const automata::FormulaId a = (*this)(expr->parts[0]);
-        if (expr->op == Op::negation) return formulas_.negated(a);
-        if (expr->op == Op::next) return formulas_.next(a);
+        if (expr->op == Op::negation) return formulas_.make_negation(a);
+        if (expr->op == Op::next) return formulas_.make_next(a);
         const automata::Steps steps = steps_of(*expr);
-        if (expr->op == Op::eventually) return formulas_.until(automata::Formulas::yes, a, steps);
-        if (expr->op == Op::globally) return formulas_.release(automata::Formulas::no, a, steps);
+        if (expr->op == Op::eventually) return formulas_.make_until(automata::Formulas::yes, a, steps);
+        if (expr->op == Op::globally) return formulas_.make_release(automata::Formulas::no, a, steps);
         const automata::FormulaId b = (*this)(expr->parts[1]);
         return binary(expr->op, a, b, steps);
     }
 
-    [[nodiscard]] std::vector<automata::Letter> letters() const {
+    [[nodiscard]] std::vector<automata::Letter> letters_of_states() const {
         std::vector<automata::Letter> result(evaluator_.chain_.states());
         for (std::size_t i = 0; i < atoms_.size(); ++i)
             for (std::size_t state = 0; state < result.size(); ++state)
@@ -39,23 +39,25 @@ public:
 
 private:
     automata::FormulaId binary(Op op, automata::FormulaId a, automata::FormulaId b, automata::Steps steps) {
-        const automata::FormulaId not_a = formulas_.negated(a);
+        const automata::FormulaId not_a = formulas_.make_negation(a);
         switch (op) {
             case Op::conjunction:
-                return formulas_.both(a, b);
+                return formulas_.make_conjunction(a, b);
             case Op::disjunction:
-                return formulas_.either(a, b);
+                return formulas_.make_disjunction(a, b);
             case Op::implies:
-                return formulas_.either(not_a, b);
+                return formulas_.make_disjunction(not_a, b);
             case Op::iff:
-                return formulas_.both(formulas_.either(not_a, b), formulas_.either(a, formulas_.negated(b)));
+                return formulas_.make_conjunction(formulas_.make_disjunction(not_a, b),
+                                                  formulas_.make_disjunction(a, formulas_.make_negation(b)));
             case Op::until:
-                return formulas_.until(a, b, steps);
+                return formulas_.make_until(a, b, steps);
             case Op::release:
-                return formulas_.release(a, b, steps);
+                return formulas_.make_release(a, b, steps);
             default:
                 // a W b is not (a & !b) U (!a & !b).
-                return formulas_.release(formulas_.either(not_a, b), formulas_.either(a, b), steps);
+                return formulas_.make_release(formulas_.make_disjunction(not_a, b), formulas_.make_disjunction(a, b),
+                                              steps);
         }
     }
 
@@ -70,7 +72,7 @@ private:
         const auto number = static_cast<std::uint32_t>(known - atoms_.begin());
         if (known != atoms_.end()) return number;
         if (number == automata::most_atoms) throw Undecided("the formula speaks of more than 64 sets of states");
-        atoms_.emplace_back(expr, evaluator_.set(expr));
+        atoms_.emplace_back(expr, evaluator_.states_satisfying(expr));
         return number;
     }
 
@@ -89,23 +91,25 @@ StateVector Evaluator::nested_path(const ExprPtr& expr, Direction direction) {
     try {
         automata::Residues residues(formulas);
         const automata::Condition condition =
-            automata::condition(formulas, opposite ? formulas.negated(formula) : formula);
+            automata::condition(formulas, opposite ? formulas.make_negation(formula) : formula);
         automata::Automaton automaton(residues, condition.parts);
-        const automata::Product product = automata::product(chain_, reader.letters(), automaton, options_.budget);
+        const automata::Product product =
+            automata::product(chain_, reader.letters_of_states(), automaton, options_.budget);
         const auto is_part = [&](bool holds) {
             const std::vector<automata::Conjunction> only{automata::Conjunction{automata::Literal{0, holds}}};
             return condition.any == only && !condition.parts[0].always;
         };
         const bool co_safe = is_part(true);
         const bool safe = is_part(false);
-        const StateSet goal = co_safe || safe ? automata::done(product, automaton, 0)
-                                              : automata::winning(product, automaton, condition, options_.budget);
+        const StateSet goal = co_safe || safe
+                                  ? automata::done_states(product, automaton, 0)
+                                  : automata::winning_states(product, automaton, condition, options_.budget);
         StateVector found = in_product(product, goal,
                                        co_safe ? wanted
                                        : safe  ? Direction::minimum
                                                : Direction::maximum);
-        if (safe) found = complement(std::move(found));
-        return opposite ? complement(std::move(found)) : found;
+        if (safe) found = complement_values(std::move(found));
+        return opposite ? complement_values(std::move(found)) : found;
     } catch (const automata::NotDecided& why) {
         throw Undecided(why.what());
     }
@@ -114,9 +118,9 @@ StateVector Evaluator::nested_path(const ExprPtr& expr, Direction direction) {
 /// Returns the probability to reach a set of the product, for the states in which its paths begin.
 StateVector Evaluator::in_product(const automata::Product& product, const StateSet& goal, Direction direction) const {
     const StateSet everywhere(product.model.states(), true);
-    const StateVector all = options_.exact
-                                ? solved(exact_until(product.model, everywhere, goal, direction, options_.budget))
-                                : solved(markov::until(product.model, everywhere, goal, direction, precision()));
+    const StateVector all =
+        options_.exact ? to_state_vector(exact_until(product.model, everywhere, goal, direction, options_.budget))
+                       : to_state_vector(markov::until(product.model, everywhere, goal, direction, precision()));
     StateVector result;
     result.type = all.type;
     result.reason = all.reason;

@@ -4,27 +4,27 @@
 
 #include <algorithm>
 
+#include "prism/explore/question_numbers.hpp"
+#include "prism/explore/rules.hpp"
 #include "prism/markov/graph/qualitative.hpp"
 #include "prism/markov/operators/bounded.hpp"
 #include "prism/markov/operators/long_run.hpp"
 #include "prism/markov/operators/unbounded.hpp"
 #include "prism/session/evaluator.hpp"
-#include "prism/explore/question_numbers.hpp"
-#include "prism/explore/rules.hpp"
 
 namespace robochart::prism {
 namespace {
 
-markov::Direction opposite(markov::Direction direction) {
+markov::Direction opposite_direction(markov::Direction direction) {
     return direction == markov::Direction::minimum ? markov::Direction::maximum : markov::Direction::minimum;
 }
 
-markov::StateSet inverse(markov::StateSet set) {
+markov::StateSet complement_set(markov::StateSet set) {
     set.flip();
     return set;
 }
 
-markov::StateSet meet(markov::StateSet a, const markov::StateSet& b) {
+markov::StateSet intersect_sets(markov::StateSet a, const markov::StateSet& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] && b[i];
     return a;
 }
@@ -38,7 +38,7 @@ markov::Direction direction_of(const Query& query) {
     return query.bound && lower ? markov::Direction::minimum : markov::Direction::maximum;
 }
 
-StateVector Evaluator::solved(const markov::Solution& solution) const {
+StateVector Evaluator::to_state_vector(const markov::Solution& solution) const {
     StateVector result;
     result.type = Type::real;
     result.numbers = solution.values;
@@ -46,7 +46,7 @@ StateVector Evaluator::solved(const markov::Solution& solution) const {
     return result;
 }
 
-StateVector Evaluator::solved(const markov::ExactSolution& solution) const {
+StateVector Evaluator::to_state_vector(const markov::ExactSolution& solution) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     StateVector result;
     result.type = Type::real;
@@ -55,29 +55,30 @@ StateVector Evaluator::solved(const markov::ExactSolution& solution) const {
     return result;
 }
 
-StateVector Evaluator::solved(std::vector<Enclosure> numbers) const {
+StateVector Evaluator::to_state_vector(std::vector<Enclosure> numbers) const {
     StateVector result;
     result.type = Type::real;
     result.numbers = std::move(numbers);
     return result;
 }
 
-StateVector Evaluator::complement(StateVector values) const {
+StateVector Evaluator::complement_values(StateVector values) const {
     for (Enclosure& each : values.numbers) each = markov::complement(each);
     for (Real& each : values.reals) each = Real(std::int64_t{1}) - each;
     return values;
 }
 
-StateVector Evaluator::query(const Expr& expr) {
+StateVector Evaluator::evaluate_query(const Expr& expr) {
     const Query& query = *expr.query;
     const Direction direction = direction_of(query);
-    if (!query.bound) return question(expr, direction);
+    if (!query.bound) return evaluate_question(expr, direction);
     const Real bound = bound_of(expr, code_);
-    if (std::optional<StateVector> known = qualitative(expr, direction, bound, query.relation)) return *known;
-    return bounded(expr, question(expr, direction), bound, query.relation);
+    if (std::optional<StateVector> known = compare_qualitatively(expr, direction, bound, query.relation)) return *known;
+    return compare_with_bound(expr, evaluate_question(expr, direction), bound, query.relation);
 }
 
-StateVector Evaluator::bounded(const Expr& expr, const StateVector& numbers, const Real& bound, Op relation) const {
+StateVector Evaluator::compare_with_bound(const Expr& expr, const StateVector& numbers, const Real& bound,
+                                          Op relation) const {
     StateVector result;
     const Enclosure limit = bound.bounds();
     const bool lower = relation == Op::greater || relation == Op::greater_equal;
@@ -89,7 +90,7 @@ StateVector Evaluator::bounded(const Expr& expr, const StateVector& numbers, con
             continue;
         }
         const Real value = numbers.number(i);
-        result.truths.push_back(related(value, relation, bound));
+        result.truths.push_back(apply_relation(value, relation, bound));
         if (result.truths.back() == Truth::unknown && result.reason.empty())
             result.reason = fmt::format("{} is {}, and the bound is {}",
                                         expr.op == Op::reward ? "the expected reward" : "the probability", value.text(),
@@ -99,8 +100,8 @@ StateVector Evaluator::bounded(const Expr& expr, const StateVector& numbers, con
 }
 
 /// Bounds 0 and 1 of reachability are decided on the graph.
-std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction direction, const Real& bound,
-                                                  Op relation) {
+std::optional<StateVector> Evaluator::compare_qualitatively(const Expr& expr, Direction direction, const Real& bound,
+                                                            Op relation) {
     const Expr& body = *expr.parts[0];
     const bool zero = bound.compare(Real(std::int64_t{0})) == 0;
     const bool one = bound.compare(Real(std::int64_t{1})) == 0;
@@ -110,8 +111,9 @@ std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction di
         if (is_path(*part)) return std::nullopt;
     // G a has probability 1 (0) exactly if F !a has probability 0 (1) in the other direction.
     const bool always = body.op == Op::globally;
-    const StateSet right = always ? inverse(set(body.parts[0])) : set(body.parts.back());
-    const StateSet left = body.op == Op::until ? set(body.parts[0]) : StateSet(right.size(), true);
+    const StateSet right =
+        always ? complement_set(states_satisfying(body.parts[0])) : states_satisfying(body.parts.back());
+    const StateSet left = body.op == Op::until ? states_satisfying(body.parts[0]) : StateSet(right.size(), true);
     const bool least = (direction == Direction::minimum) != always;
     const bool ask_zero = zero != always;
     const StateSet extreme = ask_zero ? (least ? prob0e(graph(), left, right) : prob0a(graph(), left, right))
@@ -128,57 +130,58 @@ std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction di
     return result;
 }
 
-StateVector Evaluator::question(const Expr& expr, Direction direction) {
-    if (expr.op == Op::probability) return path(expr.parts[0], direction);
+StateVector Evaluator::evaluate_question(const Expr& expr, Direction direction) {
+    if (expr.op == Op::probability) return path_probabilities(expr.parts[0], direction);
     if (expr.op == Op::steady) return long_run(expr);
-    return reward(expr, direction);
+    return evaluate_reward(expr, direction);
 }
 
 /// The probability of a path formula.
-StateVector Evaluator::path(const ExprPtr& expr, Direction direction) {
+StateVector Evaluator::path_probabilities(const ExprPtr& expr, Direction direction) {
     if (!is_path(*expr)) {
-        const StateSet holds = set(expr);
+        const StateSet holds = states_satisfying(expr);
         std::vector<Enclosure> numbers;
         for (const bool each : holds) numbers.push_back(each ? Enclosure{1, 1} : Enclosure{0, 0});
-        return solved(std::move(numbers));
+        return to_state_vector(std::move(numbers));
     }
     const ExprPtr& operand = expr->parts[0];
-    if (expr->op == Op::negation) return complement(path(operand, opposite(direction)));
-    if (expr->op == Op::next) return next(operand, direction);
+    if (expr->op == Op::negation) return complement_values(path_probabilities(operand, opposite_direction(direction)));
+    if (expr->op == Op::next) return next_probabilities(operand, direction);
     const bool all_steps = !expr->steps && !operand->steps;
     if (all_steps && (expr->op == Op::eventually || expr->op == Op::globally)) {
-        if (operand->op == expr->op) return path(operand, direction);
+        if (operand->op == expr->op) return path_probabilities(operand, direction);
         if ((operand->op == Op::eventually || operand->op == Op::globally) && !is_path(*operand->parts[0]))
             return again_and_again(operand->parts[0], expr->op == Op::eventually, direction);
     }
     if (!is_temporal(expr->op) || std::ranges::any_of(expr->parts, [](const ExprPtr& p) { return is_path(*p); }))
         return nested_path(expr, direction);
     const Reachability reach = reachability(*expr);
-    if (!reach.negated) return until(reach.left, reach.right, expr->steps.get(), direction);
-    return complement(until(reach.left, reach.right, expr->steps.get(), opposite(direction)));
+    if (!reach.negated) return until_probabilities(reach.left, reach.right, expr->steps.get(), direction);
+    return complement_values(
+        until_probabilities(reach.left, reach.right, expr->steps.get(), opposite_direction(direction)));
 }
 
 Reachability Evaluator::reachability(const Expr& expr) {
     const bool inner = std::ranges::any_of(expr.parts, [](const ExprPtr& p) { return is_path(*p); });
     if (inner || !is_temporal(expr.op) || expr.op == Op::next)
         throw Undecided("F, G, U, W and R of states are asked for here");
-    StateSet b = set(expr.parts.back());
+    StateSet b = states_satisfying(expr.parts.back());
     if (expr.op == Op::eventually) return {StateSet(b.size(), true), std::move(b), false};
-    if (expr.op == Op::globally) return {StateSet(b.size(), true), inverse(std::move(b)), true};
-    StateSet a = set(expr.parts[0]);
+    if (expr.op == Op::globally) return {StateSet(b.size(), true), complement_set(std::move(b)), true};
+    StateSet a = states_satisfying(expr.parts[0]);
     if (expr.op == Op::until) return {std::move(a), std::move(b), false};
-    StateSet not_a = inverse(a);
-    StateSet not_b = inverse(std::move(b));
+    StateSet not_a = complement_set(a);
+    StateSet not_b = complement_set(std::move(b));
     if (expr.op == Op::release) return {std::move(not_a), std::move(not_b), true};
-    return {meet(std::move(a), not_b), meet(std::move(not_a), not_b), true};
+    return {intersect_sets(std::move(a), not_b), intersect_sets(std::move(not_a), not_b), true};
 }
 
-StateVector Evaluator::next(const ExprPtr& operand, Direction direction) {
+StateVector Evaluator::next_probabilities(const ExprPtr& operand, Direction direction) {
     if (!chain_.counted.empty()) throw Undecided("X is about one step, and steps are not counted in this model");
-    if (is_path(*operand)) return one_step_before(path(operand, direction), direction);
-    const StateSet target = set(operand);
-    if (options_.exact) return solved(exact_next(chain_, target, direction, options_.budget));
-    return solved(markov::next(chain_, target, direction, options_.budget));
+    if (is_path(*operand)) return one_step_before(path_probabilities(operand, direction), direction);
+    const StateSet target = states_satisfying(operand);
+    if (options_.exact) return to_state_vector(exact_next(chain_, target, direction, options_.budget));
+    return to_state_vector(markov::next(chain_, target, direction, options_.budget));
 }
 
 /// The expectation of a value after one step.
@@ -197,38 +200,40 @@ StateVector Evaluator::one_step_before(const StateVector& after, Direction direc
                     options_.exact ? Real(chain_.exact[chain_.number[i]]) : Real(Enclosure{number.low, number.high});
                 sum = sum + factor * after.number(chain_.target[i]);
             }
-            best = best ? extreme(*best, sum, direction == Direction::minimum) : sum;
+            best = best ? extreme_of(*best, sum, direction == Direction::minimum) : sum;
         }
         result.reals.push_back(*best);
     }
     return result;
 }
 
-StateVector Evaluator::until(const StateSet& left, const StateSet& right, const StepBound* steps, Direction direction) {
+StateVector Evaluator::until_probabilities(const StateSet& left, const StateSet& right, const StepBound* steps,
+                                           Direction direction) {
     if (steps == nullptr) {
-        if (options_.exact) return solved(exact_until(chain_, left, right, direction, options_.budget));
-        return solved(markov::until(chain_, left, right, direction, precision()));
+        if (options_.exact) return to_state_vector(exact_until(chain_, left, right, direction, options_.budget));
+        return to_state_vector(markov::until(chain_, left, right, direction, precision()));
     }
     if (!chain_.counted.empty()) return timed_until(left, right, *steps, direction);
     const auto [from, to] = step_range(*steps, code_);
-    if (options_.exact) return solved(exact_bounded_until(chain_, left, right, from, to, direction, options_.budget));
-    return solved(bounded_until(chain_, left, right, from, to, direction, precision()));
+    if (options_.exact)
+        return to_state_vector(exact_bounded_until(chain_, left, right, from, to, direction, options_.budget));
+    return to_state_vector(bounded_until(chain_, left, right, from, to, direction, precision()));
 }
 
 /// Evaluates G F a (`always` false) and F G a. The greatest probability is that of reaching end components that satisfy
 /// the formula. The least is 1 minus the greatest probability of the negation.
 StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Direction direction) {
-    const StateSet states = set(operand);
+    const StateSet states = states_satisfying(operand);
     const StateSet everywhere(states.size(), true);
     if (direction == Direction::maximum) {
         const StateSet components =
             always ? maximal_components(states, everywhere) : maximal_components(everywhere, states);
-        return until(everywhere, components, nullptr, direction);
+        return until_probabilities(everywhere, components, nullptr, direction);
     }
-    const StateSet not_so = inverse(states);
+    const StateSet not_so = complement_set(states);
     const StateSet components =
         always ? maximal_components(everywhere, not_so) : maximal_components(not_so, everywhere);
-    return complement(until(everywhere, components, nullptr, Direction::maximum));
+    return complement_values(until_probabilities(everywhere, components, nullptr, Direction::maximum));
 }
 
 /// Returns the states of end components within one set that contain a state of the other set.
@@ -244,69 +249,71 @@ markov::StateSet Evaluator::maximal_components(const StateSet& within, const Sta
 }
 
 StateVector Evaluator::long_run(const Expr& expr) {
-    const StateSet states = set(expr.parts[0]);
-    if (options_.exact) return solved(exact_long_run_probability(chain_, states, options_.budget));
-    return solved(long_run_probability(chain_, states, precision()));
+    const StateSet states = states_satisfying(expr.parts[0]);
+    if (options_.exact) return to_state_vector(exact_long_run_probability(chain_, states, options_.budget));
+    return to_state_vector(long_run_probability(chain_, states, precision()));
 }
 
-const markov::Rewards& Evaluator::rewards(std::size_t structure) {
+const markov::Rewards& Evaluator::reward_structure(std::size_t structure) {
     const auto known = rewards_.find(structure);
     if (known != rewards_.end()) return known->second;
     return rewards_.emplace(structure, space_.rewards(structure, options_.exact)).first->second;
 }
 
-StateVector Evaluator::reward(const Expr& expr, Direction direction) {
-    const markov::Rewards& rewards = this->rewards(reward_index(*expr.query, space_.model(), code_));
+StateVector Evaluator::evaluate_reward(const Expr& expr, Direction direction) {
+    const markov::Rewards& rewards = this->reward_structure(reward_index(*expr.query, space_.model(), code_));
     const Expr& body = *expr.parts[0];
     diagnostics::Budget* const budget = options_.budget;
     switch (body.op) {
         case Op::cumulative: {
             const std::uint64_t steps = step_number(body.parts[0], code_);
             if (!chain_.counted.empty()) return timed_reward(rewards, steps, direction);
-            if (options_.exact) return solved(exact_cumulative_reward(chain_, rewards, steps, direction, budget));
-            return solved(cumulative_reward(chain_, rewards, steps, direction, budget));
+            if (options_.exact)
+                return to_state_vector(exact_cumulative_reward(chain_, rewards, steps, direction, budget));
+            return to_state_vector(cumulative_reward(chain_, rewards, steps, direction, budget));
         }
         case Op::instantaneous: {
             const std::uint64_t steps = step_number(body.parts[0], code_);
             if (!chain_.counted.empty()) throw Undecided("I= is about a number of steps, which are not counted here");
-            if (options_.exact) return solved(exact_instantaneous_reward(chain_, rewards, steps, direction, budget));
-            return solved(instantaneous_reward(chain_, rewards, steps, direction, budget));
+            if (options_.exact)
+                return to_state_vector(exact_instantaneous_reward(chain_, rewards, steps, direction, budget));
+            return to_state_vector(instantaneous_reward(chain_, rewards, steps, direction, budget));
         }
         case Op::total:
-            if (options_.exact) return solved(exact_total_reward(chain_, rewards, direction, budget));
-            return solved(total_reward(chain_, rewards, direction, precision()));
+            if (options_.exact) return to_state_vector(exact_total_reward(chain_, rewards, direction, budget));
+            return to_state_vector(total_reward(chain_, rewards, direction, precision()));
         case Op::long_run:
-            if (options_.exact) return solved(exact_long_run_reward(chain_, rewards, budget));
-            return solved(long_run_reward(chain_, rewards, precision()));
+            if (options_.exact) return to_state_vector(exact_long_run_reward(chain_, rewards, budget));
+            return to_state_vector(long_run_reward(chain_, rewards, precision()));
         default:
             break;
     }
     if (body.op != Op::eventually || body.steps || is_path(*body.parts[0]))
         throw Undecided("rewards of paths other than F of states are not decided");
-    const StateSet target = set(body.parts[0]);
-    if (options_.exact) return solved(exact_reachability_reward(chain_, rewards, target, direction, budget));
-    return solved(reachability_reward(chain_, rewards, target, direction, precision()));
+    const StateSet target = states_satisfying(body.parts[0]);
+    if (options_.exact) return to_state_vector(exact_reachability_reward(chain_, rewards, target, direction, budget));
+    return to_state_vector(reachability_reward(chain_, rewards, target, direction, precision()));
 }
 
 /// CTL: A [ path ] and E [ path ].
-markov::StateSet Evaluator::branching(const Expr& expr, bool always) {
+markov::StateSet Evaluator::branching_states(const Expr& expr, bool always) {
     if (expr.steps) throw Undecided("A and E with bounds on the steps are not decided");
-    if (expr.op == Op::negation && is_path(expr)) return inverse(branching(*expr.parts[0], !always));
+    if (expr.op == Op::negation && is_path(expr)) return complement_set(branching_states(*expr.parts[0], !always));
     for (const ExprPtr& part : expr.parts)
         if (is_path(*part)) throw Undecided("A and E of nested path formulas (CTL*) are not decided");
     if (!is_temporal(expr.op)) throw Undecided("A and E ask for X, F, G, U, W or R");
-    const StateSet a = set(expr.parts[0]);
+    const StateSet a = states_satisfying(expr.parts[0]);
     const markov::Graph& model = graph();
     if (expr.op == Op::next) return always ? always_next(model, a) : exists_next(model, a);
     if (expr.op == Op::eventually) return always ? always_finally(model, a) : exists_finally(model, a);
     if (expr.op == Op::globally) return always ? always_globally(model, a) : exists_globally(model, a);
-    const StateSet b = set(expr.parts[1]);
+    const StateSet b = states_satisfying(expr.parts[1]);
     if (expr.op == Op::until) return always ? always_until(model, a, b) : exists_until(model, a, b);
-    const StateSet not_b = inverse(b);
+    const StateSet not_b = complement_set(b);
     const bool weak = expr.op == Op::weak_until;
-    const StateSet left = weak ? meet(a, not_b) : inverse(a);
-    const StateSet right = weak ? meet(inverse(a), not_b) : not_b;
-    return inverse(always ? exists_until(model, left, right) : always_until(model, left, right));
+    const StateSet left = weak ? intersect_sets(a, not_b) : complement_set(a);
+    const StateSet right = weak ? intersect_sets(complement_set(a), not_b) : not_b;
+    return complement_set(always ? exists_until(model, left, right) : always_until(model, left, right));
 }
 
 }  // namespace robochart::prism

@@ -2,9 +2,9 @@
 // See session.hpp.
 #include "prism/session/session.hpp"
 
-#include "prism/session/evaluator.hpp"
 #include "prism/explore/constants.hpp"
 #include "prism/explore/rules.hpp"
+#include "prism/session/evaluator.hpp"
 #include "prism/session/labels.hpp"
 
 namespace robochart::prism {
@@ -26,11 +26,11 @@ Session::Question Session::question(std::size_t property, const Values& constant
     return result;
 }
 
-Result Session::attempt(const Question& question, double relative, bool exact) const {
+Result Session::answer_with_precision(const Question& question, double relative, bool exact) const {
     Code code = space_.code(question.constants);
     Evaluator evaluator(space_, code, {relative, exact, options_.budget});
     try {
-        return evaluator.answer(question.expr);
+        return evaluator.answer_question(question.expr);
     } catch (const Undecided& why) {
         Result result;
         result.reason = why.what();
@@ -44,12 +44,12 @@ Result Session::attempt(const Question& question, double relative, bool exact) c
 
 Result Session::check(std::size_t property, const Values& constants) const {
     const Question asked = question(property, constants);
-    Result result = attempt(asked, options_.relative, options_.exact);
+    Result result = answer_with_precision(asked, options_.relative, options_.exact);
     if (result.kind != Result::Kind::unknown || options_.exact) return result;
     const auto decided = [](const Result& each) { return each.kind != Result::Kind::unknown; };
     for (const double relative : {1e-9, 1e-13}) {
         if (relative >= options_.relative) continue;
-        Result narrower = attempt(asked, relative, false);
+        Result narrower = answer_with_precision(asked, relative, false);
         if (decided(narrower) || narrower.reason == result.reason) {
             if (decided(narrower)) return narrower;
             break;
@@ -58,7 +58,7 @@ Result Session::check(std::size_t property, const Values& constants) const {
     }
     if (space_.chain().states() > few_states || space_.chain().exact.empty()) return result;
     try {
-        Result exact = attempt(asked, options_.relative, true);
+        Result exact = answer_with_precision(asked, options_.relative, true);
         if (decided(exact)) return exact;
     } catch (const EvaluationError& error) {
         if (!error.is(rules::not_exact)) throw;

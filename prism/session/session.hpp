@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "prism/checks/checked.hpp"
-#include "prism/session/counterexample.hpp"
 #include "prism/explore/state_space.hpp"
+#include "prism/session/counterexample.hpp"
 #include "prism/session/result.hpp"
 
 namespace robochart::prism {
@@ -42,7 +42,7 @@ private:
         Values constants;
     };
     [[nodiscard]] Question question(std::size_t property, const Values& constants) const;
-    [[nodiscard]] Result attempt(const Question& question, double relative, bool exact) const;
+    [[nodiscard]] Result answer_with_precision(const Question& question, double relative, bool exact) const;
 
     const StateSpace& space_;
     const CheckedProperties& properties_;

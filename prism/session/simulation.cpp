@@ -8,14 +8,14 @@
 #include <cmath>
 #include <limits>
 
-#include "prism/explore/constants.hpp"
-#include "prism/explore/question_numbers.hpp"
-#include "prism/session/labels.hpp"
-#include "prism/sampling/sampler.hpp"
-#include "prism/sampling/unsampled.hpp"
 #include "base/statistics/binomial.hpp"
 #include "base/statistics/means.hpp"
 #include "base/statistics/sequential.hpp"
+#include "prism/explore/constants.hpp"
+#include "prism/explore/question_numbers.hpp"
+#include "prism/sampling/sampler.hpp"
+#include "prism/sampling/unsampled.hpp"
+#include "prism/session/labels.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -56,16 +56,16 @@ public:
 
     Result operator()() {
         if (method_.kind == Kind::sprt) return sequential();
-        while (values_.count() < most_ && !(most_ == any_number && narrow_enough())) take();
-        return bound_ ? decided() : mean();
+        while (values_.count() < most_ && !(most_ == any_number && narrow_enough())) take_sample();
+        return bound_ ? compare_with_bound() : mean_result();
     }
 
     void report(diagnostics::Diagnostics& diagnostics) const { sampler_.report(diagnostics); }
 
 private:
     /// Takes a sample; throws Unsampled if the path is undecided.
-    double take() {
-        const Sample sample = sampler_.next();
+    double take_sample() {
+        const Sample sample = sampler_.next_sample();
         if (!sample.decided)
             throw Unsampled(fmt::format("path {} is open after {} steps (path={})", values_.count() + 1, sample.steps,
                                         method_.path));
@@ -142,7 +142,7 @@ private:
         return result;
     }
 
-    Result mean() const {
+    Result mean_result() const {
         Result result = with_estimate();
         result.kind = Result::Kind::number;
         result.type = Type::real;
@@ -151,7 +151,7 @@ private:
         return result;
     }
 
-    Result truth(bool above) const {
+    Result truth_result(bool above) const {
         Result result = with_estimate();
         const Op relation = question_.query->relation;
         result.kind = Result::Kind::truth;
@@ -162,11 +162,11 @@ private:
     /// One path is enough in three cases. If the formula holds on a path, the probability is not 0. If it does not
     /// hold, the probability is not 1. If a path never reaches the target, the reward is infinite. All other results
     /// depend on the intervals.
-    Result decided() const {
+    Result compare_with_bound() const {
         const double bound = bound_->bounds().middle();
-        if (endless_) return truth(true);
-        if (probability_ && bound == 0 && hits_ > 0) return truth(true);
-        if (probability_ && bound == 1 && hits_ < values_.count()) return truth(false);
+        if (endless_) return truth_result(true);
+        if (probability_ && bound == 0 && hits_ > 0) return truth_result(true);
+        if (probability_ && bound == 1 && hits_ < values_.count()) return truth_result(false);
         const Estimate found = estimate();
         double low = found.mean - *found.width;
         double high = found.mean + *found.width;
@@ -174,7 +174,7 @@ private:
             low = std::min(low, found.binomial->low);
             high = std::max(high, found.binomial->high);
         }
-        if (low > bound || high < bound) return truth(low > bound);
+        if (low > bound || high < bound) return truth_result(low > bound);
         Result result = with_estimate();
         result.reason = fmt::format("the bound {} lies between {:.6g} and {:.6g}: more samples may decide",
                                     bound_->text(), low, high);
@@ -192,10 +192,10 @@ private:
         const statistics::Sprt test{bound + indifference, bound - indifference, alpha(), alpha()};
         auto answer = statistics::Sprt::Answer::open;
         while (answer == statistics::Sprt::Answer::open) {
-            take();
+            take_sample();
             answer = test.answer(hits_, values_.count());
         }
-        return truth(answer == statistics::Sprt::Answer::at_least);
+        return truth_result(answer == statistics::Sprt::Answer::at_least);
     }
 
     static constexpr double least_alpha = 1e-15;

@@ -4,8 +4,8 @@
 
 #include "prism/checks/checked.hpp"
 #include "prism/explore/instance.hpp"
-#include "prism/session/result.hpp"
 #include "prism/sampling/method.hpp"
+#include "prism/session/result.hpp"
 
 namespace robochart::prism {
 

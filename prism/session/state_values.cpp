@@ -4,12 +4,12 @@
 
 namespace robochart::prism {
 
-Truth negated(Truth truth) {
+Truth negation_of(Truth truth) {
     if (truth == Truth::unknown || truth == Truth::undefined) return truth;
     return truth == Truth::yes ? Truth::no : Truth::yes;
 }
 
-Truth both(Truth a, Truth b) {
+Truth conjunction_of(Truth a, Truth b) {
     if (a == Truth::no || b == Truth::no) return Truth::no;
     if (a == Truth::unknown || b == Truth::unknown) return Truth::unknown;
     return a == Truth::undefined || b == Truth::undefined ? Truth::undefined : Truth::yes;
@@ -23,14 +23,14 @@ void StateVector::add_undefined(UndefinedPtr why) {
         reals.emplace_back();
 }
 
-StateVector StateVector::of(const markov::StateSet& set) {
+StateVector StateVector::from_set(const markov::StateSet& set) {
     StateVector result;
     result.truths.reserve(set.size());
     for (const bool each : set) result.truths.push_back(each ? Truth::yes : Truth::no);
     return result;
 }
 
-Truth related(const Real& a, Op relation, const Real& b) {
+Truth apply_relation(const Real& a, Op relation, const Real& b) {
     const auto truth = [](bool value) { return value ? Truth::yes : Truth::no; };
     if (const std::optional<int> order = a.compare(b)) switch (relation) {
             case Op::less:

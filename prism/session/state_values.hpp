@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "prism/markov/model/model.hpp"
 #include "prism/explore/evaluation.hpp"
 #include "prism/explore/real.hpp"
+#include "prism/markov/model/model.hpp"
 #include "prism/syntax/syntax.hpp"
 
 namespace robochart::prism {
@@ -20,8 +20,8 @@ namespace robochart::prism {
 /// Known true, known false, unknown, or without a value.
 enum class Truth : std::uint8_t { no, yes, unknown, undefined };
 
-[[nodiscard]] Truth negated(Truth truth);
-[[nodiscard]] Truth both(Truth a, Truth b);
+[[nodiscard]] Truth negation_of(Truth truth);
+[[nodiscard]] Truth conjunction_of(Truth a, Truth b);
 
 /// The reason why an expression has no value in a state, or (`open`) why it is unknown whether it has one.
 struct Undefined {
@@ -35,7 +35,7 @@ class NoValue : public std::exception {
 public:
     NoValue(std::size_t state, UndefinedPtr why) : state_(state), why_(std::move(why)) {}
     [[nodiscard]] std::size_t state() const { return state_; }
-    [[nodiscard]] const Undefined& why() const { return *why_; }
+    [[nodiscard]] const Undefined& undefined_reason() const { return *why_; }
 
 private:
     std::size_t state_;
@@ -55,11 +55,11 @@ public:
     [[nodiscard]] std::size_t size() const { return truths.size() + numbers.size() + reals.size(); }
     /// Throws NoValue.
     [[nodiscard]] Real number(std::size_t state) const {
-        require(state);
+        require_value(state);
         return reals.empty() ? Real(numbers[state]) : reals[state];
     }
     /// Throws NoValue if the state has no value.
-    void require(std::size_t state) const {
+    void require_value(std::size_t state) const {
         if (const UndefinedPtr why = undefined_in(state)) throw NoValue(state, why);
     }
     /// Returns null if the state has a value.
@@ -70,10 +70,10 @@ public:
     }
     /// Adds a state without a value.
     void add_undefined(UndefinedPtr why);
-    static StateVector of(const markov::StateSet& set);
+    static StateVector from_set(const markov::StateSet& set);
 };
 
 /// Applies a relation, `less` to `greater_equal`, `equal` or `unequal`; unknown if enclosures overlap.
-[[nodiscard]] Truth related(const Real& a, Op relation, const Real& b);
+[[nodiscard]] Truth apply_relation(const Real& a, Op relation, const Real& b);
 
 }  // namespace robochart::prism

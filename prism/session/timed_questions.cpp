@@ -31,11 +31,12 @@ StateVector Evaluator::layered_until(const StateSet& left, const StateSet& right
     for (std::uint64_t count = 0; count <= layers.last; ++count)
         for (markov::State state = 0; state < layers.states; ++state) {
             poll();
-            before[layers.at(state, count)] = left[state];
-            target[layers.at(state, count)] = right[state] && count >= range.from;
+            before[layers.state_in_layer(state, count)] = left[state];
+            target[layers.state_in_layer(state, count)] = right[state] && count >= range.from;
         }
-    StateVector result = options_.exact ? solved(exact_until(layers.model, before, target, direction, options_.budget))
-                                        : solved(markov::until(layers.model, before, target, direction, precision()));
+    StateVector result = options_.exact
+                             ? to_state_vector(exact_until(layers.model, before, target, direction, options_.budget))
+                             : to_state_vector(markov::until(layers.model, before, target, direction, precision()));
     result.numbers.resize(std::min(result.numbers.size(), layers.states));
     result.reals.resize(std::min(result.reals.size(), layers.states));
     return result;
@@ -47,7 +48,7 @@ StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, D
     constexpr std::uint64_t few_states = 2'000'000;  // in all layers together
     const std::uint64_t units = std::max<std::uint64_t>(1, few_states / std::max<std::size_t>(1, chain_.states()));
     StateVector result = layered_until(left, right, {0, units}, direction);
-    const StateVector ever = solved(markov::until(chain_, left, right, direction, precision()));
+    const StateVector ever = to_state_vector(markov::until(chain_, left, right, direction, precision()));
     result.reason.clear();
     for (std::size_t state = 0; state < result.numbers.size(); ++state) {
         Enclosure& value = result.numbers[state];
@@ -63,8 +64,9 @@ StateVector Evaluator::timed_reward(const markov::Rewards& rewards, std::uint64_
     if (units == 0) return all_states({Type::real, 0, Real(std::int64_t{0})});
     const markov::Layers layers = markov::layers(chain_, units - 1, false, options_.budget);
     const markov::Rewards earned = markov::in_layers(layers, rewards);
-    StateVector result = options_.exact ? solved(exact_total_reward(layers.model, earned, direction, options_.budget))
-                                        : solved(total_reward(layers.model, earned, direction, precision()));
+    StateVector result = options_.exact
+                             ? to_state_vector(exact_total_reward(layers.model, earned, direction, options_.budget))
+                             : to_state_vector(total_reward(layers.model, earned, direction, precision()));
     result.numbers.resize(std::min(result.numbers.size(), layers.states));
     result.reals.resize(std::min(result.reals.size(), layers.states));
     return result;

@@ -9,8 +9,8 @@
 #include <cctype>
 #include <utility>
 
-#include "prism/syntax/rules.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "prism/syntax/rules.hpp"
 
 namespace robochart::prism {
 namespace {
@@ -36,12 +36,12 @@ public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics)
         : text_(text), source_(source), diagnostics_(diagnostics) {}
 
-    std::vector<Token> tokens() {
+    std::vector<Token> read_tokens() {
         while (at_ < text_.size()) {
             diagnostics_.poll();
-            next();
+            read_token();
         }
-        push(Tok::end, at_, "");
+        push_token(Tok::end, at_, "");
         return std::move(tokens_);
     }
 
@@ -52,12 +52,12 @@ private:
     [[nodiscard]] Span span(std::size_t begin) const {
         return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
     }
-    void push(Tok kind, std::size_t begin, std::string_view text) {
+    void push_token(Tok kind, std::size_t begin, std::string_view text) {
         tokens_.push_back({kind, span(begin), text, std::exchange(line_begins_, false)});
     }
-    void push(Tok kind, std::size_t begin) { push(kind, begin, text_.substr(begin, at_ - begin)); }
+    void push_token(Tok kind, std::size_t begin) { push_token(kind, begin, text_.substr(begin, at_ - begin)); }
 
-    void next() {
+    void read_token() {
         const char c = peek();
         if (c == '\n') {
             line_begins_ = true;
@@ -67,25 +67,25 @@ private:
         } else if (c == '/' && peek(1) == '/') {
             at_ = std::min(text_.find('\n', at_), text_.size());
         } else if (is_letter(c)) {
-            word();
+            read_word();
         } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
-            number();
+            read_number();
         } else if (c == '"') {
-            quoted();
+            read_quoted();
         } else {
-            symbol();
+            read_symbol();
         }
     }
 
-    void word() {
+    void read_word() {
         const std::size_t begin = at_;
         while (is_letter(peek()) || is_digit(peek())) ++at_;
-        push(Tok::word, begin);
+        push_token(Tok::word, begin);
     }
 
     /// `0` or digits without a leading zero are integers; `01` is a decimal number, as in PRISM. Digits before `..` are
     /// an integer.
-    void number() {
+    void read_number() {
         const std::size_t begin = at_;
         while (is_digit(peek())) ++at_;
         bool real = at_ - begin > 1 && text_[begin] == '0';
@@ -103,14 +103,14 @@ private:
             if (at_ - exponent > 3) too_large(begin);
         }
         if (at_ - begin > 400) too_large(begin);
-        push(real ? Tok::real : Tok::integer, begin);
+        push_token(real ? Tok::real : Tok::integer, begin);
     }
     void too_large(std::size_t begin) {
         std::string shown(text_.substr(begin, std::min<std::size_t>(at_ - begin, 20)));
         diagnostics_.report(rules::big_number, span(begin), {shown + (at_ - begin > 20 ? "..." : "")});
     }
 
-    void quoted() {
+    void read_quoted() {
         const std::size_t begin = at_++;
         const std::size_t end = text_.find_first_of("\"\n", at_);
         if (end == std::string_view::npos || text_[end] == '\n') {
@@ -120,26 +120,27 @@ private:
         }
         const std::string_view name = text_.substr(at_, end - at_);
         at_ = end + 1;
-        push(Tok::quoted, begin, name);
+        push_token(Tok::quoted, begin, name);
     }
 
-    void symbol() {
+    void read_symbol() {
         const std::size_t begin = at_;
         const std::string_view rest = text_.substr(at_);
         const auto* found = std::ranges::find_if(symbols, [&](auto s) { return rest.starts_with(s); });
         if (found != symbols.end()) {
             at_ += found->size();
-            return push(Tok::symbol, begin);
+            return push_token(Tok::symbol, begin);
         }
-        if (peek() == '#') return preprocessor();
+        if (peek() == '#') return skip_preprocessor_text();
         do ++at_;
         while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xc0U) == 0x80U);
-        const std::string shown = diagnostics::shown(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
+        const std::string shown =
+            diagnostics::escape_for_display(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
         diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
     }
 
     /// Skips `#...#`, which is text for the preprocessor of PRISM, or for a tool that fills holes.
-    void preprocessor() {
+    void skip_preprocessor_text() {
         const std::size_t begin = at_++;
         const std::size_t end = text_.find_first_of("#\n", at_);
         at_ = std::min(end == std::string_view::npos ? text_.size() : end + (text_[end] == '#' ? 1 : 0), text_.size());
@@ -222,7 +223,7 @@ constexpr std::array<std::string_view, 64> reserved{"A",
 }  // namespace
 
 std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics) {
-    return Lexer(text, source, diagnostics).tokens();
+    return Lexer(text, source, diagnostics).read_tokens();
 }
 
 bool is_reserved(std::string_view word) {

@@ -46,91 +46,91 @@ bool is_function(std::string_view word) {
 
 }  // namespace
 
-ExprPtr Parser::checked(Expr expr, Span from) {
-    expr.span = since(from);
+ExprPtr Parser::make_checked_node(Expr expr, Span from) {
+    expr.span = span_since(from);
     ExprPtr result = make_expr(std::move(expr));
     if (result->height > max_height) fail(rules::too_deep, result->span, {fmt::format("{}", max_height)});
     return result;
 }
 
-ExprPtr Parser::node(Op op, Span from, std::vector<ExprPtr> parts, std::string text) {
+ExprPtr Parser::make_node(Op op, Span from, std::vector<ExprPtr> parts, std::string text) {
     Expr expr;
     expr.op = op;
     expr.parts = std::move(parts);
     expr.text = std::move(text);
-    return checked(std::move(expr), from);
+    return make_checked_node(std::move(expr), from);
 }
 
-ExprPtr Parser::infix(Op op, ExprPtr left, ExprPtr right) {
+ExprPtr Parser::make_infix(Op op, ExprPtr left, ExprPtr right) {
     const Span from = left->span;
-    return node(op, from, {std::move(left), std::move(right)});
+    return make_node(op, from, {std::move(left), std::move(right)});
 }
 
 /// Parses `a U<=3 b`. These operators do not chain. Outside brackets, `R` begins the next property, because semicolons
 /// between properties are optional.
-ExprPtr Parser::expression() {
+ExprPtr Parser::parse_expression() {
     const Depth depth(*this);
-    ExprPtr left = temporal();
+    ExprPtr left = parse_temporal();
     if (!at_infix_operator()) return left;
-    const Op op = at("U") ? Op::until : at("W") ? Op::weak_until : Op::release;
-    take();
+    const Op op = at_text("U") ? Op::until : at_text("W") ? Op::weak_until : Op::release;
+    take_token();
     Expr expr;
     expr.op = op;
-    expr.steps = steps();
+    expr.steps = parse_steps();
     const Span from = left->span;
     const Within operand(*this, {surroundings_.enclosed, true, false});
-    expr.parts = {std::move(left), temporal()};
-    return checked(std::move(expr), from);
+    expr.parts = {std::move(left), parse_temporal()};
+    return make_checked_node(std::move(expr), from);
 }
 
 bool Parser::at_infix_operator() const {
-    return at("U") || at("W") || (at("R") && surroundings_.enclosed);
+    return at_text("U") || at_text("W") || (at_text("R") && surroundings_.enclosed);
 }
 
 /// Parses `F a & b` as `F (a & b)`.
-ExprPtr Parser::temporal() {
-    if (!at_prefix_operator()) return conditional();
+ExprPtr Parser::parse_temporal() {
+    if (!at_prefix_operator()) return parse_conditional();
     const Depth depth(*this);
-    const Token& token = take();
+    const Token& token = take_token();
     Expr expr;
     expr.op = token.text == "X" ? Op::next : token.text == "F" ? Op::eventually : Op::globally;
-    if (expr.op != Op::next) expr.steps = steps();
+    if (expr.op != Op::next) expr.steps = parse_steps();
     const Within operand(*this, {surroundings_.enclosed, true, false});
-    expr.parts = {temporal()};
-    return checked(std::move(expr), token.span);
+    expr.parts = {parse_temporal()};
+    return make_checked_node(std::move(expr), token.span);
 }
 
 /// Accepts `a & F b`, which PRISM accepts only in parentheses. Reports ambiguous text: in `a & F b & c` and in `F a & F
 /// b` the end of the operand is unclear.
-ExprPtr Parser::temporal_operand() {
+ExprPtr Parser::parse_temporal_operand() {
     const Depth depth(*this);
-    const Token& token = take();
+    const Token& token = take_token();
     const auto unclear = [&] { fail(rules::unclear_operand, token.span, {std::string(token.text)}); };
     if (surroundings_.joined) unclear();
     Expr expr;
     expr.op = token.text == "X" ? Op::next : token.text == "F" ? Op::eventually : Op::globally;
-    if (expr.op != Op::next) expr.steps = steps();
-    expr.parts = {binary(negation_level)};
+    if (expr.op != Op::next) expr.steps = parse_steps();
+    expr.parts = {parse_binary(negation_level)};
     for (const std::string_view more : {"&", "|", "<=>", "=>", "?"})
-        if (at(more)) unclear();
+        if (at_text(more)) unclear();
     if (at_infix_operator()) unclear();
-    return checked(std::move(expr), token.span);
+    return make_checked_node(std::move(expr), token.span);
 }
 
 /// `<=t <t >=t >t =t [a,b]`; t is a literal, a name, or an expression in parentheses.
-std::shared_ptr<const StepBound> Parser::steps() {
-    if (at("^")) refuse("bounds on rewards (F^{...})", peek().span);
+std::shared_ptr<const StepBound> Parser::parse_steps() {
+    if (at_text("^")) fail_unsupported("bounds on rewards (F^{...})", peek().span);
     auto result = std::make_shared<StepBound>();
     if (accept("[")) {
-        result->low = expression();
+        result->low = parse_expression();
         expect(",");
-        result->high = expression();
+        result->high = parse_expression();
         expect("]");
         return result;
     }
     for (const std::string_view symbol : {"<=", "<", ">=", ">", "="}) {
         if (!accept(symbol)) continue;
-        const ExprPtr bound = prefix();
+        const ExprPtr bound = parse_prefix();
         if (symbol[0] != '>') result->high = bound;
         if (symbol[0] != '<') result->low = bound;
         result->low_strict = symbol == ">";
@@ -141,131 +141,133 @@ std::shared_ptr<const StepBound> Parser::steps() {
     return nullptr;
 }
 
-ExprPtr Parser::conditional() {
-    ExprPtr condition = implication();
+ExprPtr Parser::parse_conditional() {
+    ExprPtr condition = parse_implication();
     if (!accept("?")) return condition;
-    join();
+    record_connective();
     const Depth depth(*this);
     const Span from = condition->span;
-    ExprPtr yes = conditional();
+    ExprPtr yes = parse_conditional();
     expect(":");
-    ExprPtr no = conditional();
-    return node(Op::conditional, from, {std::move(condition), std::move(yes), std::move(no)});
+    ExprPtr no = parse_conditional();
+    return make_node(Op::conditional, from, {std::move(condition), std::move(yes), std::move(no)});
 }
 
-ExprPtr Parser::implication() {
-    ExprPtr left = binary(0);
+ExprPtr Parser::parse_implication() {
+    ExprPtr left = parse_binary(0);
     if (!accept("=>")) return left;
-    join();
+    record_connective();
     const Depth depth(*this);
-    ExprPtr right = implication();
-    return infix(Op::implies, std::move(left), std::move(right));
+    ExprPtr right = parse_implication();
+    return make_infix(Op::implies, std::move(left), std::move(right));
 }
 
-ExprPtr Parser::binary(int level) {
-    if (level == power_level) return power();
-    if (level == negation_level && at("!")) return negation();
-    if (level == negation_level && at_prefix_operator()) return temporal_operand();
-    ExprPtr left = binary(level + 1);
+ExprPtr Parser::parse_binary(int level) {
+    if (level == power_level) return parse_power();
+    if (level == negation_level && at_text("!")) return parse_negation();
+    if (level == negation_level && at_prefix_operator()) return parse_temporal_operand();
+    ExprPtr left = parse_binary(level + 1);
     for (;;) {
         const Infix* next = nullptr;
         for (const Infix& each : infixes)
-            if (each.level == level && at(each.symbol)) next = &each;
+            if (each.level == level && at_text(each.symbol)) next = &each;
         if (next == nullptr) return left;
-        take();
-        if (level < negation_level) join();
-        left = infix(next->op, std::move(left), binary(level + 1));
+        take_token();
+        if (level < negation_level) record_connective();
+        left = make_infix(next->op, std::move(left), parse_binary(level + 1));
     }
 }
 
 /// `!x=1` is `!(x=1)`.
-ExprPtr Parser::negation() {
+ExprPtr Parser::parse_negation() {
     const Depth depth(*this);
     const Span from = expect("!");
-    ExprPtr operand = binary(negation_level);
-    return node(Op::negation, from, {std::move(operand)});
+    ExprPtr operand = parse_binary(negation_level);
+    return make_node(Op::negation, from, {std::move(operand)});
 }
 
 /// `2^3^2` is `2^(3^2)`.
-ExprPtr Parser::power() {
-    ExprPtr base = prefix();
+ExprPtr Parser::parse_power() {
+    ExprPtr base = parse_prefix();
     if (!accept("^")) return base;
     const Depth depth(*this);
-    ExprPtr exponent = power();
-    return infix(Op::power, std::move(base), std::move(exponent));
+    ExprPtr exponent = parse_power();
+    return make_infix(Op::power, std::move(base), std::move(exponent));
 }
 
 /// `-2^2` is `(-2)^2`.
-ExprPtr Parser::prefix() {
-    if (!at("-")) return primary();
+ExprPtr Parser::parse_prefix() {
+    if (!at_text("-")) return parse_primary();
     const Depth depth(*this);
-    const Span from = take().span;
-    ExprPtr operand = prefix();
-    return node(Op::minus, from, {std::move(operand)});
+    const Span from = take_token().span;
+    ExprPtr operand = parse_prefix();
+    return make_node(Op::minus, from, {std::move(operand)});
 }
 
-ExprPtr Parser::primary() {
+ExprPtr Parser::parse_primary() {
     const Token& token = peek();
-    if (token.kind == Tok::integer) return take(), node(Op::integer, token.span, {}, std::string(token.text));
-    if (token.kind == Tok::real) return take(), node(Op::real, token.span, {}, std::string(token.text));
-    if (token.kind == Tok::quoted) return take(), node(Op::label, token.span, {}, std::string(token.text));
-    if (token.kind == Tok::word) return word();
-    if (at("(")) {
-        take();
+    if (token.kind == Tok::integer)
+        return take_token(), make_node(Op::integer, token.span, {}, std::string(token.text));
+    if (token.kind == Tok::real) return take_token(), make_node(Op::real, token.span, {}, std::string(token.text));
+    if (token.kind == Tok::quoted) return take_token(), make_node(Op::label, token.span, {}, std::string(token.text));
+    if (token.kind == Tok::word) return parse_word();
+    if (at_text("(")) {
+        take_token();
         const Within parentheses(*this, in_brackets);
-        ExprPtr inner = expression();
+        ExprPtr inner = parse_expression();
         expect(")");
         return inner;
     }
-    if (at("!")) return negation();  // as an operand of arithmetic, which the type checker reports
-    if (at("<") && at("<", 1)) refuse("strategies of coalitions (<<...>>)", token.span);
+    if (at_text("!")) return parse_negation();  // as an operand of arithmetic, which the type checker reports
+    if (at_text("<") && at_text("<", 1)) fail_unsupported("strategies of coalitions (<<...>>)", token.span);
     fail("an expression");
 }
 
-ExprPtr Parser::word() {
+ExprPtr Parser::parse_word() {
     const Token& token = peek();
-    if (at_query()) return query();
-    if (accept("A")) return for_paths(Op::forall_paths);
-    if (accept("E")) return for_paths(Op::exists_path);
-    if (at("true") || at("false")) return take(), node(Op::boolean, token.span, {}, std::string(token.text));
-    if (at("filter")) return take(), filter(token.span);
-    if (at("T") && at("=", 1) && at("?", 2)) refuse("expected steps (T=?)", token.span);
-    if (at("(", 1) && (is_function(token.text) || at("func"))) {
-        take();
-        take();
+    if (at_query()) return parse_query();
+    if (accept("A")) return parse_for_paths(Op::forall_paths);
+    if (accept("E")) return parse_for_paths(Op::exists_path);
+    if (at_text("true") || at_text("false"))
+        return take_token(), make_node(Op::boolean, token.span, {}, std::string(token.text));
+    if (at_text("filter")) return take_token(), parse_filter(token.span);
+    if (at_text("T") && at_text("=", 1) && at_text("?", 2)) fail_unsupported("expected steps (T=?)", token.span);
+    if (at_text("(", 1) && (is_function(token.text) || at_text("func"))) {
+        take_token();
+        take_token();
         std::string function(token.text);
         if (token.text == "func") {
-            function = std::string(take().text);
+            function = std::string(take_token().text);
             expect(",");
         }
-        if (function == "multi") refuse("several objectives (multi)", token.span);
-        return call(std::move(function), token.span);
+        if (function == "multi") fail_unsupported("several objectives (multi)", token.span);
+        return parse_call(std::move(function), token.span);
     }
     if (is_reserved(token.text)) fail("an expression");
-    take();
-    return node(Op::name, token.span, {}, std::string(token.text));
+    take_token();
+    return make_node(Op::name, token.span, {}, std::string(token.text));
 }
 
 /// Parses the arguments of a call after the opening parenthesis.
-ExprPtr Parser::call(std::string function, Span from) {
+ExprPtr Parser::parse_call(std::string function, Span from) {
     const Within parentheses(*this, in_brackets);
     std::vector<ExprPtr> arguments;
-    do arguments.push_back(expression());
+    do arguments.push_back(parse_expression());
     while (accept(","));
     expect(")");
-    return node(Op::call, from, std::move(arguments), std::move(function));
+    return make_node(Op::call, from, std::move(arguments), std::move(function));
 }
 
-ExprPtr Parser::filter(Span from) {
+ExprPtr Parser::parse_filter(Span from) {
     expect("(");
     const Within parentheses(*this, in_brackets);
-    if (peek().kind != Tok::word && !at("+") && !at("&") && !at("|")) fail("the operator of a filter");
-    std::string kind(take().text);
+    if (peek().kind != Tok::word && !at_text("+") && !at_text("&") && !at_text("|")) fail("the operator of a filter");
+    std::string kind(take_token().text);
     std::vector<ExprPtr> parts;
-    while (accept(",")) parts.push_back(expression());
+    while (accept(",")) parts.push_back(parse_expression());
     expect(")");
     if (parts.empty() || parts.size() > 2) fail("filter(operator, expression, states)");
-    return node(Op::filter, from, std::move(parts), std::move(kind));
+    return make_node(Op::filter, from, std::move(parts), std::move(kind));
 }
 
 }  // namespace robochart::prism

@@ -18,48 +18,48 @@ bool Parser::at_query() const {
     return peek().kind == Tok::word && std::ranges::find(openers, peek().text) != openers.end();
 }
 
-ExprPtr Parser::query() {
+ExprPtr Parser::parse_query() {
     const Depth depth(*this);
-    const Token& opener = take();
-    if (opener.text.size() > 4) refuse("several objectives or players", opener.span);
+    const Token& opener = take_token();
+    if (opener.text.size() > 4) fail_unsupported("several objectives or players", opener.span);
     Query query;
     Expr expr;
     expr.op = opener.text[0] == 'P' ? Op::probability : opener.text[0] == 'S' ? Op::steady : Op::reward;
     if (opener.text.ends_with("min")) query.optimum = Optimum::minimum;
     if (opener.text.ends_with("max")) query.optimum = Optimum::maximum;
-    if (expr.op == Op::reward) reward_index(query);
-    if (query.optimum == Optimum::none) optimum(query);
-    relation(query);
+    if (expr.op == Op::reward) parse_reward_index(query);
+    if (query.optimum == Optimum::none) parse_optimum(query);
+    parse_relation(query);
     expect("[");
     expr.query = std::make_shared<const Query>(std::move(query));
     const Within brackets(*this, in_brackets);
-    expr.parts = {expr.op == Op::reward ? reward_body() : expression()};
-    ExprPtr question = checked(std::move(expr), opener.span);
-    question = old_filter(std::move(question), opener.span);
+    expr.parts = {expr.op == Op::reward ? parse_reward_body() : parse_expression()};
+    ExprPtr question = make_checked_node(std::move(expr), opener.span);
+    question = parse_old_filter(std::move(question), opener.span);
     expect("]");
     return question;
 }
 
-void Parser::reward_index(Query& query) {
+void Parser::parse_reward_index(Query& query) {
     if (!accept("{")) return;
     const Within braces(*this, in_brackets);
     if (peek().kind == Tok::quoted)
-        query.reward = quoted("a name");
+        query.reward = parse_quoted("a name");
     else
-        query.reward_index = expression();
+        query.reward_index = parse_expression();
     expect("}");
 }
 
-void Parser::optimum(Query& query) {
+void Parser::parse_optimum(Query& query) {
     if (accept("min")) query.optimum = Optimum::minimum;
     if (accept("max")) query.optimum = Optimum::maximum;
-    if (at("minmax") || at("maxmin")) refuse("several players", peek().span);
+    if (at_text("minmax") || at_text("maxmin")) fail_unsupported("several players", peek().span);
 }
 
-void Parser::relation(Query& query) {
-    if (at("=") && at("?", 1)) {
-        take();
-        take();
+void Parser::parse_relation(Query& query) {
+    if (at_text("=") && at_text("?", 1)) {
+        take_token();
+        take_token();
         return;
     }
     constexpr std::array<std::pair<std::string_view, Op>, 4> relations{
@@ -69,29 +69,29 @@ void Parser::relation(Query& query) {
         query.relation = op;
         const Within bound(*this, {});
         constexpr int sum = 5;
-        query.bound = binary(sum);
+        query.bound = parse_binary(sum);
         return;
     }
     fail("'=?' or a bound such as '>=0.5'");
 }
 
 /// `F φ`, `C<=k`, `C`, `I=k`, `S`, or a path.
-ExprPtr Parser::reward_body() {
+ExprPtr Parser::parse_reward_body() {
     const Span from = peek().span;
     if (accept("C")) {
-        if (accept("<=")) return node(Op::cumulative, from, {expression()});
-        return node(Op::total, from, {});
+        if (accept("<=")) return make_node(Op::cumulative, from, {parse_expression()});
+        return make_node(Op::total, from, {});
     }
     if (accept("I")) {
         expect("=");
-        return node(Op::instantaneous, from, {expression()});
+        return make_node(Op::instantaneous, from, {parse_expression()});
     }
-    if (at("S") && (at("]", 1) || at("{", 1))) return take(), node(Op::long_run, from, {});
-    return expression();
+    if (at_text("S") && (at_text("]", 1) || at_text("{", 1))) return take_token(), make_node(Op::long_run, from, {});
+    return parse_expression();
 }
 
 /// `P=? [ path {states}{min}{max} ]`, the form of filters in older versions.
-ExprPtr Parser::old_filter(ExprPtr question, Span from) {
+ExprPtr Parser::parse_old_filter(ExprPtr question, Span from) {
     const Within braces(*this, in_brackets);
     ExprPtr states;
     bool least = false;
@@ -102,7 +102,7 @@ ExprPtr Parser::old_filter(ExprPtr question, Span from) {
         else if (accept("max"))
             most = true;
         else
-            states = expression();
+            states = parse_expression();
         expect("}");
     }
     if (!states) {
@@ -110,16 +110,16 @@ ExprPtr Parser::old_filter(ExprPtr question, Span from) {
         return question;
     }
     std::string kind = least && most ? "range" : least ? "min" : most ? "max" : "state";
-    return node(Op::filter, from, {std::move(question), std::move(states)}, std::move(kind));
+    return make_node(Op::filter, from, {std::move(question), std::move(states)}, std::move(kind));
 }
 
-ExprPtr Parser::for_paths(Op op) {
+ExprPtr Parser::parse_for_paths(Op op) {
     const Depth depth(*this);
     const Span from = expect("[");
     const Within brackets(*this, in_brackets);
-    ExprPtr body = expression();
+    ExprPtr body = parse_expression();
     expect("]");
-    return node(op, from, {std::move(body)});
+    return make_node(op, from, {std::move(body)});
 }
 
 }  // namespace robochart::prism

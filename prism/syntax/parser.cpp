@@ -6,16 +6,17 @@
 
 #include <algorithm>
 
-#include "prism/syntax/rules.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "prism/syntax/rules.hpp"
 
 namespace robochart::prism {
 namespace {
 
-std::string found(const Token& token) {
+std::string describe_found(const Token& token) {
     if (token.kind == Tok::end) return "the end of the text";
     std::string text(token.text.substr(0, 40));
-    if (token.kind == Tok::quoted) return fmt::format("\"{}\"", diagnostics::shown(diagnostics::ForeignText(text)));
+    if (token.kind == Tok::quoted)
+        return fmt::format("\"{}\"", diagnostics::escape_for_display(diagnostics::ForeignText(text)));
     return fmt::format("'{}'", text);
 }
 
@@ -30,7 +31,7 @@ std::string_view other_kind(std::string_view word) {
 
 }  // namespace
 
-void Parser::deeper() {
+void Parser::enter_recursion() {
     if (depth_ >= max_depth) fail(rules::too_deep, peek().span, {fmt::format("{}", max_depth)});
     ++depth_;
 }
@@ -39,55 +40,56 @@ const Token& Parser::peek(std::size_t ahead) const {
     return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
 }
 
-bool Parser::at(std::string_view text, std::size_t ahead) const {
+bool Parser::at_text(std::string_view text, std::size_t ahead) const {
     const Token& token = peek(ahead);
     return token.text == text && (token.kind == Tok::word || token.kind == Tok::symbol);
 }
 
-const Token& Parser::take() {
+const Token& Parser::take_token() {
     const Token& token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
     return token;
 }
 
 bool Parser::accept(std::string_view text) {
-    if (!at(text)) return false;
-    take();
+    if (!at_text(text)) return false;
+    take_token();
     return true;
 }
 
 Span Parser::expect(std::string_view text) {
-    if (!at(text)) fail(fmt::format("'{}'", text));
-    return take().span;
+    if (!at_text(text)) fail(fmt::format("'{}'", text));
+    return take_token().span;
 }
 
-Name Parser::identifier(std::string_view what) {
+Name Parser::parse_identifier(std::string_view what) {
     if (peek().kind != Tok::word || is_reserved(peek().text)) fail(what);
-    const Token& token = take();
+    const Token& token = take_token();
     return {std::string(token.text), token.span};
 }
 
-Name Parser::letter_or_identifier(std::string_view what) {
+Name Parser::parse_letter_or_identifier(std::string_view what) {
     const Token& token = peek();
-    if (token.kind != Tok::word || token.text.size() != 1) return identifier(what);
-    take();
+    if (token.kind != Tok::word || token.text.size() != 1) return parse_identifier(what);
+    take_token();
     return {std::string(token.text), token.span};
 }
 
-Name Parser::quoted(std::string_view what) {
+Name Parser::parse_quoted(std::string_view what) {
     if (peek().kind != Tok::quoted) fail(what);
-    const Token& token = take();
+    const Token& token = take_token();
     return {std::string(token.text), token.span};
 }
 
-Span Parser::since(Span from) const {
-    return diagnostics::join(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
+Span Parser::span_since(Span from) const {
+    return diagnostics::join_spans(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
 }
 
 void Parser::fail(std::string_view expected) {
     const Token& token = peek();
     const bool reserved = token.kind == Tok::word && is_reserved(token.text);
-    auto& finding = diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), found(token)});
+    auto& finding =
+        diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), describe_found(token)});
     if (reserved && expected.find("name") != std::string_view::npos)
         finding.notes.push_back({{}, fmt::format("'{}' is a word of the language, which names nothing", token.text)});
     throw SyntaxError{};
@@ -98,26 +100,26 @@ void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::str
     throw SyntaxError{};
 }
 
-void Parser::refuse(std::string_view what, Span span) {
+void Parser::fail_unsupported(std::string_view what, Span span) {
     fail(rules::not_supported, span, {std::string(what)});
 }
 
-void Parser::skip(std::initializer_list<std::string_view> stops) {
+void Parser::skip_to(std::initializer_list<std::string_view> stops) {
     while (!at_end()) {
         if (peek().kind == Tok::word && std::ranges::find(stops, peek().text) != stops.end()) return;
-        if (take().text == ";") return;
+        if (take_token().text == ";") return;
     }
 }
 
 template <class Piece>
-void Parser::guarded(const Piece& piece, std::initializer_list<std::string_view> stops) {
+void Parser::parse_with_recovery(const Piece& piece, std::initializer_list<std::string_view> stops) {
     const std::size_t before = at_;
     try {
         piece();
     } catch (const SyntaxError&) {
         depth_ = 0;
-        if (at_ == before && !at_end()) take();
-        skip(stops);
+        if (at_ == before && !at_end()) take_token();
+        skip_to(stops);
     }
 }
 
@@ -126,39 +128,41 @@ ModelFile Parser::model() {
     while (!at_end()) {
         diagnostics_.poll();
         // If the head of a module or of a rewards structure is malformed, the whole item is skipped.
-        const std::string_view end = at("module") ? "endmodule" : at("rewards") ? "endrewards" : "";
-        const std::size_t errors = diagnostics_.errors();
-        guarded([&] { item(file); }, {"const", "formula", "global", "init", "label", "module", "rewards", "system"});
-        if (end.empty() || diagnostics_.errors() == errors || tokens_[at_ - 1].text == end) continue;
-        while (!at_end() && !at("module") && !at("rewards") && take().text != end) {
+        const std::string_view end = at_text("module") ? "endmodule" : at_text("rewards") ? "endrewards" : "";
+        const std::size_t errors = diagnostics_.error_count();
+        parse_with_recovery([&] { parse_item(file); },
+                            {"const", "formula", "global", "init", "label", "module", "rewards", "system"});
+        if (end.empty() || diagnostics_.error_count() == errors || tokens_[at_ - 1].text == end) continue;
+        while (!at_end() && !at_text("module") && !at_text("rewards") && take_token().text != end) {
         }
     }
     file.end = peek().span;
     return file;
 }
 
-void Parser::item(ModelFile& file) {
-    if (at("const") || at("rate") || at("prob")) return constant(file.constants);
-    if (at("formula")) return file.formulas.push_back(formula());
-    if (at("label")) return file.labels.push_back(label());
-    if (at("module")) return module(file);
-    if (at("rewards")) return rewards(file);
-    if (at("init")) return initial_states(file);
-    if (at("system")) return composition(file);
-    if (accept("global")) return file.globals.push_back(variable());
+void Parser::parse_item(ModelFile& file) {
+    if (at_text("const") || at_text("rate") || at_text("prob")) return parse_constant(file.constants);
+    if (at_text("formula")) return file.formulas.push_back(parse_formula());
+    if (at_text("label")) return file.labels.push_back(parse_label());
+    if (at_text("module")) return parse_module(file);
+    if (at_text("rewards")) return parse_rewards(file);
+    if (at_text("init")) return parse_initial_states(file);
+    if (at_text("system")) return parse_composition(file);
+    if (accept("global")) return file.globals.push_back(parse_variable());
     for (const std::string_view left : {"endmodule", "endrewards", "endinit", "endsystem"})
-        if (at(left)) fail("a declaration");
-    if (at("observables") || at("observable")) refuse("observables (partially observable models)", peek().span);
-    if (at("func")) refuse("functions of one's own (func)", peek().span);
-    kind_of_model(file);
+        if (at_text(left)) fail("a declaration");
+    if (at_text("observables") || at_text("observable"))
+        fail_unsupported("observables (partially observable models)", peek().span);
+    if (at_text("func")) fail_unsupported("functions of one's own (func)", peek().span);
+    parse_kind_of_model(file);
 }
 
-void Parser::kind_of_model(ModelFile& file) {
+void Parser::parse_kind_of_model(ModelFile& file) {
     const Span span = peek().span;
-    const bool chain = at("dtmc") || at("probabilistic");
+    const bool chain = at_text("dtmc") || at_text("probabilistic");
     const std::string_view other = other_kind(peek().text);
-    if (!chain && !at("mdp") && !at("nondeterministic") && other.empty()) fail("a declaration");
-    take();
+    if (!chain && !at_text("mdp") && !at_text("nondeterministic") && other.empty()) fail("a declaration");
+    take_token();
     if (!other.empty()) diagnostics_.report(rules::not_supported, span, {std::string(other)});
     if (file.kind_given) diagnostics_.report(rules::given_twice, span, {"the type of the model"});
     file.kind = chain ? ModelKind::dtmc : ModelKind::mdp;
@@ -166,10 +170,10 @@ void Parser::kind_of_model(ModelFile& file) {
 }
 
 /// `const [int|double|bool] n [= e];`, `rate` and `prob` are double.
-void Parser::constant(std::vector<Constant>& constants) {
+void Parser::parse_constant(std::vector<Constant>& constants) {
     Constant constant;
-    const bool old_form = !at("const");
-    take();
+    const bool old_form = !at_text("const");
+    take_token();
     if (old_form) constant.type = Type::real;
     if (accept("double") || accept("rate") || accept("prob"))
         constant.type = Type::real;
@@ -177,80 +181,81 @@ void Parser::constant(std::vector<Constant>& constants) {
         constant.type = Type::boolean;
     else
         (void)accept("int");
-    constant.name = identifier("the name of a constant");
-    if (accept("=")) constant.value = expression();
+    constant.name = parse_identifier("the name of a constant");
+    if (accept("=")) constant.value = parse_expression();
     expect(";");
     constants.push_back(std::move(constant));
 }
 
-Definition Parser::formula() {
+Definition Parser::parse_formula() {
     Definition result;
     expect("formula");
-    result.name = identifier("the name of a formula");
+    result.name = parse_identifier("the name of a formula");
     expect("=");
-    result.body = expression();
+    result.body = parse_expression();
     expect(";");
     return result;
 }
 
-Definition Parser::label() {
+Definition Parser::parse_label() {
     Definition result;
     expect("label");
-    result.name = quoted("the name of a label in double quotes");
+    result.name = parse_quoted("the name of a label in double quotes");
     expect("=");
-    result.body = expression();
+    result.body = parse_expression();
     expect(";");
     return result;
 }
 
 /// `x : [lo..hi] | bool | int [init e];`
-Variable Parser::variable() {
+Variable Parser::parse_variable() {
     Variable result;
-    result.name = identifier("the name of a variable");
+    result.name = parse_identifier("the name of a variable");
     expect(":");
     if (accept("[")) {
-        result.low = expression();
+        result.low = parse_expression();
         expect("..");
-        result.high = expression();
+        result.high = parse_expression();
         expect("]");
     } else if (accept("bool")) {
         result.type = Type::boolean;
     } else if (!accept("int")) {
-        if (at("clock")) refuse("clocks (probabilistic timed automata)", peek().span);
-        if (at("double")) refuse("variables of type double", peek().span);
+        if (at_text("clock")) fail_unsupported("clocks (probabilistic timed automata)", peek().span);
+        if (at_text("double")) fail_unsupported("variables of type double", peek().span);
         fail("a range [low..high], bool or int");
     }
-    if (accept("init")) result.initial = expression();
+    if (accept("init")) result.initial = parse_expression();
     expect(";");
     return result;
 }
 
-void Parser::module(ModelFile& file) {
+void Parser::parse_module(ModelFile& file) {
     expect("module");
     Module module;
-    module.name = letter_or_identifier("the name of a module");
+    module.name = parse_letter_or_identifier("the name of a module");
     if (accept("=")) {
-        module.base = letter_or_identifier("the name of a module");
+        module.base = parse_letter_or_identifier("the name of a module");
         expect("[");
-        module.renamings = renamings("=", "]");
+        module.renamings = parse_renamings("=", "]");
         expect("endmodule");
     } else {
-        module_body(module);
+        parse_module_body(module);
     }
     file.modules.push_back(std::move(module));
 }
 
-void Parser::module_body(Module& module) {
+void Parser::parse_module_body(Module& module) {
     while (!accept("endmodule")) {
-        if (at_end() || at("module") || at("rewards") || at("system")) fail("a declaration, a command or 'endmodule'");
+        if (at_end() || at_text("module") || at_text("rewards") || at_text("system"))
+            fail("a declaration, a command or 'endmodule'");
         diagnostics_.poll();
-        guarded(
+        parse_with_recovery(
             [&] {
-                if (at("invariant")) refuse("invariants (probabilistic timed automata)", peek().span);
-                if (at("["))
-                    module.commands.push_back(command());
-                else if (peek().kind == Tok::word && at(":", 1))
-                    module.variables.push_back(variable());
+                if (at_text("invariant")) fail_unsupported("invariants (probabilistic timed automata)", peek().span);
+                if (at_text("["))
+                    module.commands.push_back(parse_command());
+                else if (peek().kind == Tok::word && at_text(":", 1))
+                    module.variables.push_back(parse_variable());
                 else
                     fail("a declaration, a command or 'endmodule'");
             },
@@ -258,15 +263,15 @@ void Parser::module_body(Module& module) {
     }
 }
 
-std::vector<Renaming> Parser::renamings(std::string_view between, std::string_view end) {
+std::vector<Renaming> Parser::parse_renamings(std::string_view between, std::string_view end) {
     std::vector<Renaming> result;
-    while (!at(end)) {
+    while (!at_text(end)) {
         Renaming renaming;
         // Functions may be renamed, although their names are reserved words.
         const auto side = [&] {
-            const bool function = at("min") || at("max");
-            if (!function) return identifier("a name");
-            const Token& token = take();
+            const bool function = at_text("min") || at_text("max");
+            if (!function) return parse_identifier("a name");
+            const Token& token = take_token();
             return Name{std::string(token.text), token.span};
         };
         renaming.from = side();
@@ -285,112 +290,112 @@ std::vector<Renaming> Parser::renamings(std::string_view between, std::string_vi
 }
 
 /// `[act] guard -> upd;` or `... -> p1:upd + p2:upd + ...;`
-Command Parser::command() {
+Command Parser::parse_command() {
     Command result;
     const Span from = expect("[");
-    if (!at("]")) result.action = letter_or_identifier("the name of an action");
+    if (!at_text("]")) result.action = parse_letter_or_identifier("the name of an action");
     expect("]");
-    result.guard = expression();
+    result.guard = parse_expression();
     expect("->");
-    do result.branches.push_back(branch());
+    do result.branches.push_back(parse_branch());
     while (accept("+"));
-    result.span = since(from);
+    result.span = span_since(from);
     expect(";");
     return result;
 }
 
 /// An update begins with `true` or `(x'`; anything else is a probability.
-Branch Parser::branch() {
-    if (at("[")) refuse("intervals of probabilities", peek().span);
-    const bool at_update =
-        (at("(") && peek(1).kind == Tok::word && at("'", 2)) || (at("true") && (at(";", 1) || at("+", 1)));
-    if (at_update) return update(nullptr);
-    ExprPtr probability = expression();
+Branch Parser::parse_branch() {
+    if (at_text("[")) fail_unsupported("intervals of probabilities", peek().span);
+    const bool at_update = (at_text("(") && peek(1).kind == Tok::word && at_text("'", 2)) ||
+                           (at_text("true") && (at_text(";", 1) || at_text("+", 1)));
+    if (at_update) return parse_update(nullptr);
+    ExprPtr probability = parse_expression();
     expect(":");
-    return update(std::move(probability));
+    return parse_update(std::move(probability));
 }
 
-Branch Parser::update(ExprPtr probability) {
+Branch Parser::parse_update(ExprPtr probability) {
     Branch result;
     const Span from = probability ? probability->span : peek().span;
     result.probability = std::move(probability);
     if (!accept("true")) {
-        do result.assignments.push_back(assignment());
+        do result.assignments.push_back(parse_assignment());
         while (accept("&"));
     }
-    result.span = since(from);
+    result.span = span_since(from);
     return result;
 }
 
-Assignment Parser::assignment() {
+Assignment Parser::parse_assignment() {
     Assignment result;
     expect("(");
-    result.variable = identifier("the name of a variable");
+    result.variable = parse_identifier("the name of a variable");
     expect("'");
     expect("=");
-    result.value = expression();
+    result.value = parse_expression();
     expect(")");
     return result;
 }
 
-void Parser::rewards(ModelFile& file) {
+void Parser::parse_rewards(ModelFile& file) {
     expect("rewards");
     RewardStructure result;
-    if (peek().kind == Tok::quoted) result.name = quoted("a name");
+    if (peek().kind == Tok::quoted) result.name = parse_quoted("a name");
     while (!accept("endrewards")) {
-        if (at_end() || at("module") || at("rewards")) fail("a reward or 'endrewards'");
-        guarded([&] { result.items.push_back(reward_item()); }, {"endrewards", "module", "rewards"});
+        if (at_end() || at_text("module") || at_text("rewards")) fail("a reward or 'endrewards'");
+        parse_with_recovery([&] { result.items.push_back(parse_reward_item()); }, {"endrewards", "module", "rewards"});
     }
     file.rewards.push_back(std::move(result));
 }
 
-RewardItem Parser::reward_item() {
+RewardItem Parser::parse_reward_item() {
     RewardItem item;
     const Span from = peek().span;
     if (accept("[")) {
         item.transition = true;
-        if (!at("]")) item.action = letter_or_identifier("the name of an action");
+        if (!at_text("]")) item.action = parse_letter_or_identifier("the name of an action");
         expect("]");
     }
-    item.guard = expression();
+    item.guard = parse_expression();
     expect(":");
-    item.value = expression();
-    item.span = since(from);
+    item.value = parse_expression();
+    item.span = span_since(from);
     expect(";");
     return item;
 }
 
-void Parser::initial_states(ModelFile& file) {
+void Parser::parse_initial_states(ModelFile& file) {
     const Span span = expect("init");
-    ExprPtr states = expression();
+    ExprPtr states = parse_expression();
     expect("endinit");
     if (file.initial) diagnostics_.report(rules::given_twice, span, {"init ... endinit"});
     file.initial = std::move(states);
 }
 
-void Parser::composition(ModelFile& file) {
+void Parser::parse_composition(ModelFile& file) {
     const Span span = expect("system");
-    if (peek().kind == Tok::quoted) refuse("several system blocks with names", peek().span);
-    CompositionPtr system = parallel();
+    if (peek().kind == Tok::quoted) fail_unsupported("several system blocks with names", peek().span);
+    CompositionPtr system = parse_parallel();
     expect("endsystem");
     if (file.system) diagnostics_.report(rules::given_twice, span, {"system ... endsystem"});
     file.system = std::move(system);
 }
 
-CompositionPtr Parser::make(Composition composition) {
+CompositionPtr Parser::make_composition(Composition composition) {
     for (const CompositionPtr& part : composition.parts)
         composition.height = std::max(composition.height, part->height + 1);
     return std::make_shared<const Composition>(std::move(composition));
 }
 
 /// `a || b`, `a ||| b`, `a |[x,y]| b`; equal precedence, left-associative.
-CompositionPtr Parser::parallel() {
-    CompositionPtr left = composed();
+CompositionPtr Parser::parse_parallel() {
+    CompositionPtr left = parse_composed();
     while (accept("|")) {
         Composition next;
         if (accept("[")) {
             next.kind = Composition::Kind::on_actions;
-            do next.actions.push_back(letter_or_identifier("the name of an action"));
+            do next.actions.push_back(parse_letter_or_identifier("the name of an action"));
             while (accept(","));
             expect("]");
             expect("|");
@@ -398,62 +403,62 @@ CompositionPtr Parser::parallel() {
             expect("|");
             next.kind = accept("|") ? Composition::Kind::interleaved : Composition::Kind::common;
         }
-        next.parts = {left, composed()};
-        left = make(std::move(next));
+        next.parts = {left, parse_composed()};
+        left = make_composition(std::move(next));
         if (left->height > max_depth) fail(rules::too_deep, peek().span, {fmt::format("{}", max_depth)});
     }
     return left;
 }
 
-CompositionPtr Parser::composed() {
-    CompositionPtr part = composed_operand();
+CompositionPtr Parser::parse_composed() {
+    CompositionPtr part = parse_composed_operand();
     for (;;) {
         Composition next;
         if (accept("/")) {
             next.kind = Composition::Kind::hide;
             expect("{");
-            do next.actions.push_back(letter_or_identifier("the name of an action"));
+            do next.actions.push_back(parse_letter_or_identifier("the name of an action"));
             while (accept(","));
             expect("}");
         } else if (accept("{")) {
             next.kind = Composition::Kind::rename;
-            next.renamings = renamings("<-", "}");
+            next.renamings = parse_renamings("<-", "}");
         } else {
             return part;
         }
         next.parts = {part};
-        part = make(std::move(next));
+        part = make_composition(std::move(next));
         if (part->height > max_depth) fail(rules::too_deep, peek().span, {fmt::format("{}", max_depth)});
     }
 }
 
-CompositionPtr Parser::composed_operand() {
+CompositionPtr Parser::parse_composed_operand() {
     const Depth depth(*this);
     if (accept("(")) {
-        CompositionPtr inner = parallel();
+        CompositionPtr inner = parse_parallel();
         expect(")");
         return inner;
     }
     Composition leaf;
-    leaf.module = letter_or_identifier("the name of a module or '('");
-    return make(std::move(leaf));
+    leaf.module = parse_letter_or_identifier("the name of a module or '('");
+    return make_composition(std::move(leaf));
 }
 
 PropertyFile Parser::properties() {
     PropertyFile file;
     while (!at_end()) {
         diagnostics_.poll();
-        guarded(
+        parse_with_recovery(
             [&] {
                 if (accept(";")) return;
-                if (at("const")) return constant(file.constants);
-                if (at("label")) return file.labels.push_back(label());
+                if (at_text("const")) return parse_constant(file.constants);
+                if (at_text("label")) return file.labels.push_back(parse_label());
                 Property property;
-                if (peek().kind == Tok::quoted && at(":", 1)) {
-                    property.name = quoted("a name");
+                if (peek().kind == Tok::quoted && at_text(":", 1)) {
+                    property.name = parse_quoted("a name");
                     expect(":");
                 }
-                property.expression = expression();
+                property.expression = parse_expression();
                 // Semicolons are optional at the end of a line.
                 if (!accept(";") && !at_end() && !peek().line_begins) fail("';'");
                 file.properties.push_back(std::move(property));
@@ -466,9 +471,9 @@ PropertyFile Parser::properties() {
 ExprPtr Parser::lone_expression() {
     ExprPtr result;
     const Within whole_text(*this, in_brackets);
-    guarded(
+    parse_with_recovery(
         [&] {
-            result = expression();
+            result = parse_expression();
             (void)accept(";");
             if (!at_end()) fail("the end of the text");
         },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive-descent parser for PRISM. Operators from the lowest precedence: U W R, then ? : and => (both
-// right-associative), <=>, |, &, !, = !=, < <= > >=, + -, * /, ^ (right-associative), unary minus.
+// Recursive-descent parser for PRISM. The operators, lowest precedence first, are: U W R; ? : and => (both
+// right-associative); <=>; |; &; !; = !=; < <= > >=; + -; * /; ^ (right-associative); unary minus.
 #pragma once
 
 #include <initializer_list>
@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "prism/syntax/lexer.hpp"
 #include "prism/syntax/syntax.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::prism {
 
@@ -33,7 +33,7 @@ private:
     /// Counts the levels of recursion during its lifetime.
     class Depth {
     public:
-        explicit Depth(Parser& parser) : parser_(parser) { parser.deeper(); }
+        explicit Depth(Parser& parser) : parser_(parser) { parser.enter_recursion(); }
         ~Depth() { --parser_.depth_; }
         Depth(const Depth&) = delete;
         Depth& operator=(const Depth&) = delete;
@@ -41,82 +41,82 @@ private:
     private:
         Parser& parser_;
     };
-    void deeper();
+    void enter_recursion();
 
     // tokens
     [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
-    [[nodiscard]] bool at(std::string_view text, std::size_t ahead = 0) const;  ///< a word or symbol
+    [[nodiscard]] bool at_text(std::string_view text, std::size_t ahead = 0) const;  ///< a word or symbol
     [[nodiscard]] bool at_end() const { return peek().kind == Tok::end; }
-    const Token& take();
+    const Token& take_token();
     bool accept(std::string_view text);
     Span expect(std::string_view text);
-    Name identifier(std::string_view what);
+    Name parse_identifier(std::string_view what);
     /// Names of modules and actions cannot occur in expressions, so letters such as R, which begin queries there, are
     /// allowed as names.
-    Name letter_or_identifier(std::string_view what);
-    Name quoted(std::string_view what);
-    [[nodiscard]] Span since(Span from) const;
+    Name parse_letter_or_identifier(std::string_view what);
+    Name parse_quoted(std::string_view what);
+    [[nodiscard]] Span span_since(Span from) const;
     [[noreturn]] void fail(std::string_view expected);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments);
-    [[noreturn]] void refuse(std::string_view what, Span span);
+    [[noreturn]] void fail_unsupported(std::string_view what, Span span);
     /// Runs a part of the parser; after an error it continues after the next `;` or at a word that begins an item.
     template <class Piece>
-    void guarded(const Piece& piece, std::initializer_list<std::string_view> stops);
-    void skip(std::initializer_list<std::string_view> stops);
+    void parse_with_recovery(const Piece& piece, std::initializer_list<std::string_view> stops);
+    void skip_to(std::initializer_list<std::string_view> stops);
 
     // models
-    void item(ModelFile& file);
-    void kind_of_model(ModelFile& file);
-    void constant(std::vector<Constant>& constants);
-    Definition formula();
-    Definition label();
-    Variable variable();
-    void module(ModelFile& file);
-    void module_body(Module& module);
-    std::vector<Renaming> renamings(std::string_view between, std::string_view end);
-    Command command();
-    Branch branch();
-    Branch update(ExprPtr probability);
-    Assignment assignment();
-    void rewards(ModelFile& file);
-    RewardItem reward_item();
-    void initial_states(ModelFile& file);
-    void composition(ModelFile& file);
-    CompositionPtr parallel();
-    CompositionPtr composed();
-    CompositionPtr composed_operand();
-    static CompositionPtr make(Composition composition);
+    void parse_item(ModelFile& file);
+    void parse_kind_of_model(ModelFile& file);
+    void parse_constant(std::vector<Constant>& constants);
+    Definition parse_formula();
+    Definition parse_label();
+    Variable parse_variable();
+    void parse_module(ModelFile& file);
+    void parse_module_body(Module& module);
+    std::vector<Renaming> parse_renamings(std::string_view between, std::string_view end);
+    Command parse_command();
+    Branch parse_branch();
+    Branch parse_update(ExprPtr probability);
+    Assignment parse_assignment();
+    void parse_rewards(ModelFile& file);
+    RewardItem parse_reward_item();
+    void parse_initial_states(ModelFile& file);
+    void parse_composition(ModelFile& file);
+    CompositionPtr parse_parallel();
+    CompositionPtr parse_composed();
+    CompositionPtr parse_composed_operand();
+    static CompositionPtr make_composition(Composition composition);
 
     // expressions
-    ExprPtr expression();  ///< including path operators
-    ExprPtr temporal();
-    ExprPtr temporal_operand();
-    [[nodiscard]] bool at_prefix_operator() const { return at("X") || at("F") || at("G"); }
+    ExprPtr parse_expression();  ///< including path operators
+    ExprPtr parse_temporal();
+    ExprPtr parse_temporal_operand();
+    [[nodiscard]] bool at_prefix_operator() const { return at_text("X") || at_text("F") || at_text("G"); }
     [[nodiscard]] bool at_infix_operator() const;
-    ExprPtr conditional();
-    ExprPtr implication();
-    ExprPtr binary(int level);
-    ExprPtr infix(Op op, ExprPtr left, ExprPtr right);
-    ExprPtr negation();
-    ExprPtr power();
-    ExprPtr prefix();
-    ExprPtr primary();
-    ExprPtr word();
-    ExprPtr call(std::string function, Span from);
-    ExprPtr filter(Span from);
-    ExprPtr node(Op op, Span from, std::vector<ExprPtr> parts, std::string text = {});
-    ExprPtr checked(Expr expr, Span from);
+    ExprPtr parse_conditional();
+    ExprPtr parse_implication();
+    ExprPtr parse_binary(int level);
+    ExprPtr make_infix(Op op, ExprPtr left, ExprPtr right);
+    ExprPtr parse_negation();
+    ExprPtr parse_power();
+    ExprPtr parse_prefix();
+    ExprPtr parse_primary();
+    ExprPtr parse_word();
+    ExprPtr parse_call(std::string function, Span from);
+    ExprPtr parse_filter(Span from);
+    ExprPtr make_node(Op op, Span from, std::vector<ExprPtr> parts, std::string text = {});
+    ExprPtr make_checked_node(Expr expr, Span from);
 
     // queries
     [[nodiscard]] bool at_query() const;
-    ExprPtr query();
-    void reward_index(Query& query);
-    void optimum(Query& query);
-    void relation(Query& query);
-    ExprPtr reward_body();
-    ExprPtr old_filter(ExprPtr question, Span from);
-    ExprPtr for_paths(Op op);
-    std::shared_ptr<const StepBound> steps();
+    ExprPtr parse_query();
+    void parse_reward_index(Query& query);
+    void parse_optimum(Query& query);
+    void parse_relation(Query& query);
+    ExprPtr parse_reward_body();
+    ExprPtr parse_old_filter(ExprPtr question, Span from);
+    ExprPtr parse_for_paths(Op op);
+    std::shared_ptr<const StepBound> parse_steps();
 
     /// The context in which the parser reads an expression.
     struct Surroundings {
@@ -139,7 +139,7 @@ private:
         Parser& parser_;
         Surroundings outside_;
     };
-    void join() { surroundings_.joined = surroundings_.operand; }
+    void record_connective() { surroundings_.joined = surroundings_.operand; }
 
     std::vector<Token> tokens_;
     diagnostics::Diagnostics& diagnostics_;

@@ -67,7 +67,7 @@ Spelling spelling(Op op) {
 
 std::string text_of(const ExprPtr& expr, int level);
 
-std::string listed(const std::vector<ExprPtr>& parts) {
+std::string list_text(const std::vector<ExprPtr>& parts) {
     std::string text;
     for (const ExprPtr& part : parts) text += (text.empty() ? "" : ", ") + text_of(part, temporal_level);
     return text;
@@ -105,7 +105,7 @@ std::string unary(std::string_view symbol, const Expr& expr) {
 }
 
 /// Returns the text and its precedence.
-std::pair<std::string, int> written(const Expr& expr) {
+std::pair<std::string, int> text_and_level(const Expr& expr) {
     switch (expr.op) {
         case Op::boolean:
         case Op::integer:
@@ -115,17 +115,17 @@ std::pair<std::string, int> written(const Expr& expr) {
         case Op::label:
             return {fmt::format("\"{}\"", expr.text), tightest};
         case Op::call:
-            return {fmt::format("{}({})", expr.text, listed(expr.parts)), tightest};
+            return {fmt::format("{}({})", expr.text, list_text(expr.parts)), tightest};
         case Op::filter:
-            return {fmt::format("filter({}, {})", expr.text, listed(expr.parts)), tightest};
+            return {fmt::format("filter({}, {})", expr.text, list_text(expr.parts)), tightest};
         case Op::probability:
         case Op::steady:
         case Op::reward:
             return {query_text(expr), tightest};
         case Op::forall_paths:
-            return {fmt::format("A [ {} ]", listed(expr.parts)), tightest};
+            return {fmt::format("A [ {} ]", list_text(expr.parts)), tightest};
         case Op::exists_path:
-            return {fmt::format("E [ {} ]", listed(expr.parts)), tightest};
+            return {fmt::format("E [ {} ]", list_text(expr.parts)), tightest};
         case Op::cumulative:
             return {"C<=" + text_of(expr.parts[0], temporal_level), temporal_level};
         case Op::total:
@@ -161,7 +161,7 @@ std::pair<std::string, int> written(const Expr& expr) {
 
 /// Returns the text for a place that requires at least the precedence `level`, in parentheses if necessary.
 std::string text_of(const ExprPtr& expr, int level) {
-    auto [text, own] = written(*expr);
+    auto [text, own] = text_and_level(*expr);
     return own < level ? "(" + text + ")" : text;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 Parser parser(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
               diagnostics::Diagnostics& diagnostics) {
-    return {lex(sources.text(source), source, diagnostics), diagnostics};
+    return {lex(sources.source_text(source), source, diagnostics), diagnostics};
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "prism/syntax/syntax.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "prism/syntax/syntax.hpp"
 
 namespace robochart::prism {
 

@@ -7,7 +7,7 @@
 namespace robochart::prism {
 namespace {
 
-void measure(Expr& expr, const ExprPtr& part) {
+void include_part(Expr& expr, const ExprPtr& part) {
     if (!part) return;
     expr.height = std::max(expr.height, part->height + 1);
     expr.size = std::min(expr.size + part->size, max_size * 2);
@@ -35,14 +35,14 @@ const char* type_name(Type type) {
 ExprPtr make_expr(Expr expr) {
     expr.height = 1;
     expr.size = 1;
-    for (const ExprPtr& part : expr.parts) measure(expr, part);
+    for (const ExprPtr& part : expr.parts) include_part(expr, part);
     if (expr.query) {
-        measure(expr, expr.query->bound);
-        measure(expr, expr.query->reward_index);
+        include_part(expr, expr.query->bound);
+        include_part(expr, expr.query->reward_index);
     }
     if (expr.steps) {
-        measure(expr, expr.steps->low);
-        measure(expr, expr.steps->high);
+        include_part(expr, expr.steps->low);
+        include_part(expr, expr.steps->high);
     }
     return std::make_shared<const Expr>(std::move(expr));
 }

@@ -18,18 +18,18 @@ public:
     Carriers(const System& system, const Instantiation& instantiation, std::size_t limit)
         : system_(system), instantiation_(instantiation), limit_(limit) {}
 
-    Values of(TypeId id);
+    Values values_of(TypeId id);
 
 private:
-    [[nodiscard]] Values numbers(const std::vector<std::int64_t>& set) const;
-    [[nodiscard]] Values upto(std::int64_t count) const;
-    Values enumeration(const Type& type);
-    Values tuples(const std::vector<Values>& columns) const;
+    [[nodiscard]] Values number_values(const std::vector<std::int64_t>& set) const;
+    [[nodiscard]] Values values_up_to(std::int64_t count) const;
+    Values enumeration_values(const Type& type);
+    Values all_tuples(const std::vector<Values>& columns) const;
     Values columns_of(const std::vector<TypeId>& types);
-    Values sequences(TypeId element);
-    [[nodiscard]] Values subsets(const Values& base) const;
-    Values functions(const Type& type);
-    Values repeated(const Values& base, std::size_t count) const;
+    Values sequence_values(TypeId element);
+    [[nodiscard]] Values all_subsets(const Values& base) const;
+    Values function_values(const Type& type);
+    Values repeated_tuples(const Values& base, std::size_t count) const;
     void check(std::size_t count) const {
         if (count > limit_) throw std::length_error("the type has more than " + std::to_string(limit_) + " values");
     }
@@ -39,21 +39,21 @@ private:
     std::size_t limit_;
 };
 
-Values Carriers::numbers(const std::vector<std::int64_t>& set) const {
+Values Carriers::number_values(const std::vector<std::int64_t>& set) const {
     check(set.size());
     Values values;
     for (const auto number : set) values.push_back({number, {}});
     return values;
 }
 
-Values Carriers::upto(std::int64_t count) const {
+Values Carriers::values_up_to(std::int64_t count) const {
     Values values;
     for (std::int64_t i = 0; i < count; ++i) values.push_back({i, {}});
     return values;
 }
 
 /// All tuples with one component from each column, in lexicographic order.
-Values Carriers::tuples(const std::vector<Values>& columns) const {
+Values Carriers::all_tuples(const std::vector<Values>& columns) const {
     Values result{{}};
     for (const auto& column : columns) {
         Values longer;
@@ -71,11 +71,11 @@ Values Carriers::tuples(const std::vector<Values>& columns) const {
 
 Values Carriers::columns_of(const std::vector<TypeId>& types) {
     std::vector<Values> columns;
-    for (const auto type : types) columns.push_back(of(type));
-    return tuples(columns);
+    for (const auto type : types) columns.push_back(values_of(type));
+    return all_tuples(columns);
 }
 
-Values Carriers::enumeration(const Type& type) {
+Values Carriers::enumeration_values(const Type& type) {
     Values values;
     for (std::size_t i = 0; i < type.labels.size(); ++i) {
         const bool plain = i >= type.literal_args.size();
@@ -88,11 +88,11 @@ Values Carriers::enumeration(const Type& type) {
     return values;
 }
 
-Values Carriers::sequences(TypeId element) {
-    const Values items = of(element);
+Values Carriers::sequence_values(TypeId element) {
+    const Values items = values_of(element);
     Values all;
     for (std::int64_t length = 0; length <= instantiation_.sequence_bound; ++length) {
-        const Values more = repeated(items, static_cast<std::size_t>(length));
+        const Values more = repeated_tuples(items, static_cast<std::size_t>(length));
         all.insert(all.end(), more.begin(), more.end());
         check(all.size());
     }
@@ -100,12 +100,12 @@ Values Carriers::sequences(TypeId element) {
     return all;
 }
 
-Values Carriers::repeated(const Values& base, std::size_t count) const {
-    return tuples(std::vector<Values>(count, base));
+Values Carriers::repeated_tuples(const Values& base, std::size_t count) const {
+    return all_tuples(std::vector<Values>(count, base));
 }
 
 /// All subsets of `base`, which is ascending and has no duplicates.
-Values Carriers::subsets(const Values& base) const {
+Values Carriers::all_subsets(const Values& base) const {
     Values result{{}};
     for (const auto& item : base) {
         check(result.size() * 2);
@@ -121,48 +121,48 @@ Values Carriers::subsets(const Values& base) const {
 }
 
 /// All total functions, as sets of pairs (RoboTool's Function(A, B)).
-Values Carriers::functions(const Type& type) {
-    const Values domain = of(type.args.at(0));
-    Values result = repeated(of(type.args.at(1)), domain.size());
+Values Carriers::function_values(const Type& type) {
+    const Values domain = values_of(type.args.at(0));
+    Values result = repeated_tuples(values_of(type.args.at(1)), domain.size());
     for (Value& images : result)
         for (std::size_t i = 0; i < domain.size(); ++i) images.parts[i] = {0, {domain[i], images.parts[i]}};
     return result;
 }
 
-Values Carriers::of(TypeId id) {
+Values Carriers::values_of(TypeId id) {
     instantiation_.poll();
     const auto few = instantiation_.representatives.find(id.index);
     if (few != instantiation_.representatives.end()) return few->second;
     const Type& type = system_.types.at(id.index);
     switch (type.kind) {
         case TypeKind::boolean:
-            return upto(2);
+            return values_up_to(2);
         case TypeKind::nat:
-            return numbers(instantiation_.nat);
+            return number_values(instantiation_.nat);
         case TypeKind::integer:
-            return numbers(instantiation_.integer);
+            return number_values(instantiation_.integer);
         case TypeKind::real:
-            return numbers(instantiation_.real);
+            return number_values(instantiation_.real);
         case TypeKind::enumeration:
-            return enumeration(type);
+            return enumeration_values(type);
         case TypeKind::given:
-            return upto(instantiation_.given_size);
+            return values_up_to(instantiation_.given_size);
         case TypeKind::sequence:
-            return sequences(type.args.at(0));
+            return sequence_values(type.args.at(0));
         case TypeKind::set:
-            return subsets(of(type.args.at(0)));
+            return all_subsets(values_of(type.args.at(0)));
         case TypeKind::product:
         case TypeKind::record:
             return columns_of(type.args);
         case TypeKind::function:
-            return functions(type);
+            return function_values(type);
         case TypeKind::relation:
-            return subsets(columns_of(type.args));
+            return all_subsets(columns_of(type.args));
         case TypeKind::vector:
-            return repeated(of(type.args.at(0)), static_cast<std::size_t>(type.sizes.at(0)));
+            return repeated_tuples(values_of(type.args.at(0)), static_cast<std::size_t>(type.sizes.at(0)));
         case TypeKind::matrix: {
-            const Values row = repeated(of(type.args.at(0)), static_cast<std::size_t>(type.sizes.at(1)));
-            return repeated(row, static_cast<std::size_t>(type.sizes.at(0)));
+            const Values row = repeated_tuples(values_of(type.args.at(0)), static_cast<std::size_t>(type.sizes.at(1)));
+            return repeated_tuples(row, static_cast<std::size_t>(type.sizes.at(0)));
         }
         case TypeKind::unit:
             return {{}};
@@ -175,7 +175,7 @@ Values Carriers::of(TypeId id) {
     throw std::length_error("type " + type.name + " has no finite carrier");
 }
 
-bool has(const std::vector<std::int64_t>& set, const Value& value) {
+bool contains_number(const std::vector<std::int64_t>& set, const Value& value) {
     return std::ranges::binary_search(set, value.number);
 }
 
@@ -213,7 +213,7 @@ bool rows_in(const System& system, const Instantiation& instantiation, const Typ
 }
 
 /// `count` components of a vector, all equal to the default of the element type.
-Value filled(std::int64_t count, const Value& item) {
+Value filled_vector(std::int64_t count, const Value& item) {
     return {0, Values(static_cast<std::size_t>(std::max<std::int64_t>(count, 0)), item)};
 }
 
@@ -228,11 +228,11 @@ bool in_carrier(const System& system, const Instantiation& instantiation, TypeId
         case TypeKind::boolean:
             return value.number == 0 || value.number == 1;
         case TypeKind::nat:
-            return has(instantiation.nat, value);
+            return contains_number(instantiation.nat, value);
         case TypeKind::integer:
-            return has(instantiation.integer, value);
+            return contains_number(instantiation.integer, value);
         case TypeKind::real:
-            return has(instantiation.real, value);
+            return contains_number(instantiation.real, value);
         case TypeKind::enumeration:
             return has_literal(system, instantiation, type, value);
         case TypeKind::given:
@@ -263,8 +263,9 @@ bool in_carrier(const System& system, const Instantiation& instantiation, TypeId
     return false;
 }
 
-std::vector<Value> carrier(const System& system, const Instantiation& instantiation, TypeId type, std::size_t limit) {
-    return Carriers(system, instantiation, limit).of(type);
+std::vector<Value> carrier_values(const System& system, const Instantiation& instantiation, TypeId type,
+                                  std::size_t limit) {
+    return Carriers(system, instantiation, limit).values_of(type);
 }
 
 Value default_value(const System& system, const Instantiation& instantiation, TypeId id) {
@@ -284,14 +285,14 @@ Value default_value(const System& system, const Instantiation& instantiation, Ty
             for (const auto arg : type.args) value.parts.push_back(default_value(system, instantiation, arg));
             return value;
         case TypeKind::vector:
-            return filled(type.sizes.at(0), default_value(system, instantiation, type.args.at(0)));
+            return filled_vector(type.sizes.at(0), default_value(system, instantiation, type.args.at(0)));
         case TypeKind::matrix:
-            return filled(type.sizes.at(0),
-                          filled(type.sizes.at(1), default_value(system, instantiation, type.args.at(0))));
+            return filled_vector(type.sizes.at(0), filled_vector(type.sizes.at(1), default_value(system, instantiation,
+                                                                                                 type.args.at(0))));
         case TypeKind::function: {
             // A total function maps every argument, here to the default of the result type.
             const Value image = default_value(system, instantiation, type.args.at(1));
-            for (const Value& argument : carrier(system, instantiation, type.args.at(0)))
+            for (const Value& argument : carrier_values(system, instantiation, type.args.at(0)))
                 value.parts.push_back({0, {argument, image}});
             return value;
         }

@@ -12,7 +12,8 @@ namespace robochart::ir {
 
 /// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error if there
 /// are more than `limit`.
-[[nodiscard]] std::vector<Value> carrier(const System&, const Instantiation&, TypeId, std::size_t limit = 1U << 20U);
+[[nodiscard]] std::vector<Value> carrier_values(const System&, const Instantiation&, TypeId,
+                                                std::size_t limit = 1U << 20U);
 /// The initial value of a variable without one (semantics 3.6): 0, true, the first literal, the empty sequence or the
 /// empty set.
 [[nodiscard]] Value default_value(const System&, const Instantiation&, TypeId);

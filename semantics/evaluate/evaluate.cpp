@@ -13,29 +13,29 @@
 
 namespace robochart::ir {
 
-const Expr& Evaluator::argument(const Expr& expr, std::size_t index) {
-    if (index >= expr.args.size() || !expr.args[index]) fault(expr, "an operand is missing");
+const Expr& Evaluator::argument_at(const Expr& expr, std::size_t index) {
+    if (index >= expr.args.size() || !expr.args[index]) throw_fault(expr, "an operand is missing");
     return *expr.args[index];
 }
 
-std::vector<Value> Evaluator::operands(const Expr& expr) {
+std::vector<Value> Evaluator::evaluate_operands(const Expr& expr) {
     std::vector<Value> values;
-    for (std::size_t i = 0; i < expr.args.size(); ++i) values.push_back(operand(expr, i));
+    for (std::size_t i = 0; i < expr.args.size(); ++i) values.push_back(evaluate_operand(expr, i));
     return values;
 }
 
-Value Evaluator::literal(const Expr& expr) {
-    if (expr.kind == ExprKind::enum_literal) return {expr.number, operands(expr)};
+Value Evaluator::evaluate_literal(const Expr& expr) {
+    if (expr.kind == ExprKind::enum_literal) return {expr.number, evaluate_operands(expr)};
     if (expr.kind != ExprKind::real) return {expr.number, {}};
-    const auto units = scaled(expr.decimal, instantiation_.scale);
-    if (!units) fault(expr, "the number does not fit into 64 bits at this scale");
+    const auto units = scale_decimal(expr.decimal, instantiation_.scale);
+    if (!units) throw_fault(expr, "the number does not fit into 64 bits at this scale");
     return {*units, {}};
 }
 
 namespace {
 
 template <class T>
-const T* element(const std::vector<T>& values, std::uint32_t index) {
+const T* element_at_index(const std::vector<T>& values, std::uint32_t index) {
     return index < values.size() ? &values[index] : nullptr;
 }
 
@@ -49,43 +49,44 @@ ClockId entry_clock(const Machine& machine, NodeId node) {
 
 Value Evaluator::name(const Expr& expr) {
     if (expr.kind == ExprKind::variable)
-        if (const auto* found = element(environment_.variables, expr.variable.index)) return *found;
+        if (const auto* found = element_at_index(environment_.variables, expr.variable.index)) return *found;
     if (expr.kind == ExprKind::constant)
-        if (const auto* found = element(environment_.constants, expr.constant.index)) return *found;
+        if (const auto* found = element_at_index(environment_.constants, expr.constant.index)) return *found;
     if (expr.kind == ExprKind::trigger_value && environment_.trigger) return *environment_.trigger;
     ClockId clock = expr.clock;
     if (expr.kind == ExprKind::since_entry && machine_ != nullptr) clock = entry_clock(*machine_, expr.node);
     if (expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry)
-        if (const auto* found = element(environment_.clocks, clock.index)) return {*found, {}};
-    fault(expr, "a name has no value here");
+        if (const auto* found = element_at_index(environment_.clocks, clock.index)) return {*found, {}};
+    throw_fault(expr, "a name has no value here");
 }
 
-Value Evaluator::bound(const Expr& expr) {
+Value Evaluator::bound_value(const Expr& expr) {
     for (auto it = bindings_.rbegin(); it != bindings_.rend(); ++it)
         if (it->first == expr.text) return it->second;
-    fault(expr, "'" + expr.text + "' is not bound here");
+    throw_fault(expr, "'" + expr.text + "' is not bound here");
 }
 
 template <class Holds>
-Value Evaluator::compared(const Expr& expr, const Holds& holds) {
-    const Value left = operand(expr, 0);
-    const Value right = operand(expr, 1);
+Value Evaluator::compare_operands(const Expr& expr, const Holds& holds) {
+    const Value left = evaluate_operand(expr, 0);
+    const Value right = evaluate_operand(expr, 1);
     return truth_value(holds(left, right));
 }
 
 template <class Holds>
-Value Evaluator::ordered(const Expr& expr, const Holds& holds) {
-    return compared(expr, [&](const Value& left, const Value& right) { return holds(left.number, right.number); });
+Value Evaluator::compare_numbers(const Expr& expr, const Holds& holds) {
+    return compare_operands(expr,
+                            [&](const Value& left, const Value& right) { return holds(left.number, right.number); });
 }
 
-Value Evaluator::value(const Expr& expr) {
+Value Evaluator::evaluate_value(const Expr& expr) {
     instantiation_.poll();
     switch (expr.kind) {
         case ExprKind::boolean:
         case ExprKind::integer:
         case ExprKind::real:
         case ExprKind::enum_literal:
-            return literal(expr);
+            return evaluate_literal(expr);
         case ExprKind::variable:
         case ExprKind::constant:
         case ExprKind::trigger_value:
@@ -93,59 +94,59 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::since_entry:
             return name(expr);
         case ExprKind::bound:
-            return bound(expr);
+            return bound_value(expr);
         case ExprKind::logical_not:
-            return truth_value(!truth(expr, 0));
+            return truth_value(!evaluate_truth(expr, 0));
         case ExprKind::iff:
-            return truth_value(truth(expr, 0) == truth(expr, 1));
+            return truth_value(evaluate_truth(expr, 0) == evaluate_truth(expr, 1));
         case ExprKind::implies:
-            return truth_value(!truth(expr, 0) || truth(expr, 1));
+            return truth_value(!evaluate_truth(expr, 0) || evaluate_truth(expr, 1));
         case ExprKind::disjunction:
-            return truth_value(truth(expr, 0) || truth(expr, 1));
+            return truth_value(evaluate_truth(expr, 0) || evaluate_truth(expr, 1));
         case ExprKind::conjunction:
-            return truth_value(truth(expr, 0) && truth(expr, 1));
+            return truth_value(evaluate_truth(expr, 0) && evaluate_truth(expr, 1));
         case ExprKind::equal:
-            return compared(expr, std::equal_to<>());
+            return compare_operands(expr, std::equal_to<>());
         case ExprKind::not_equal:
-            return compared(expr, std::not_equal_to<>());
+            return compare_operands(expr, std::not_equal_to<>());
         case ExprKind::greater:
-            return ordered(expr, std::greater<>());
+            return compare_numbers(expr, std::greater<>());
         case ExprKind::greater_equal:
-            return ordered(expr, std::greater_equal<>());
+            return compare_numbers(expr, std::greater_equal<>());
         case ExprKind::less:
-            return ordered(expr, std::less<>());
+            return compare_numbers(expr, std::less<>());
         case ExprKind::less_equal:
-            return ordered(expr, std::less_equal<>());
+            return compare_numbers(expr, std::less_equal<>());
         case ExprKind::plus:
         case ExprKind::minus:
         case ExprKind::times:
         case ExprKind::divide:
         case ExprKind::modulus:
-            return arithmetic(expr);
+            return evaluate_arithmetic(expr);
         case ExprKind::negate:
-            return negate(expr);
+            return evaluate_negation(expr);
         case ExprKind::if_then_else:
-            return truth(expr, 0) ? operand(expr, 1) : operand(expr, 2);
+            return evaluate_truth(expr, 0) ? evaluate_operand(expr, 1) : evaluate_operand(expr, 2);
         case ExprKind::cast:
-            return cast(expr);
+            return evaluate_cast(expr);
         case ExprKind::tuple:
         case ExprKind::record:
         case ExprKind::sequence:
-            return {0, operands(expr)};
+            return {0, evaluate_operands(expr)};
         case ExprKind::matrix:
-            return kind(expr.type) == TypeKind::vector ? Value{0, operands(expr)}
-                                                       : matrix_of(operands(expr), expr.number);
+            return kind(expr.type) == TypeKind::vector ? Value{0, evaluate_operands(expr)}
+                                                       : matrix_of(evaluate_operands(expr), expr.number);
         case ExprKind::set:
-            return set_of(operands(expr));
+            return set_of(evaluate_operands(expr));
         case ExprKind::set_range:
-            return range_set(operand(expr, 0).number, operand(expr, 1).number, expr.span);
+            return range_set(evaluate_operand(expr, 0).number, evaluate_operand(expr, 1).number, expr.span);
         case ExprKind::member:
         case ExprKind::index:
         case ExprKind::apply:
         case ExprKind::concat:
-            return access(expr);
+            return evaluate_access(expr);
         case ExprKind::is_in:
-            return truth_value(is_part(operand(expr, 1), operand(expr, 0)));
+            return truth_value(is_part(evaluate_operand(expr, 1), evaluate_operand(expr, 0)));
         case ExprKind::forall: {
             const std::vector<Value> bodies = where_satisfied(expr);
             return truth_value(true_ones(bodies) == bodies.size());
@@ -155,12 +156,12 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::exists_unique:
             return truth_value(true_ones(where_satisfied(expr)) == 1);
         case ExprKind::the:
-            return only(expr, where_satisfied(expr));
+            return only_candidate(expr, where_satisfied(expr));
         case ExprKind::lambda:
         case ExprKind::set_comprehension:
             return set_of(where_satisfied(expr));
         case ExprKind::let:
-            return let(expr);
+            return evaluate_let(expr);
         case ExprKind::string:
             return string_value(expr.characters);
         case ExprKind::call:
@@ -170,21 +171,21 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::toolkit:
             return toolkit_call(expr);
         case ExprKind::is_type:
-            return truth_value(has_type(operand(expr, 0), argument(expr, 0).type, expr.bound_types.at(0)));
+            return truth_value(has_type(evaluate_operand(expr, 0), argument_at(expr, 0).type, expr.bound_types.at(0)));
         case ExprKind::range:
-            return range(expr);
+            return evaluate_range(expr);
         case ExprKind::transpose:
-            return transposed(expr);
+            return evaluate_transpose(expr);
     }
-    fault(expr, "the expression has no value");
+    throw_fault(expr, "the expression has no value");
 }
 
-Value evaluate(const System& system, const Instantiation& instantiation, const Machine* machine,
-               const Environment& environment, const Expr& expr) {
-    return Evaluator(system, instantiation, machine, environment).value(expr);
+Value evaluate_expression(const System& system, const Instantiation& instantiation, const Machine* machine,
+                          const Environment& environment, const Expr& expr) {
+    return Evaluator(system, instantiation, machine, environment).evaluate_value(expr);
 }
 
-std::optional<std::int64_t> scaled(const Decimal& decimal, std::int64_t scale) {
+std::optional<std::int64_t> scale_decimal(const Decimal& decimal, std::int64_t scale) {
     const auto divisor = power_of_ten(decimal.decimals);
     if (!divisor) return std::nullopt;
     return multiply_divide(decimal.unscaled, scale, *divisor);

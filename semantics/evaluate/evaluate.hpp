@@ -36,11 +36,11 @@ namespace robochart::ir {
 
 /// The value of an expression. `machine` finds the clock of sinceEntry; it may be null if the expression has none.
 /// Throws EvaluationFault; quantifiers over types without a small carrier throw std::length_error.
-[[nodiscard]] Value evaluate(const System&, const Instantiation&, const Machine* machine, const Environment&,
-                             const Expr&);
+[[nodiscard]] Value evaluate_expression(const System&, const Instantiation&, const Machine* machine, const Environment&,
+                                        const Expr&);
 
 /// A decimal in units of 1/scale, rounded down if the scale has too few digits; no value if it does not fit into 64
 /// bits.
-[[nodiscard]] std::optional<std::int64_t> scaled(const Decimal&, std::int64_t scale);
+[[nodiscard]] std::optional<std::int64_t> scale_decimal(const Decimal&, std::int64_t scale);
 
 }  // namespace robochart::ir

@@ -61,14 +61,14 @@ Value string_value(const diagnostics::ForeignText& text) {
     return result;
 }
 
-Value part(const Value& whole, std::int64_t place, diagnostics::Span where) {
+Value part_at(const Value& whole, std::int64_t place, diagnostics::Span where) {
     if (place < 1 || static_cast<std::uint64_t>(place) > whole.parts.size())
         throw EvaluationFault("index " + std::to_string(place) + " is outside 1.." + std::to_string(whole.parts.size()),
                               where);
     return whole.parts[static_cast<std::size_t>(place - 1)];
 }
 
-Value applied(const Value& function, const std::vector<Value>& arguments, diagnostics::Span where) {
+Value apply_function(const Value& function, const std::vector<Value>& arguments, diagnostics::Span where) {
     const Value argument = arguments.size() == 1 ? arguments.front() : Value{0, arguments};
     for (const Value& pair : function.parts)
         if (pair.parts.size() == 2 && pair.parts[0] == argument) return pair.parts[1];

@@ -21,9 +21,9 @@ namespace robochart::ir {
 /// A string as a value with one part per character.
 [[nodiscard]] Value string_value(const diagnostics::ForeignText&);
 /// The part at a 1-based position; a position outside is a fault.
-[[nodiscard]] Value part(const Value& whole, std::int64_t place, diagnostics::Span where);
+[[nodiscard]] Value part_at(const Value& whole, std::int64_t place, diagnostics::Span where);
 /// A function value (a set of pairs) applied to arguments; arguments outside its domain are a fault.
-[[nodiscard]] Value applied(const Value& function, const std::vector<Value>& arguments, diagnostics::Span where);
+[[nodiscard]] Value apply_function(const Value& function, const std::vector<Value>& arguments, diagnostics::Span where);
 /// True if `item` is one of the parts of `whole`.
 [[nodiscard]] bool is_part(const Value& whole, const Value& item);
 /// The bound values from index `from`: a single value unchanged, several as a tuple.

@@ -13,7 +13,8 @@ namespace robochart::ir {
 namespace {
 
 /// The result before clipping; no value if it does not fit into 64 bits, so that it is outside every carrier.
-std::optional<std::int64_t> exact(ExprKind kind, bool real, std::int64_t scale, std::int64_t left, std::int64_t right) {
+std::optional<std::int64_t> exact_result(ExprKind kind, bool real, std::int64_t scale, std::int64_t left,
+                                         std::int64_t right) {
     if (kind == ExprKind::plus) return checked_add(left, right);
     if (kind == ExprKind::minus) return checked_subtract(left, right);
     if (kind == ExprKind::times) return real ? multiply_divide(left, right, scale) : checked_multiply(left, right);
@@ -25,38 +26,39 @@ std::optional<std::int64_t> exact(ExprKind kind, bool real, std::int64_t scale, 
 }  // namespace
 
 /// RoboTool's Plus, Minus, ... on numbers of one type.
-Value Evaluator::clipped(const Expr& expr, ExprKind op, TypeId type, const Value& left, const Value& right) {
+Value Evaluator::clip_result(const Expr& expr, ExprKind op, TypeId type, const Value& left, const Value& right) {
     const bool divides = op == ExprKind::divide || op == ExprKind::modulus;
-    if (divides && right.number == 0) fault(expr, "division by zero");
-    const auto result = exact(op, kind(type) == TypeKind::real, instantiation_.scale, left.number, right.number);
+    if (divides && right.number == 0) throw_fault(expr, "division by zero");
+    const auto result = exact_result(op, kind(type) == TypeKind::real, instantiation_.scale, left.number, right.number);
     if (!result || !in_carrier(system_, instantiation_, type, {*result, {}})) return left;
     return {*result, {}};
 }
 
-Value Evaluator::arithmetic(const Expr& expr) {
-    const Value left = operand(expr, 0);
-    const Value right = operand(expr, 1);
-    const bool left_block = is_composed(kind(argument(expr, 0).type));
-    const bool right_block = is_composed(kind(argument(expr, 1).type));
-    if (!left_block && !right_block) return clipped(expr, expr.kind, expr.type, left, right);
+Value Evaluator::evaluate_arithmetic(const Expr& expr) {
+    const Value left = evaluate_operand(expr, 0);
+    const Value right = evaluate_operand(expr, 1);
+    const bool left_block = is_composed(kind(argument_at(expr, 0).type));
+    const bool right_block = is_composed(kind(argument_at(expr, 1).type));
+    if (!left_block && !right_block) return clip_result(expr, expr.kind, expr.type, left, right);
     const TypeId entry = entry_type(expr.type);
-    if (expr.kind != ExprKind::times) return zipped(expr, entry, left, right);
-    return left_block && right_block ? product(expr, entry, left, right) : scaled_block(expr, entry, left, right);
+    if (expr.kind != ExprKind::times) return apply_entrywise(expr, entry, left, right);
+    return left_block && right_block ? multiply_blocks(expr, entry, left, right)
+                                     : scaled_block(expr, entry, left, right);
 }
 
 /// Applies the operator entry by entry.
-Value Evaluator::zipped(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
-    if (left.parts.empty()) return clipped(expr, expr.kind, entry, left, right);
-    if (left.parts.size() != right.parts.size()) fault(expr, "the sizes differ");
+Value Evaluator::apply_entrywise(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
+    if (left.parts.empty()) return clip_result(expr, expr.kind, entry, left, right);
+    if (left.parts.size() != right.parts.size()) throw_fault(expr, "the sizes differ");
     Value result;
     for (std::size_t i = 0; i < left.parts.size(); ++i)
-        result.parts.push_back(zipped(expr, entry, left.parts[i], right.parts[i]));
+        result.parts.push_back(apply_entrywise(expr, entry, left.parts[i], right.parts[i]));
     return result;
 }
 
 /// Multiplies every entry by a number. The operands keep their order, because clipping returns the first one.
 Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
-    if (left.parts.empty() && right.parts.empty()) return clipped(expr, ExprKind::times, entry, left, right);
+    if (left.parts.empty() && right.parts.empty()) return clip_result(expr, ExprKind::times, entry, left, right);
     Value result;
     for (const Value& part : left.parts) result.parts.push_back(scaled_block(expr, entry, part, right));
     if (left.parts.empty())
@@ -65,7 +67,7 @@ Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left,
 }
 
 /// The rows of a matrix; a vector is a column.
-std::vector<std::vector<Value>> Evaluator::rows(const Value& block, TypeId type) {
+std::vector<std::vector<Value>> Evaluator::rows_of(const Value& block, TypeId type) {
     std::vector<std::vector<Value>> result;
     for (const Value& part : block.parts)
         result.push_back(kind(type) == TypeKind::vector ? std::vector<Value>{part} : part.parts);
@@ -73,18 +75,18 @@ std::vector<std::vector<Value>> Evaluator::rows(const Value& block, TypeId type)
 }
 
 /// Matrix product, with sums computed from the left; for two vectors, the dot product.
-Value Evaluator::product(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
-    const TypeId left_type = argument(expr, 0).type;
-    const bool dot = kind(left_type) == TypeKind::vector && kind(argument(expr, 1).type) == TypeKind::vector;
-    auto a = rows(left, left_type);
-    const auto b = rows(right, argument(expr, 1).type);
+Value Evaluator::multiply_blocks(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
+    const TypeId left_type = argument_at(expr, 0).type;
+    const bool dot = kind(left_type) == TypeKind::vector && kind(argument_at(expr, 1).type) == TypeKind::vector;
+    auto a = rows_of(left, left_type);
+    const auto b = rows_of(right, argument_at(expr, 1).type);
     if (dot) a = {left.parts};
-    if (a.empty() || b.empty() || a.front().size() != b.size()) fault(expr, "the sizes do not fit");
+    if (a.empty() || b.empty() || a.front().size() != b.size()) throw_fault(expr, "the sizes do not fit");
     const auto entry_at = [&](std::size_t row, std::size_t column) {
-        Value sum = clipped(expr, ExprKind::times, entry, a[row][0], b[0][column]);
+        Value sum = clip_result(expr, ExprKind::times, entry, a[row][0], b[0][column]);
         for (std::size_t i = 1; i < b.size(); ++i)
-            sum = clipped(expr, ExprKind::plus, entry, sum,
-                          clipped(expr, ExprKind::times, entry, a[row][i], b[i][column]));
+            sum = clip_result(expr, ExprKind::plus, entry, sum,
+                              clip_result(expr, ExprKind::times, entry, a[row][i], b[i][column]));
         return sum;
     };
     if (dot) return entry_at(0, 0);
@@ -97,8 +99,8 @@ Value Evaluator::product(const Expr& expr, TypeId entry, const Value& left, cons
     return result;
 }
 
-Value Evaluator::transposed(const Expr& expr) {
-    const auto a = rows(operand(expr, 0), argument(expr, 0).type);
+Value Evaluator::evaluate_transpose(const Expr& expr) {
+    const auto a = rows_of(evaluate_operand(expr, 0), argument_at(expr, 0).type);
     Value result;
     for (std::size_t column = 0; column < a.at(0).size(); ++column) {
         Value line;
@@ -108,16 +110,16 @@ Value Evaluator::transposed(const Expr& expr) {
     return result;
 }
 
-Value Evaluator::negated(const Value& value, TypeId type) {
+Value Evaluator::negate_value(const Value& value, TypeId type) {
     Value result;
-    for (const Value& part : value.parts) result.parts.push_back(negated(part, type));
+    for (const Value& part : value.parts) result.parts.push_back(negate_value(part, type));
     if (!result.parts.empty()) return result;
     const auto number = checked_subtract(0, value.number);
     return number && in_carrier(system_, instantiation_, type, {*number, {}}) ? Value{*number, {}} : value;
 }
 
-Value Evaluator::negate(const Expr& expr) {
-    return negated(operand(expr, 0), entry_type(expr.type));
+Value Evaluator::evaluate_negation(const Expr& expr) {
+    return negate_value(evaluate_operand(expr, 0), entry_type(expr.type));
 }
 
 }  // namespace robochart::ir

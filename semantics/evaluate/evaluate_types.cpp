@@ -25,8 +25,8 @@ std::vector<TypeId> part_types(const System& system, const Type& type, std::size
 }  // namespace
 
 /// Converts the value to another type: numbers to its unit, sequences to sets of pairs if the type consists of pairs.
-Value Evaluator::converted(const Expr& expr, const Value& value, TypeId from, TypeId to) {
-    if (from == to || !from.valid() || !to.valid()) return value;
+Value Evaluator::convert_value(const Expr& expr, const Value& value, TypeId from, TypeId to) {
+    if (from == to || !from.is_valid() || !to.is_valid()) return value;
     const Type& source = system_.type(from);
     const Type& target = system_.type(to);
     if (source.kind == TypeKind::sequence && is_set_like(target.kind))
@@ -38,7 +38,7 @@ Value Evaluator::converted(const Expr& expr, const Value& value, TypeId from, Ty
     if (from_real == to_real) return value;
     const auto result = to_real ? checked_multiply(value.number, instantiation_.scale)
                                 : floor_divide(value.number, instantiation_.scale);
-    if (!result) fault(expr, "the number does not fit into 64 bits at this scale");
+    if (!result) throw_fault(expr, "the number does not fit into 64 bits at this scale");
     return {*result, {}};
 }
 
@@ -52,12 +52,12 @@ std::vector<TypeId> Evaluator::pair_types(const Type& type) {
 Value Evaluator::converted_pairs(const Expr& expr, const Value& pairs, const std::vector<TypeId>& from,
                                  const Type& target) {
     const std::vector<TypeId> to = pair_types(target);
-    if (to.size() != 2) fault(expr, "no conversion to " + target.name);
+    if (to.size() != 2) throw_fault(expr, "no conversion to " + target.name);
     std::vector<Value> result;
     for (const Value& pair : pairs.parts)
         result.push_back({0,
-                          {converted(expr, pair.parts.at(0), from[0].valid() ? from[0] : to[0], to[0]),
-                           converted(expr, pair.parts.at(1), from[1], to[1])}});
+                          {convert_value(expr, pair.parts.at(0), from[0].is_valid() ? from[0] : to[0], to[0]),
+                           convert_value(expr, pair.parts.at(1), from[1], to[1])}});
     return set_of(std::move(result));
 }
 
@@ -66,7 +66,8 @@ Value Evaluator::converted_set(const Expr& expr, const Value& value, const Type&
     if (!from.empty() && !pair_types(target).empty()) return converted_pairs(expr, value, from, target);
     if (source.kind != TypeKind::set || target.kind != TypeKind::set) return value;
     std::vector<Value> result;
-    for (const Value& part : value.parts) result.push_back(converted(expr, part, source.args.at(0), target.args.at(0)));
+    for (const Value& part : value.parts)
+        result.push_back(convert_value(expr, part, source.args.at(0), target.args.at(0)));
     return set_of(std::move(result));
 }
 
@@ -74,15 +75,15 @@ Value Evaluator::converted_parts(const Expr& expr, const Value& value, const Typ
     const auto from = part_types(system_, source, value.parts.size());
     const auto to = part_types(system_, target, value.parts.size());
     if (from.size() != value.parts.size() || to.size() != value.parts.size())
-        fault(expr, "no conversion from " + source.name + " to " + target.name);
+        throw_fault(expr, "no conversion from " + source.name + " to " + target.name);
     Value result = value;
     for (std::size_t i = 0; i < result.parts.size(); ++i)
-        result.parts[i] = converted(expr, value.parts[i], from[i], to[i]);
+        result.parts[i] = convert_value(expr, value.parts[i], from[i], to[i]);
     return result;
 }
 
-Value Evaluator::cast(const Expr& expr) {
-    return converted(expr, operand(expr, 0), argument(expr, 0).type, expr.type);
+Value Evaluator::evaluate_cast(const Expr& expr) {
+    return convert_value(expr, evaluate_operand(expr, 0), argument_at(expr, 0).type, expr.type);
 }
 
 bool Evaluator::has_type(const Value& value, TypeId from, TypeId to) {
@@ -92,7 +93,7 @@ bool Evaluator::has_type(const Value& value, TypeId from, TypeId to) {
         return rest == 0 && in_carrier(system_, instantiation_, to, {*whole, {}});
     }
     Expr nowhere;
-    return in_carrier(system_, instantiation_, to, converted(nowhere, value, from, to));
+    return in_carrier(system_, instantiation_, to, convert_value(nowhere, value, from, to));
 }
 
 }  // namespace robochart::ir

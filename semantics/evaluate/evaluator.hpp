@@ -29,50 +29,50 @@ public:
               const Environment& environment)
         : system_(system), instantiation_(instantiation), machine_(machine), environment_(environment) {}
 
-    Value value(const Expr& expr);
+    Value evaluate_value(const Expr& expr);
     /// True if the preconditions of all functions that the expression calls are true, evaluated in the order of the
     /// semantics.
-    bool defined(const Expr& expr);
+    bool is_defined(const Expr& expr);
     /// True if the function's preconditions are true for these arguments.
     bool may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
 
 private:
-    [[noreturn]] static void fault(const Expr& expr, const std::string& cause) {
+    [[noreturn]] static void throw_fault(const Expr& expr, const std::string& cause) {
         throw EvaluationFault(cause, expr.span);
     }
 
-    Value literal(const Expr& expr);
+    Value evaluate_literal(const Expr& expr);
     Value name(const Expr& expr);
     static Value truth_value(bool holds) { return {holds ? 1 : 0, {}}; }
     /// Applies `holds` to the values of both operands.
     template <class Holds>
-    Value compared(const Expr& expr, const Holds& holds);
+    Value compare_operands(const Expr& expr, const Holds& holds);
     /// Applies `holds` to the numbers of both operands.
     template <class Holds>
-    Value ordered(const Expr& expr, const Holds& holds);
-    Value arithmetic(const Expr& expr);
-    Value clipped(const Expr& expr, ExprKind kind, TypeId type, const Value& left, const Value& right);
-    Value negate(const Expr& expr);
-    Value negated(const Value& value, TypeId type);
-    Value zipped(const Expr& expr, TypeId entry, const Value& left, const Value& right);
+    Value compare_numbers(const Expr& expr, const Holds& holds);
+    Value evaluate_arithmetic(const Expr& expr);
+    Value clip_result(const Expr& expr, ExprKind kind, TypeId type, const Value& left, const Value& right);
+    Value evaluate_negation(const Expr& expr);
+    Value negate_value(const Value& value, TypeId type);
+    Value apply_entrywise(const Expr& expr, TypeId entry, const Value& left, const Value& right);
     Value scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right);
-    Value product(const Expr& expr, TypeId entry, const Value& left, const Value& right);
-    std::vector<std::vector<Value>> rows(const Value& block, TypeId type);
+    Value multiply_blocks(const Expr& expr, TypeId entry, const Value& left, const Value& right);
+    std::vector<std::vector<Value>> rows_of(const Value& block, TypeId type);
     TypeId entry_type(TypeId id) { return is_composed(kind(id)) ? system_.type(id).args.at(0) : id; }
-    Value transposed(const Expr& expr);
-    Value cast(const Expr& expr);
-    Value converted(const Expr& expr, const Value& value, TypeId from, TypeId to);
+    Value evaluate_transpose(const Expr& expr);
+    Value evaluate_cast(const Expr& expr);
+    Value convert_value(const Expr& expr, const Value& value, TypeId from, TypeId to);
     Value converted_parts(const Expr& expr, const Value& value, const Type& source, const Type& target);
     Value converted_pairs(const Expr& expr, const Value& pairs, const std::vector<TypeId>& from, const Type& target);
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
-    Value access(const Expr& expr);
+    Value evaluate_access(const Expr& expr);
     /// The values of the body (or the bound values, if there is no body) for all bound values that satisfy the
     /// predicate, in order.
     std::vector<Value> where_satisfied(const Expr& expr);
-    static Value only(const Expr& expr, const std::vector<Value>& candidates);
+    static Value only_candidate(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);
-    Value let(const Expr& expr);
+    Value evaluate_let(const Expr& expr);
     Value function_call(const Expr& expr);
     Value function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
     Value function_pairs(const Expr& expr);
@@ -80,25 +80,25 @@ private:
     bool has_preconditions(const Expr& expr) const;
     Value toolkit_call(const Expr& expr);
     bool has_type(const Value& value, TypeId from, TypeId to);
-    Value range(const Expr& expr);
+    Value evaluate_range(const Expr& expr);
 
-    const Expr& argument(const Expr& expr, std::size_t index);
-    Value operand(const Expr& expr, std::size_t index) { return value(argument(expr, index)); }
-    bool truth(const Expr& expr, std::size_t index) { return operand(expr, index).number != 0; }
-    TypeKind kind(TypeId id) { return id.valid() ? system_.type(id).kind : TypeKind::unit; }
-    std::vector<Value> operands(const Expr& expr);
+    const Expr& argument_at(const Expr& expr, std::size_t index);
+    Value evaluate_operand(const Expr& expr, std::size_t index) { return evaluate_value(argument_at(expr, index)); }
+    bool evaluate_truth(const Expr& expr, std::size_t index) { return evaluate_operand(expr, index).number != 0; }
+    TypeKind kind(TypeId id) { return id.is_valid() ? system_.type(id).kind : TypeKind::unit; }
+    std::vector<Value> evaluate_operands(const Expr& expr);
     /// Runs `body` for every combination of values of the bound variables.
     template <class Body>
     void each_binding(const Expr& expr, std::size_t index, const Body& body) {
         if (index == expr.bound_names.size()) return body();
-        if (index >= expr.bound_types.size()) fault(expr, "a bound variable has no type");
-        for (const Value& candidate : carrier(system_, instantiation_, expr.bound_types[index])) {
+        if (index >= expr.bound_types.size()) throw_fault(expr, "a bound variable has no type");
+        for (const Value& candidate : carrier_values(system_, instantiation_, expr.bound_types[index])) {
             bindings_.emplace_back(expr.bound_names[index], candidate);
             each_binding(expr, index + 1, body);
             bindings_.pop_back();
         }
     }
-    Value bound(const Expr& expr);
+    Value bound_value(const Expr& expr);
 
     const System& system_;
     const Instantiation& instantiation_;

@@ -10,10 +10,10 @@
 namespace robochart::ir {
 
 /// True if the expression binds variables: preconditions inside are checked for each of their values.
-[[nodiscard]] bool binds(ExprKind);
+[[nodiscard]] bool binds_names(ExprKind);
 
 /// True if the function may be called with these arguments. The preconditions of functions that its precondition calls
-/// are checked first. Throws like evaluate().
+/// are checked first. Throws like evaluate_expression().
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,
                                       const std::vector<Value>& arguments);
 

@@ -15,7 +15,7 @@ namespace {
 /// A whole number that is at least as large as every value of the expression, in time units.
 std::int64_t upper_bound(const System& system, const Instantiation& instantiation, const Machine& machine,
                          const Expr& expr) {
-    const TypeKind kind = expr.type.valid() ? system.type(expr.type).kind : TypeKind::nat;
+    const TypeKind kind = expr.type.is_valid() ? system.type(expr.type).kind : TypeKind::nat;
     const bool real = kind == TypeKind::real;
     const auto& carrier = real                        ? instantiation.real
                           : kind == TypeKind::integer ? instantiation.integer
@@ -36,11 +36,11 @@ public:
     Saturation(const System& system, const Instantiation& instantiation)
         : system_(system), instantiation_(instantiation) {}
 
-    void machine(const Machine& machine, ClockId clock);
+    void read_machine(const Machine& machine, ClockId clock);
     [[nodiscard]] std::int64_t largest() const { return largest_; }
 
 private:
-    void comparison(const Machine& machine, ClockId clock, const Expr& expr);
+    void read_comparison(const Machine& machine, ClockId clock, const Expr& expr);
 
     const System& system_;
     const Instantiation& instantiation_;
@@ -48,7 +48,7 @@ private:
     std::int64_t largest_ = 0;
 };
 
-void Saturation::comparison(const Machine& machine, ClockId clock, const Expr& expr) {
+void Saturation::read_comparison(const Machine& machine, ClockId clock, const Expr& expr) {
     if (!is_comparison(expr.kind) || expr.args.size() != 2) return;
     for (std::size_t side = 0; side < 2; ++side) {
         const Expr& other = *expr.args[1 - side];
@@ -58,10 +58,10 @@ void Saturation::comparison(const Machine& machine, ClockId clock, const Expr& e
 }
 
 /// Reads the machine's own comparisons, then those of operations that it calls and that share the caller's clock.
-void Saturation::machine(const Machine& machine, ClockId clock) {
+void Saturation::read_machine(const Machine& machine, ClockId clock) {
     if (!seen_.insert(machine.package + "::" + machine.path).second) return;
     visit_expressions(machine, [&](const Expr& root, ExprRole) {
-        visit_operands(root, [&](const Expr& expr) { comparison(machine, clock, expr); });
+        visit_operands(root, [&](const Expr& expr) { read_comparison(machine, clock, expr); });
     });
     const std::string& name = machine.clocks.at(clock.index).name;
     for (const auto operation : called_operations(machine))
@@ -69,7 +69,7 @@ void Saturation::machine(const Machine& machine, ClockId clock) {
             if (callee.kind != MachineKind::operation || callee.name != machine.operations[operation.index].name)
                 continue;
             for (std::uint32_t i = 0; i < callee.clocks.size(); ++i)
-                if (callee.clocks[i].required && callee.clocks[i].name == name) this->machine(callee, ClockId{i});
+                if (callee.clocks[i].required && callee.clocks[i].name == name) this->read_machine(callee, ClockId{i});
         }
 }
 
@@ -78,7 +78,7 @@ void Saturation::machine(const Machine& machine, ClockId clock) {
 std::int64_t clock_saturation(const System& system, const Instantiation& instantiation, const Machine& machine,
                               ClockId clock) {
     Saturation saturation(system, instantiation);
-    saturation.machine(machine, clock);
+    saturation.read_machine(machine, clock);
     return checked_add(saturation.largest(), 1).value_or(saturation.largest());
 }
 

@@ -33,7 +33,7 @@ std::optional<std::int64_t> in_units(const Decimal& value, std::uint32_t decimal
     return factor ? checked_multiply(value.unscaled, *factor) : std::nullopt;
 }
 
-std::optional<Aligned> aligned(const Decimal& a, const Decimal& b) {
+std::optional<Aligned> align_decimals(const Decimal& a, const Decimal& b) {
     const std::uint32_t decimals = std::max(a.decimals, b.decimals);
     const auto left = in_units(a, decimals), right = in_units(b, decimals);
     if (!left || !right) return std::nullopt;
@@ -49,36 +49,36 @@ bool is_whole(const Decimal& value) {
 }
 
 /// Decimals that cannot be aligned are in no carrier and are not ordered.
-bool less(const Decimal& a, const Decimal& b) {
-    const auto both = aligned(a, b);
+bool is_less(const Decimal& a, const Decimal& b) {
+    const auto both = align_decimals(a, b);
     return both ? both->left < both->right : floor_of(a) < floor_of(b);
 }
 
-Decimal negated(const Decimal& value) {
+Decimal negate_decimal(const Decimal& value) {
     return {checked_subtract(0, value.unscaled).value_or(value.unscaled), value.decimals};
 }
 
 using Operation = std::optional<Decimal> (*)(const Decimal&, const Decimal&);
 
-std::optional<Decimal> sum(const Decimal& a, const Decimal& b) {
-    const auto both = aligned(a, b);
+std::optional<Decimal> add_decimals(const Decimal& a, const Decimal& b) {
+    const auto both = align_decimals(a, b);
     const auto value = both ? checked_add(both->left, both->right) : std::nullopt;
     return value ? std::optional(Decimal{*value, both->decimals}) : std::nullopt;
 }
 
-std::optional<Decimal> difference(const Decimal& a, const Decimal& b) {
-    return sum(a, negated(b));
+std::optional<Decimal> subtract_decimals(const Decimal& a, const Decimal& b) {
+    return add_decimals(a, negate_decimal(b));
 }
 
-std::optional<Decimal> product(const Decimal& a, const Decimal& b) {
+std::optional<Decimal> multiply_decimals(const Decimal& a, const Decimal& b) {
     const auto value = checked_multiply(a.unscaled, b.unscaled);
     if (!value || a.decimals + b.decimals > 18) return std::nullopt;
     return Decimal{*value, a.decimals + b.decimals};
 }
 
 /// The quotient, rounded down to a whole number.
-std::optional<Decimal> quotient(const Decimal& a, const Decimal& b) {
-    const auto both = aligned(a, b);
+std::optional<Decimal> divide_decimals(const Decimal& a, const Decimal& b) {
+    const auto both = align_decimals(a, b);
     const auto value = both ? floor_divide(both->left, both->right) : std::nullopt;
     return value ? std::optional(Decimal{*value, 0}) : std::nullopt;
 }
@@ -116,7 +116,7 @@ public:
 
     /// No value if the expression depends on the state of a machine. `machine` declares the constants; null: it uses
     /// none.
-    [[nodiscard]] std::optional<Values> of(const Expr&, const Machine*, int depth = 0) const;
+    [[nodiscard]] std::optional<Values> find_values(const Expr&, const Machine*, int depth = 0) const;
     [[nodiscard]] bool is_length(const Expr& expr) const {
         const bool size = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size";
         return size && !expr.args.empty() && is_sequence(*expr.args[0]);
@@ -125,10 +125,10 @@ public:
 private:
     [[nodiscard]] bool is_sequence(const Expr& expr) const {
         if (expr.kind == ExprKind::cast) return is_sequence(*expr.args[0]);
-        return expr.type.valid() && system_.type(expr.type).kind == TypeKind::sequence;
+        return expr.type.is_valid() && system_.type(expr.type).kind == TypeKind::sequence;
     }
-    [[nodiscard]] std::optional<Values> combined(const Expr&, const Machine*, int depth, Operation) const;
-    [[nodiscard]] const Values& constant(const std::string& name, int depth) const;
+    [[nodiscard]] std::optional<Values> combine_operands(const Expr&, const Machine*, int depth, Operation) const;
+    [[nodiscard]] const Values& values_of_constant(const std::string& name, int depth) const;
     [[nodiscard]] Values values_of(const std::string& name, int depth) const;
     void add_declared(const std::vector<Constant>&, const std::string& name, const Machine*, int depth, Values&) const;
 
@@ -138,28 +138,28 @@ private:
     mutable std::map<std::string, Values> constants_;
 };
 
-std::optional<Values> KnownValues::of(const Expr& expr, const Machine* machine, int depth) const {
+std::optional<Values> KnownValues::find_values(const Expr& expr, const Machine* machine, int depth) const {
     if (expr.kind == ExprKind::integer) return Values{{expr.number, 0}};
     if (expr.kind == ExprKind::real) return Values{expr.decimal};
     if (is_length(expr)) return Values{{longest_, 0}};
     if (expr.kind == ExprKind::constant) {
         if (machine == nullptr || expr.constant.index >= machine->constants.size()) return std::nullopt;
-        return constant(machine->constants[expr.constant.index].name, depth);
+        return values_of_constant(machine->constants[expr.constant.index].name, depth);
     }
-    if (expr.kind == ExprKind::plus) return combined(expr, machine, depth, sum);
-    if (expr.kind == ExprKind::minus) return combined(expr, machine, depth, difference);
-    if (expr.kind == ExprKind::times) return combined(expr, machine, depth, product);
-    if (expr.kind == ExprKind::divide) return combined(expr, machine, depth, quotient);
+    if (expr.kind == ExprKind::plus) return combine_operands(expr, machine, depth, add_decimals);
+    if (expr.kind == ExprKind::minus) return combine_operands(expr, machine, depth, subtract_decimals);
+    if (expr.kind == ExprKind::times) return combine_operands(expr, machine, depth, multiply_decimals);
+    if (expr.kind == ExprKind::divide) return combine_operands(expr, machine, depth, divide_decimals);
     if (expr.kind != ExprKind::negate && expr.kind != ExprKind::cast) return std::nullopt;
-    auto inner = of(*expr.args[0], machine, depth);
+    auto inner = find_values(*expr.args[0], machine, depth);
     if (inner && expr.kind == ExprKind::negate)
-        for (Decimal& value : *inner) value = negated(value);
+        for (Decimal& value : *inner) value = negate_decimal(value);
     return inner;
 }
 
-std::optional<Values> KnownValues::combined(const Expr& expr, const Machine* machine, int depth,
-                                            Operation operation) const {
-    const auto left = of(*expr.args[0], machine, depth), right = of(*expr.args[1], machine, depth);
+std::optional<Values> KnownValues::combine_operands(const Expr& expr, const Machine* machine, int depth,
+                                                    Operation operation) const {
+    const auto left = find_values(*expr.args[0], machine, depth), right = find_values(*expr.args[1], machine, depth);
     if (!left || !right || left->size() * right->size() > most_of_expression) return std::nullopt;
     Values result;
     for (const Decimal& a : *left)
@@ -174,13 +174,13 @@ void KnownValues::add_declared(const std::vector<Constant>& constants, const std
         if (constant.name != name) continue;
         if (!constant.value) {
             values.push_back({});
-        } else if (const auto given = of(*constant.value, machine, depth)) {
+        } else if (const auto given = find_values(*constant.value, machine, depth)) {
             values.insert(values.end(), given->begin(), given->end());
         }
     }
 }
 
-const Values& KnownValues::constant(const std::string& name, int depth) const {
+const Values& KnownValues::values_of_constant(const std::string& name, int depth) const {
     const auto known = constants_.find(name);
     if (known != constants_.end()) return known->second;
     const Values found = depth < most_depth ? values_of(name, depth) : Values{};
@@ -197,7 +197,8 @@ Values KnownValues::values_of(const std::string& name, int depth) const {
     for (const Module& module : system_.modules)
         add_declared(module.platform.constants, name, nullptr, depth + 1, values);
     const auto add = [&](const Expr& expr) {
-        if (const auto given = of(expr, nullptr, depth + 1)) values.insert(values.end(), given->begin(), given->end());
+        if (const auto given = find_values(expr, nullptr, depth + 1))
+            values.insert(values.end(), given->begin(), given->end());
     };
     for (const NamedConstant& named : named_constants(system_)) {
         if (!named.path.ends_with("::" + name)) continue;
@@ -209,8 +210,8 @@ Values KnownValues::values_of(const std::string& name, int depth) const {
             if (is_instantiations(block))
                 if (const auto number = defined_number(block.text, named.name)) values.push_back({*number, 0});
     }
-    std::ranges::sort(values, less);
-    const auto same = [](const Decimal& a, const Decimal& b) { return !less(a, b) && !less(b, a); };
+    std::ranges::sort(values, is_less);
+    const auto same = [](const Decimal& a, const Decimal& b) { return !is_less(a, b) && !is_less(b, a); };
     values.erase(std::unique(values.begin(), values.end(), same), values.end());
     if (values.size() > most_of_expression) values.resize(most_of_expression);
     return values;
@@ -230,13 +231,13 @@ public:
     void add_between(const Literals&);
 
 private:
-    void compare(const Expr& subject, const Expr& with, const Machine*, bool ordered);
+    void record_comparison(const Expr& subject, const Expr& with, const Machine*, bool ordered);
     void add(const Expr& subject, const Decimal& value, const Machine*, bool ordered);
     void add_operands(const Expr& subject, const Decimal& value, const Machine*, bool ordered);
     void add_beside(std::set<std::int64_t>& numbers, const Decimal& value, bool natural);
     void add_beyond(const Decimal& value);
     [[nodiscard]] TypeKind kind(const Expr& expr) const {
-        return expr.type.valid() ? system_.type(expr.type).kind : TypeKind::unit;
+        return expr.type.is_valid() ? system_.type(expr.type).kind : TypeKind::unit;
     }
 
     const System& system_;
@@ -255,20 +256,20 @@ void Comparisons::look_at(const Expr& expr, const Machine* machine) {
         const bool range = right.kind == ExprKind::range;
         if (!range && right.kind != ExprKind::set && right.kind != ExprKind::set_range) return;
         for (const ExprPtr& each : right.args)
-            if (each) compare(left, *each, machine, range);
+            if (each) record_comparison(left, *each, machine, range);
         return;
     }
     if (reads_clock(left) || reads_clock(right)) return;
     const bool ordered = expr.kind != ExprKind::equal && expr.kind != ExprKind::not_equal;
-    compare(left, right, machine, ordered);
-    compare(right, left, machine, ordered);
+    record_comparison(left, right, machine, ordered);
+    record_comparison(right, left, machine, ordered);
 }
 
 /// Records the values that `with` can have, if they are known and the subject can change.
-void Comparisons::compare(const Expr& subject, const Expr& with, const Machine* machine, bool ordered) {
-    const bool changes = known_.is_length(subject) || !known_.of(subject, machine);
+void Comparisons::record_comparison(const Expr& subject, const Expr& with, const Machine* machine, bool ordered) {
+    const bool changes = known_.is_length(subject) || !known_.find_values(subject, machine);
     if (!changes) return;
-    if (const auto values = known_.of(with, machine)) {
+    if (const auto values = known_.find_values(with, machine)) {
         for (const Decimal& value : *values) add(subject, value, machine, ordered);
     } else if (ordered) {
         unlike_variables_.insert(kind(subject));
@@ -277,7 +278,7 @@ void Comparisons::compare(const Expr& subject, const Expr& with, const Machine* 
 
 /// Records the values that parts of the subject need so that the subject can be on either side of the value.
 void Comparisons::add(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
-    if (known_.is_length(subject) || known_.of(subject, machine)) return;
+    if (known_.is_length(subject) || known_.find_values(subject, machine)) return;
     const TypeKind type = kind(subject);
     if (type == TypeKind::nat)
         add_beside(result_.nat, value, true);
@@ -296,31 +297,31 @@ void Comparisons::add_operands(const Expr& subject, const Decimal& value, const 
         if (needed) add(part, *needed, machine, ordered);
     };
     const auto each_value = [&](std::size_t of, const auto& act) {
-        if (const auto values = known_.of(*subject.args[of], machine))
+        if (const auto values = known_.find_values(*subject.args[of], machine))
             for (const Decimal& other : *values) act(*subject.args[1 - of], other);
     };
-    const Decimal next = sum(value, {1, 0}).value_or(value);
+    const Decimal next = add_decimals(value, {1, 0}).value_or(value);
     if (subject.kind == ExprKind::cast) {
         inverted(*subject.args[0], value);
         if (kind(*subject.args[0]) == TypeKind::real) inverted(*subject.args[0], next);  // the cast rounds down
     } else if (subject.kind == ExprKind::negate) {
-        inverted(*subject.args[0], negated(value));
+        inverted(*subject.args[0], negate_decimal(value));
     } else if (subject.kind == ExprKind::plus) {
         for (const std::size_t side : {0U, 1U})
-            each_value(side, [&](const Expr& part, const Decimal& b) { inverted(part, difference(value, b)); });
+            each_value(side, [&](const Expr& part, const Decimal& b) { inverted(part, subtract_decimals(value, b)); });
     } else if (subject.kind == ExprKind::minus) {
-        each_value(1, [&](const Expr& part, const Decimal& b) { inverted(part, sum(value, b)); });
-        each_value(0, [&](const Expr& part, const Decimal& a) { inverted(part, difference(a, value)); });
+        each_value(1, [&](const Expr& part, const Decimal& b) { inverted(part, add_decimals(value, b)); });
+        each_value(0, [&](const Expr& part, const Decimal& a) { inverted(part, subtract_decimals(a, value)); });
     } else if (subject.kind == ExprKind::times) {
         for (const std::size_t side : {0U, 1U})
             each_value(side, [&](const Expr& part, const Decimal& b) {
-                inverted(part, quotient(value, b));
-                if (const auto down = quotient(value, b)) inverted(part, sum(*down, {1, 0}));
+                inverted(part, divide_decimals(value, b));
+                if (const auto down = divide_decimals(value, b)) inverted(part, add_decimals(*down, {1, 0}));
             });
     } else if (subject.kind == ExprKind::divide) {
         each_value(1, [&](const Expr& part, const Decimal& b) {
-            inverted(part, product(value, b));
-            inverted(part, product(next, b));
+            inverted(part, multiply_decimals(value, b));
+            inverted(part, multiply_decimals(next, b));
         });
     }
 }
@@ -351,14 +352,14 @@ void Comparisons::add_extremes(const Literals& literals) {
 
 /// The whole numbers around the thresholds are in the carrier already, and so are all literals.
 void Comparisons::add_between(const Literals& literals) {
-    std::ranges::sort(thresholds_, less);
+    std::ranges::sort(thresholds_, is_less);
     for (std::size_t i = 1; i < thresholds_.size(); ++i) {
         const Decimal &low = thresholds_[i - 1], &high = thresholds_[i];
-        if (!less(low, high)) continue;
+        if (!is_less(low, high)) continue;
         const Decimal whole{checked_add(floor_of(low), 1).value_or(floor_of(low)), 0};
-        const auto inside = [&](const Decimal& value) { return less(low, value) && less(value, high); };
+        const auto inside = [&](const Decimal& value) { return is_less(low, value) && is_less(value, high); };
         if (inside(whole) || std::ranges::any_of(literals.real, inside)) continue;
-        const auto both = aligned(low, high);
+        const auto both = align_decimals(low, high);
         const auto tenfold = both ? checked_multiply(both->left, 10) : std::nullopt;
         if (!tenfold) continue;
         if (both->right - both->left > 1)
@@ -370,7 +371,7 @@ void Comparisons::add_between(const Literals& literals) {
 
 }  // namespace
 
-Compared compared(const System& system, const Chosen& chosen, const Literals& literals, std::int64_t longest) {
+Compared compared_values(const System& system, const Chosen& chosen, const Literals& literals, std::int64_t longest) {
     Compared result;
     const KnownValues known(system, chosen, longest);
     Comparisons comparisons(system, known, result);

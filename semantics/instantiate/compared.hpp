@@ -25,8 +25,8 @@ struct Compared {
 /// Collects the numbers from comparisons in guards, conditions and contracts. A constant counts with each value that
 /// the model, an option, an assertion or a csp block gives to a constant of its name. `chosen`: the values given by
 /// options, by the names in scripts. `longest`: the length of the longest sequences.
-[[nodiscard]] Compared compared(const System&, const std::map<std::string, ExprPtr>& chosen, const Literals&,
-                                std::int64_t longest);
+[[nodiscard]] Compared compared_values(const System&, const std::map<std::string, ExprPtr>& chosen, const Literals&,
+                                       std::int64_t longest);
 
 /// True if a block Instantiations defines a carrier of numbers; the values of the types are then the user's choice.
 [[nodiscard]] bool carriers_given(const System&);

@@ -22,14 +22,14 @@ namespace {
 using diagnostics::Diagnostics;
 
 /// True if an option's name refers to this constant: it is the path or the end of the path after a "::".
-bool means(const std::string& option, const std::string& path) {
+bool refers_to(const std::string& option, const std::string& path) {
     if (option.size() > path.size()) return false;
     const std::size_t start = path.size() - option.size();
     return path.compare(start, option.size(), option) == 0 &&
            (start == 0 || (start >= 2 && path.compare(start - 2, 2, "::") == 0));
 }
 
-ExprPtr make(Expr expr, TypeId type) {
+ExprPtr make_expression(Expr expr, TypeId type) {
     expr.type = type;
     return std::make_shared<const Expr>(std::move(expr));
 }
@@ -39,7 +39,7 @@ ExprPtr whole_number(const std::string& text, TypeId type, bool natural) {
     if (!number || (natural && *number < 0)) return nullptr;
     Expr expr;
     expr.number = *number;
-    return make(expr, type);
+    return make_expression(expr, type);
 }
 
 ExprPtr decimal_number(const std::string& text, TypeId type) {
@@ -48,7 +48,7 @@ ExprPtr decimal_number(const std::string& text, TypeId type) {
     Expr expr;
     expr.kind = ExprKind::real;
     expr.decimal = *decimal;
-    return make(expr, type);
+    return make_expression(expr, type);
 }
 
 ExprPtr truth_value(const std::string& text, TypeId type) {
@@ -56,19 +56,19 @@ ExprPtr truth_value(const std::string& text, TypeId type) {
     Expr expr;
     expr.kind = ExprKind::boolean;
     expr.number = text == "true" ? 1 : 0;
-    return make(expr, type);
+    return make_expression(expr, type);
 }
 
 ExprPtr literal_of(const Type& declaration, const std::string& text, TypeId type) {
     for (std::size_t i = 0; i < declaration.labels.size(); ++i) {
         const std::string& label = declaration.labels[i];
         const bool plain = i >= declaration.literal_args.size() || declaration.literal_args[i].empty();
-        if (!plain || !means(text, declaration.package + "::" + declaration.name + "::" + label)) continue;
+        if (!plain || !refers_to(text, declaration.package + "::" + declaration.name + "::" + label)) continue;
         Expr expr;
         expr.kind = ExprKind::enum_literal;
         expr.number = static_cast<std::int64_t>(i);
         expr.text = label;
-        return make(expr, type);
+        return make_expression(expr, type);
     }
     return nullptr;
 }
@@ -103,10 +103,10 @@ ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) 
     return nullptr;
 }
 
-std::string suggestion(const std::string& name, const std::vector<NamedConstant>& constants) {
+std::string suggestion_text(const std::string& name, const std::vector<NamedConstant>& constants) {
     std::vector<std::string> candidates;
     for (const auto& constant : constants) candidates.push_back(constant.path.substr(constant.path.rfind(':') + 1));
-    const std::string meant = diagnostics::nearest(name, candidates);
+    const std::string meant = diagnostics::nearest_spelling(name, candidates);
     return meant.empty() ? "" : "; did you mean '" + meant + "'?";
 }
 
@@ -114,13 +114,13 @@ std::string suggestion(const std::string& name, const std::vector<NamedConstant>
 
 bool names_constant(const System& system, const std::string& option) {
     const auto constants = named_constants(system);
-    return std::ranges::any_of(constants, [&](const NamedConstant& each) { return means(option, each.path); });
+    return std::ranges::any_of(constants, [&](const NamedConstant& each) { return refers_to(option, each.path); });
 }
 
 GivenConstants not_overridden(const System& system, const GivenConstants& weaker, const GivenConstants& stronger) {
     const auto constants = named_constants(system);
     const auto named = [&](const std::string& path) {
-        return std::ranges::any_of(stronger, [&](const auto& option) { return means(option.first, path); });
+        return std::ranges::any_of(stronger, [&](const auto& option) { return refers_to(option.first, path); });
     };
     // An option that sets the machine's own constant also sets it in all controllers that run the machine.
     const auto own = own_constants(system);
@@ -135,7 +135,7 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
     for (const auto& [option, text] : weaker) {
         bool known = false, left = false;
         for (const NamedConstant& each : constants) {
-            if (!means(option, each.path)) continue;
+            if (!refers_to(option, each.path)) continue;
             known = true;
             left = left || !overridden(each);
         }
@@ -153,7 +153,7 @@ ChosenConstants chosen_constants(const System& system, const GivenConstants& opt
     for (const auto& [option, text] : options) {
         bool known = false;
         for (const auto& constant : constants) {
-            if (!means(option, constant.path)) continue;
+            if (!refers_to(option, constant.path)) continue;
             known = true;
             const auto [by, first] = chosen_by.emplace(constant.path, option);
             if (!first && refused.emplace(by->second, option).second)
@@ -168,7 +168,8 @@ ChosenConstants chosen_constants(const System& system, const GivenConstants& opt
             add_literals(system, *value, literals.durations.contains(name), literals);
             chosen[constant.name] = value;
         }
-        if (!known) diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion(option, constants)});
+        if (!known)
+            diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion_text(option, constants)});
     }
     for (const auto& [part, own] : own_constants(system))
         if (const auto value = chosen.find(own); value != chosen.end()) chosen.emplace(part, ExprPtr(value->second));
@@ -196,7 +197,7 @@ std::optional<Value> source_value(const System& system, const Instantiation& ins
     if (it != instantiation.constants.end()) return it->second;
     if (source.constant == nullptr || !source.constant->value) return std::nullopt;
     try {
-        return evaluate(system, instantiation, nullptr, {{}, before, {}, {}}, *source.constant->value);
+        return evaluate_expression(system, instantiation, nullptr, {{}, before, {}, {}}, *source.constant->value);
     } catch (const EvaluationFault&) {
         return std::nullopt;
     } catch (const std::length_error&) {
@@ -223,7 +224,7 @@ std::optional<Value> evaluate_constant(const System& system, const Instantiation
     try {
         if (machine != nullptr)
             environment.constants = constant_values(system, instantiation, nullptr, nullptr, "", *machine);
-        return evaluate(system, instantiation, machine, environment, expr);
+        return evaluate_expression(system, instantiation, machine, environment, expr);
     } catch (const EvaluationFault&) {
         return std::nullopt;
     } catch (const std::length_error&) {

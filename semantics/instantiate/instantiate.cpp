@@ -28,7 +28,7 @@ struct Range {
     std::int64_t high = 0;
     bool chosen = false;  ///< given by an option
 
-    void include(std::int64_t value) {
+    void include_value(std::int64_t value) {
         low = std::min(low, value);
         high = std::max(high, value);
     }
@@ -42,17 +42,17 @@ struct Ranges {
 };
 
 /// The least whole number not below a decimal (`up`), or the greatest not above it.
-std::int64_t whole(const Decimal& decimal, bool up) {
+std::int64_t round_to_whole(const Decimal& decimal, bool up) {
     const std::int64_t divisor = power_of_ten(decimal.decimals).value_or(1);
     const std::int64_t down = *floor_divide(decimal.unscaled, divisor);
     return up && *floor_modulus(decimal.unscaled, divisor) != 0 ? down + 1 : down;
 }
 
-void include(Range& range, const Decimal& decimal) {
+void include_value(Range& range, const Decimal& decimal) {
     if (decimal.unscaled < 0)
-        range.low = std::min(range.low, whole(decimal, true));
+        range.low = std::min(range.low, round_to_whole(decimal, true));
     else
-        range.high = std::max(range.high, whole(decimal, false));
+        range.high = std::max(range.high, round_to_whole(decimal, false));
 }
 
 /// Sizes that count from 0: lengths of sequences, times of clocks, elements of given types.
@@ -66,7 +66,7 @@ void read_range_options(const InstantiationOptions& options, Ranges& ranges, Dia
         const auto* at = std::ranges::find(Ranges::names, name);
         if (at == Ranges::names.end()) {
             const std::vector<std::string> known{"nat", "int", "real", "Seq", "clock", "given"};
-            const std::string meant = diagnostics::nearest(name, known);
+            const std::string meant = diagnostics::nearest_spelling(name, known);
             diagnostics.report(rules::unknown_range_option, {},
                                {name, meant.empty() ? "" : "; did you mean '" + meant + "'?"});
             continue;
@@ -90,13 +90,13 @@ void report_outside(const Range& range, const char* name, const std::string& lit
 }
 
 /// Literals widen a default range. A range chosen by an option is not changed, and literals outside it are reported.
-void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
+void widen_by_literals(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
     const std::array<const std::set<std::int64_t>*, 2> whole_numbers{&literals.nat, &literals.integer};
     for (std::size_t i = 0; i < whole_numbers.size(); ++i)
         for (const auto literal : *whole_numbers[i]) {
             Range& range = ranges.by_type[i];
             if (!range.chosen)
-                range.include(literal);
+                range.include_value(literal);
             else if (!range.has(literal))
                 report_outside(range, Ranges::names[i], std::to_string(literal), literals.places.at(literal),
                                diagnostics);
@@ -104,7 +104,7 @@ void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
     Range& real = ranges.by_type[2];
     for (const auto& literal : literals.real)
         if (!real.chosen)
-            include(real, literal);
+            include_value(real, literal);
         else if (literal.decimals == 0 && !real.has(literal.unscaled))
             report_outside(real, Ranges::names[2], to_string(literal), {}, diagnostics);
 }
@@ -118,28 +118,28 @@ void reach_beyond(const Compared& compared, Ranges& ranges) {
         for (const std::int64_t number : *numbers[i]) {
             const bool fits = std::all_of(ranges.by_type.begin() + i + 1, ranges.by_type.end(),
                                           [&](const Range& outer) { return !outer.chosen || outer.has(number); });
-            if (fits) ranges.by_type[i].include(number);
+            if (fits) ranges.by_type[i].include_value(number);
         }
     }
 }
 
 /// Makes nat a part of int and int a part of real by widening ranges that no option chose.
-void nest(Ranges& ranges, Diagnostics& diagnostics) {
+void nest_ranges(Ranges& ranges, Diagnostics& diagnostics) {
     for (std::size_t i = 1; i < ranges.by_type.size(); ++i) {
         const Range inner = ranges.by_type[i - 1];
         Range& outer = ranges.by_type[i];
         if (outer.has(inner.low) && outer.has(inner.high)) continue;
         if (!outer.chosen) {
-            outer.include(inner.low);
-            outer.include(inner.high);
+            outer.include_value(inner.low);
+            outer.include_value(inner.high);
             continue;
         }
         diagnostics.report(
             rules::ranges_not_nested, {},
             {Ranges::names[i], std::to_string(outer.low), std::to_string(outer.high), Ranges::names[i - 1],
              std::to_string(inner.low), std::to_string(inner.high), Ranges::names[i - 1], Ranges::names[i]});
-        outer.include(inner.low);
-        outer.include(inner.high);
+        outer.include_value(inner.low);
+        outer.include_value(inner.high);
     }
 }
 
@@ -153,8 +153,8 @@ diagnostics::Span cause_of(const Range& range, const Literals& literals) {
     return found == literals.places.end() ? diagnostics::Span{} : found->second;
 }
 
-std::vector<std::int64_t> numbers(const Range& range, const char* name, const Literals& literals,
-                                  Diagnostics& diagnostics) {
+std::vector<std::int64_t> numbers_in(const Range& range, const char* name, const Literals& literals,
+                                     Diagnostics& diagnostics) {
     const auto size = checked_subtract(range.high, range.low);
     if (!size || *size >= most_values) {
         const std::string count = size ? std::to_string(*size) : "over 2^63";
@@ -186,9 +186,9 @@ std::vector<std::int64_t> real_numbers(const Range& range, const Literals& liter
         else
             fits = false;
     };
-    for (const auto value : numbers(range, "real", literals, diagnostics)) add(checked_multiply(value, scale));
+    for (const auto value : numbers_in(range, "real", literals, diagnostics)) add(checked_multiply(value, scale));
     for (const auto& literal : literals.real)
-        if (literal.decimals > 0) add(scaled(literal, scale));
+        if (literal.decimals > 0) add(scale_decimal(literal, scale));
     if (!fits) diagnostics.report(rules::scale_too_large, {}, {std::to_string(scale)});
     return {units.begin(), units.end()};
 }
@@ -227,29 +227,29 @@ void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instant
 
 }  // namespace
 
-Instantiation instantiate(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics) {
+Instantiation instantiate_system(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics) {
     Instantiation instantiation;
     instantiation.budget = diagnostics.budget();
     Literals literals = literals_of(system);
     const auto chosen = chosen_constants(system, options.constants, literals, diagnostics);
     Ranges ranges;
     read_range_options(options, ranges, diagnostics);
-    widen(literals, ranges, diagnostics);
+    widen_by_literals(literals, ranges, diagnostics);
     if (!carriers_given(system)) {
         const auto lengths = options.ranges.find("Seq");
         const std::int64_t longest =
             lengths == options.ranges.end() ? instantiation.sequence_bound : lengths->second.second;
-        const Compared beyond = compared(system, chosen, literals, longest);
+        const Compared beyond = compared_values(system, chosen, literals, longest);
         reach_beyond(beyond, ranges);
         if (!ranges.by_type[2].chosen)
             literals.real.insert(literals.real.end(), beyond.between.begin(), beyond.between.end());
     }
-    nest(ranges, diagnostics);
+    nest_ranges(ranges, diagnostics);
     instantiation.scale = scale_of(literals);
     literals.strings.insert("");
     instantiation.strings.assign(literals.strings.begin(), literals.strings.end());
-    instantiation.nat = numbers(ranges.by_type[0], "nat", literals, diagnostics);
-    instantiation.integer = numbers(ranges.by_type[1], "int", literals, diagnostics);
+    instantiation.nat = numbers_in(ranges.by_type[0], "nat", literals, diagnostics);
+    instantiation.integer = numbers_in(ranges.by_type[1], "int", literals, diagnostics);
     instantiation.real = real_numbers(ranges.by_type[2], literals, instantiation.scale, diagnostics);
     set_constants(system, chosen, instantiation);
     const std::int64_t clocks = clock_need(system, instantiation);

@@ -26,7 +26,7 @@ namespace robochart::ir {
 
 /// Applies RoboTool's defaults, widens them by the model's literals and constants, then applies the user's options. Bad
 /// options (unknown constant, empty range) are reported.
-[[nodiscard]] Instantiation instantiate(const System&, const InstantiationOptions&, diagnostics::Diagnostics&);
+[[nodiscard]] Instantiation instantiate_system(const System&, const InstantiationOptions&, diagnostics::Diagnostics&);
 
 /// True if an option's name for a constant, "NAME" or the end of "P::S::NAME", refers to a constant of the system.
 [[nodiscard]] bool names_constant(const System&, const std::string& option);

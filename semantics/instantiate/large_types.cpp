@@ -20,21 +20,21 @@ public:
     Sizes(const System& system, const Instantiation& instantiation) : system_(system), instantiation_(instantiation) {}
 
     /// The number of values of the type.
-    [[nodiscard]] double of(TypeId id) const;
+    [[nodiscard]] double size_of_type(TypeId id) const;
     /// Collects the number types that the type consists of.
-    void numbers(TypeId id, std::set<TypeKind>& found) const {
+    void collect_number_types(TypeId id, std::set<TypeKind>& found) const {
         const Type& type = system_.type(id);
         if (type.kind == TypeKind::nat || type.kind == TypeKind::integer || type.kind == TypeKind::real)
             found.insert(type.kind);
-        for (const TypeId part : type.args) numbers(part, found);
+        for (const TypeId part : type.args) collect_number_types(part, found);
         for (const auto& arguments : type.literal_args)
-            for (const TypeId part : arguments) numbers(part, found);
+            for (const TypeId part : arguments) collect_number_types(part, found);
     }
 
 private:
-    [[nodiscard]] double product(const std::vector<TypeId>& parts) const {
+    [[nodiscard]] double product_of_sizes(const std::vector<TypeId>& parts) const {
         double result = 1;
-        for (const TypeId part : parts) result *= of(part);
+        for (const TypeId part : parts) result *= size_of_type(part);
         return result;
     }
 
@@ -42,7 +42,7 @@ private:
     const Instantiation& instantiation_;
 };
 
-double Sizes::of(TypeId id) const {
+double Sizes::size_of_type(TypeId id) const {
     const Type& type = system_.type(id);
     switch (type.kind) {
         case TypeKind::boolean:
@@ -60,29 +60,29 @@ double Sizes::of(TypeId id) const {
         case TypeKind::enumeration: {
             double result = 0;
             for (std::size_t i = 0; i < type.labels.size(); ++i)
-                result += i < type.literal_args.size() ? product(type.literal_args[i]) : 1;
+                result += i < type.literal_args.size() ? product_of_sizes(type.literal_args[i]) : 1;
             return result;
         }
         case TypeKind::sequence: {
             double result = 0;
             for (std::int64_t length = 0; length <= instantiation_.sequence_bound; ++length)
-                result += std::pow(of(type.args.at(0)), static_cast<double>(length));
+                result += std::pow(size_of_type(type.args.at(0)), static_cast<double>(length));
             return result;
         }
         case TypeKind::set:
-            return std::pow(2, of(type.args.at(0)));
+            return std::pow(2, size_of_type(type.args.at(0)));
         case TypeKind::product:
         case TypeKind::record:
-            return product(type.args);
+            return product_of_sizes(type.args);
         case TypeKind::relation:
-            return std::pow(2, product(type.args));
+            return std::pow(2, product_of_sizes(type.args));
         case TypeKind::function:
-            return std::pow(of(type.args.at(1)), of(type.args.at(0)));
+            return std::pow(size_of_type(type.args.at(1)), size_of_type(type.args.at(0)));
         case TypeKind::vector:
         case TypeKind::matrix: {
             double result = 1;
             for (const std::int64_t size : type.sizes) result *= static_cast<double>(size);
-            return std::pow(of(type.args.at(0)), result);
+            return std::pow(size_of_type(type.args.at(0)), result);
         }
         case TypeKind::unit:
             return 1;
@@ -91,7 +91,7 @@ double Sizes::of(TypeId id) const {
 }
 
 /// Types whose values are communicated, so that each value is enumerated.
-std::vector<TypeId> communicated(const System& system) {
+std::vector<TypeId> communicated_types(const System& system) {
     std::vector<TypeId> result;
     const auto add = [&](const auto& component) {
         for (const Event& event : component.events)
@@ -121,7 +121,7 @@ std::string widest_number(const System& system, const std::set<TypeKind>& kinds,
             if (number.decimals == 0) look_at(number.unscaled);
     const auto place = literals.places.find(widest);
     if (place == literals.places.end()) return "";
-    return fmt::format(", since the model has the number {} ({})", widest, sources.place(place->second));
+    return fmt::format(", since the model has the number {} ({})", widest, sources.path_and_line(place->second));
 }
 
 }  // namespace
@@ -129,10 +129,10 @@ std::string widest_number(const System& system, const std::set<TypeKind>& kinds,
 std::string large_type(const System& system, const Instantiation& instantiation, double most,
                        const diagnostics::SourceManager& sources) {
     const Sizes sizes(system, instantiation);
-    for (const TypeId id : communicated(system)) {
+    for (const TypeId id : communicated_types(system)) {
         std::set<TypeKind> kinds;
-        sizes.numbers(id, kinds);
-        const double size = sizes.of(id);
+        sizes.collect_number_types(id, kinds);
+        const double size = sizes.size_of_type(id);
         if (size <= most || kinds.empty()) continue;
         const bool real = kinds.contains(TypeKind::real), whole = kinds.contains(TypeKind::integer);
         const auto& carrier = real ? instantiation.real : whole ? instantiation.integer : instantiation.nat;

@@ -22,35 +22,35 @@ public:
     void look_at(const Expr& expr) {
         std::optional<Window> places;
         if (expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_extract")
-            places = window(*expr.args.at(0));
-        if (expr.kind == ExprKind::index && is_sequence(*expr.args.at(0))) places = window(*expr.args.at(1));
+            places = positions_in(*expr.args.at(0));
+        if (expr.kind == ExprKind::index && is_sequence(*expr.args.at(0))) places = positions_in(*expr.args.at(1));
         if (places && places->last > longest_)
             found_.push_back({SequenceLimit::Kind::window, expr.span, places->first, places->last});
         if (!is_comparison(expr.kind) || expr.args.size() != 2) return;
         for (const std::size_t side : {0U, 1U})
             if (is_length(*expr.args[side]) && expr.args[1 - side]->kind == ExprKind::integer)
-                compare(expr, expr.args[1 - side]->number, side == 0);
+                read_comparison(expr, expr.args[1 - side]->number, side == 0);
     }
-    [[nodiscard]] std::vector<SequenceLimit> take() { return std::move(found_); }
+    [[nodiscard]] std::vector<SequenceLimit> take_limits() { return std::move(found_); }
 
 private:
     [[nodiscard]] bool is_sequence(const Expr& expr) const {
         if (expr.kind == ExprKind::cast) return is_sequence(*expr.args.at(0));
-        return expr.type.valid() && system_.type(expr.type).kind == TypeKind::sequence;
+        return expr.type.is_valid() && system_.type(expr.type).kind == TypeKind::sequence;
     }
     [[nodiscard]] bool is_length(const Expr& expr) const {
         if (expr.kind == ExprKind::cast) return is_length(*expr.args.at(0));
         return expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size" && is_sequence(*expr.args.at(0));
     }
     /// The positions that a number, a set of numbers or a range refers to.
-    [[nodiscard]] static std::optional<Window> window(const Expr& expr) {
+    [[nodiscard]] static std::optional<Window> positions_in(const Expr& expr) {
         if (expr.kind == ExprKind::integer) return Window{expr.number, expr.number};
         const bool listed =
             expr.kind == ExprKind::set || expr.kind == ExprKind::set_range || expr.kind == ExprKind::range;
         if (!listed || expr.args.empty()) return std::nullopt;
         std::optional<Window> result;
         for (const ExprPtr& arg : expr.args) {
-            const auto part = arg ? window(*arg) : std::nullopt;
+            const auto part = arg ? positions_in(*arg) : std::nullopt;
             if (!part) return std::nullopt;
             result = result ? Window{std::min(result->first, part->first), std::max(result->last, part->last)} : part;
         }
@@ -58,7 +58,7 @@ private:
     }
     /// Lengths are between 0 and the longest. Computes the length that is needed so that the comparison can be true and
     /// can be false.
-    void compare(const Expr& expr, std::int64_t number, bool length_first) {
+    void read_comparison(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||
                            expr.kind == (length_first ? ExprKind::less_equal : ExprKind::greater_equal);
         const std::int64_t needed = above ? number + 1 : number;
@@ -77,7 +77,7 @@ std::vector<SequenceLimit> sequence_limits(const System& system, const Instantia
     visit_expressions(system, [&](const Expr& root, ExprRole) {
         visit_operands(root, [&](const Expr& expr) { limits.look_at(expr); });
     });
-    return limits.take();
+    return limits.take_limits();
 }
 
 }  // namespace robochart::ir

@@ -9,7 +9,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-std::optional<std::int64_t> narrow(Wide value) {
+std::optional<std::int64_t> narrow_to_64_bits(Wide value) {
     if (value < std::numeric_limits<std::int64_t>::min() || value > std::numeric_limits<std::int64_t>::max())
         return std::nullopt;
     return static_cast<std::int64_t>(value);
@@ -24,15 +24,15 @@ Wide floor_divide_wide(Wide dividend, Wide divisor) {
 }  // namespace
 
 std::optional<std::int64_t> checked_add(std::int64_t left, std::int64_t right) {
-    return narrow(Wide{left} + right);
+    return narrow_to_64_bits(Wide{left} + right);
 }
 
 std::optional<std::int64_t> checked_subtract(std::int64_t left, std::int64_t right) {
-    return narrow(Wide{left} - right);
+    return narrow_to_64_bits(Wide{left} - right);
 }
 
 std::optional<std::int64_t> checked_multiply(std::int64_t left, std::int64_t right) {
-    return narrow(Wide{left} * right);
+    return narrow_to_64_bits(Wide{left} * right);
 }
 
 std::optional<std::int64_t> power_of_ten(std::uint32_t exponent) {
@@ -43,18 +43,18 @@ std::optional<std::int64_t> power_of_ten(std::uint32_t exponent) {
 
 std::optional<std::int64_t> floor_divide(std::int64_t dividend, std::int64_t divisor) {
     if (divisor == 0) return std::nullopt;
-    return narrow(floor_divide_wide(dividend, divisor));
+    return narrow_to_64_bits(floor_divide_wide(dividend, divisor));
 }
 
 std::optional<std::int64_t> floor_modulus(std::int64_t dividend, std::int64_t divisor) {
     if (divisor == 0) return std::nullopt;
     const Wide quotient = floor_divide_wide(dividend, divisor);
-    return narrow(Wide{dividend} - quotient * divisor);
+    return narrow_to_64_bits(Wide{dividend} - quotient * divisor);
 }
 
 std::optional<std::int64_t> multiply_divide(std::int64_t left, std::int64_t right, std::int64_t divisor) {
     if (divisor == 0) return std::nullopt;
-    return narrow(floor_divide_wide(Wide{left} * right, divisor));
+    return narrow_to_64_bits(floor_divide_wide(Wide{left} * right, divisor));
 }
 
 }  // namespace robochart::ir

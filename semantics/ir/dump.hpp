@@ -9,8 +9,8 @@
 namespace robochart::ir {
 
 /// The IR as text, for `--print ir`: stable, one declaration a line, programs indented.
-[[nodiscard]] std::string dump(const System&);
+[[nodiscard]] std::string dump_text(const System&);
 /// One expression on one line, fully bracketed, with the names of the machine (may be null).
-[[nodiscard]] std::string dump(const System&, const Machine*, const Expr&);
+[[nodiscard]] std::string dump_text(const System&, const Machine*, const Expr&);
 
 }  // namespace robochart::ir

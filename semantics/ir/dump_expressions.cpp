@@ -95,7 +95,7 @@ const char* operator_text(ExprKind kind) {
             return "range";
         case ExprKind::transpose:
             return "transpose";
-        // `own_form` or `leaf` prints the remaining kinds.
+        // `own_form` or `leaf_text` prints the remaining kinds.
         case ExprKind::boolean:
         case ExprKind::integer:
         case ExprKind::real:
@@ -121,13 +121,13 @@ class ExpressionText {
 public:
     ExpressionText(const System& system, const Machine* machine) : system_(system), machine_(machine) {}
 
-    std::string text(const Expr& expr) {
+    std::string whole_text(const Expr& expr) {
         if (const std::optional<std::string> own = own_form(expr)) return *own;
-        if (expr.args.empty() && expr.bound_names.empty()) return leaf(expr);
+        if (expr.args.empty() && expr.bound_names.empty()) return leaf_text(expr);
         const bool infix = expr.kind >= ExprKind::iff && expr.kind <= ExprKind::modulus;
         if (infix || expr.kind == ExprKind::is_in || expr.kind == ExprKind::concat)
-            return fmt::format("({} {} {})", at(expr, 0), operator_text(expr.kind), at(expr, 1));
-        return operator_text(expr.kind) + bindings(expr) + arguments(expr, 0);
+            return fmt::format("({} {} {})", argument_text(expr, 0), operator_text(expr.kind), argument_text(expr, 1));
+        return operator_text(expr.kind) + bindings_text(expr) + arguments_text(expr, 0);
     }
 
 private:
@@ -143,7 +143,7 @@ private:
             case ExprKind::string:
                 return diagnostics::cspm_string(expr.characters);
             case ExprKind::enum_literal:
-                return expr.text + (expr.args.empty() ? "" : arguments(expr, 0));
+                return expr.text + (expr.args.empty() ? "" : arguments_text(expr, 0));
             case ExprKind::bound:
                 return "\\" + expr.text;
             case ExprKind::trigger_value:
@@ -151,16 +151,16 @@ private:
             case ExprKind::function_value:
                 return name_at(system_.functions, expr.function.index);
             case ExprKind::call:
-                return name_at(system_.functions, expr.function.index) + arguments(expr, 0);
+                return name_at(system_.functions, expr.function.index) + arguments_text(expr, 0);
             case ExprKind::toolkit:
-                return expr.text + arguments(expr, 0);
+                return expr.text + arguments_text(expr, 0);
             case ExprKind::cast:
-                return arguments(expr, 0) + " as " + type_text(system_, expr.type);
+                return arguments_text(expr, 0) + " as " + type_text(system_, expr.type);
             case ExprKind::member:
-                return arguments(expr, 0) + "." + std::to_string(expr.number);
+                return arguments_text(expr, 0) + "." + std::to_string(expr.number);
             case ExprKind::negate:
             case ExprKind::logical_not:
-                return std::string(operator_text(expr.kind)) + arguments(expr, 0);
+                return std::string(operator_text(expr.kind)) + arguments_text(expr, 0);
             case ExprKind::variable:
             case ExprKind::constant:
             case ExprKind::since:
@@ -206,7 +206,7 @@ private:
         return std::nullopt;
     }
 
-    std::string leaf(const Expr& expr) {
+    std::string leaf_text(const Expr& expr) {
         if (expr.kind == ExprKind::sequence || expr.kind == ExprKind::set || expr.kind == ExprKind::tuple)
             return std::string(operator_text(expr.kind)) + "()";
         if (machine_ == nullptr) return "?";
@@ -216,15 +216,15 @@ private:
         if (expr.kind == ExprKind::since_entry) return "sinceEntry(" + name_at(machine_->nodes, expr.node.index) + ")";
         return "?";
     }
-    std::string at(const Expr& expr, std::size_t index) {
-        return index < expr.args.size() && expr.args[index] ? text(*expr.args[index]) : "?";
+    std::string argument_text(const Expr& expr, std::size_t index) {
+        return index < expr.args.size() && expr.args[index] ? whole_text(*expr.args[index]) : "?";
     }
-    std::string arguments(const Expr& expr, std::size_t from) {
+    std::string arguments_text(const Expr& expr, std::size_t from) {
         std::string list;
-        for (std::size_t i = from; i < expr.args.size(); ++i) list += (i > from ? ", " : "") + at(expr, i);
+        for (std::size_t i = from; i < expr.args.size(); ++i) list += (i > from ? ", " : "") + argument_text(expr, i);
         return "(" + list + ")";
     }
-    std::string bindings(const Expr& expr) {
+    std::string bindings_text(const Expr& expr) {
         std::string list;
         for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
             list += " " + expr.bound_names[i] + ":" + type_text(system_, expr.bound_types.at(i));
@@ -235,13 +235,13 @@ private:
     const Machine* machine_;
 };
 
-std::string expressions(const System& system, const Machine& machine, const std::vector<ExprPtr>& list) {
+std::string expressions_text(const System& system, const Machine& machine, const std::vector<ExprPtr>& list) {
     std::string text;
     for (const auto& expr : list) text += (text.empty() ? "" : ", ") + expression_text(system, &machine, *expr);
     return text;
 }
 
-std::string head(const System& system, const Machine& machine, const Stmt& stmt) {
+std::string statement_head(const System& system, const Machine& machine, const Stmt& stmt) {
     const auto value = [&](const ExprPtr& expr) { return expr ? expression_text(system, &machine, *expr) : "?"; };
     switch (stmt.kind) {
         case StmtKind::skip:
@@ -251,7 +251,7 @@ std::string head(const System& system, const Machine& machine, const Stmt& stmt)
         case StmtKind::if_then_else:
             return "if " + value(stmt.condition);
         case StmtKind::assign: {
-            const std::string path = expressions(system, machine, stmt.path);
+            const std::string path = expressions_text(system, machine, stmt.path);
             const std::string target = name_at(machine.variables, stmt.variable.index);
             return target + (path.empty() ? "" : "[" + path + "]") + " = " + value(stmt.value);
         }
@@ -259,7 +259,7 @@ std::string head(const System& system, const Machine& machine, const Stmt& stmt)
             return "send " + communication_text(system, machine, stmt.communication);
         case StmtKind::call:
             return fmt::format("call {}({})", name_at(machine.operations, stmt.operation.index),
-                               expressions(system, machine, stmt.args));
+                               expressions_text(system, machine, stmt.args));
         case StmtKind::wait:
             return "wait " + value(stmt.value);
         case StmtKind::wait_interval:
@@ -284,10 +284,10 @@ std::string type_text(const System& system, TypeId id) {
 }
 
 std::string expression_text(const System& system, const Machine* machine, const Expr& expr) {
-    return ExpressionText(system, machine).text(expr);
+    return ExpressionText(system, machine).whole_text(expr);
 }
 
-std::string clause(const System& system, const Machine* machine, const char* word, const ExprPtr& expr) {
+std::string clause_text(const System& system, const Machine* machine, const char* word, const ExprPtr& expr) {
     return expr ? fmt::format(" {} {}", word, expression_text(system, machine, *expr)) : "";
 }
 
@@ -297,17 +297,17 @@ std::string communication_text(const System& system, const Machine& machine, con
     if (communication.kind == CommKind::output) text += "!";
     if (communication.kind == CommKind::sync) text += ".";
     if (communication.value) text += expression_text(system, &machine, *communication.value);
-    return text + clause(system, &machine, "where", communication.predicate);
+    return text + clause_text(system, &machine, "where", communication.predicate);
 }
 
 std::string program_text(const System& system, const Machine& machine, const Stmt& stmt, std::size_t indent) {
-    std::string text = fmt::format("{:{}}{}: {}\n", "", indent, stmt.point, head(system, machine, stmt));
+    std::string text = fmt::format("{:{}}{}: {}\n", "", indent, stmt.point, statement_head(system, machine, stmt));
     for (const auto& part : stmt.body)
         if (part) text += program_text(system, machine, *part, indent + 2);
     return text;
 }
 
-std::string dump(const System& system, const Machine* machine, const Expr& expr) {
+std::string dump_text(const System& system, const Machine* machine, const Expr& expr) {
     return expression_text(system, machine, expr);
 }
 

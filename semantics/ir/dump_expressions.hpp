@@ -11,7 +11,7 @@ namespace robochart::ir {
 [[nodiscard]] std::string type_text(const System&, TypeId);
 [[nodiscard]] std::string expression_text(const System&, const Machine*, const Expr&);
 /// The expression as " WORD text"; "" if it is null.
-[[nodiscard]] std::string clause(const System&, const Machine*, const char* word, const ExprPtr&);
+[[nodiscard]] std::string clause_text(const System&, const Machine*, const char* word, const ExprPtr&);
 [[nodiscard]] std::string communication_text(const System&, const Machine&, const Communication&);
 /// One line per statement, "point: text"; inner statements are indented further.
 [[nodiscard]] std::string program_text(const System&, const Machine&, const Stmt&, std::size_t indent);

@@ -20,11 +20,11 @@ namespace robochart::ir {
 
 inline constexpr std::uint32_t no_id = 0xffffffffU;
 
-/// Strong index types; `valid()` is false for a default-constructed one.
+/// Strong index types; `is_valid()` is false for a default-constructed one.
 template <class Tag>
 struct Id {
     std::uint32_t index = no_id;
-    [[nodiscard]] bool valid() const { return index != no_id; }
+    [[nodiscard]] bool is_valid() const { return index != no_id; }
     friend auto operator<=>(const Id&, const Id&) = default;
 };
 using TypeId = Id<struct TypeTag>;              ///< System::types
@@ -294,7 +294,7 @@ struct Node {
     std::vector<TransitionId> outgoing;  ///< in textual order
     Origin origin;
 
-    [[nodiscard]] bool composite() const { return !children.empty(); }
+    [[nodiscard]] bool is_composite() const { return !children.empty(); }
 };
 
 /// A transition between two nodes of one machine.

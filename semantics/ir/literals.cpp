@@ -9,7 +9,7 @@ namespace {
 
 void add_literal(const System& system, const Expr& expr, bool time, Literals& literals) {
     if (expr.kind == ExprKind::real) return (time ? literals.real_time : literals.real).push_back(expr.decimal);
-    if (time || !expr.type.valid()) return;
+    if (time || !expr.type.is_valid()) return;
     const TypeKind kind = system.type(expr.type).kind;
     if (kind == TypeKind::nat) literals.nat.insert(expr.number);
     if (kind == TypeKind::integer) literals.integer.insert(expr.number);
@@ -54,7 +54,7 @@ std::set<const Expr*> values_of(const std::set<std::string>& names, const System
 
 }  // namespace
 
-std::set<std::string> durations(const System& system) {
+std::set<std::string> constants_of_durations(const System& system) {
     ConstantUses uses;
     for (const Machine& machine : system.machines)
         visit_expressions(machine, [&](const Expr& expr, ExprRole role) {
@@ -85,7 +85,7 @@ void add_literals(const System& system, const Expr& expr, bool time, Literals& l
 
 Literals literals_of(const System& system) {
     Literals literals;
-    literals.durations = durations(system);
+    literals.durations = constants_of_durations(system);
     const std::set<const Expr*> times = values_of(literals.durations, system);
     visit_expressions(system, [&](const Expr& expr, ExprRole role) {
         if (role == ExprRole::probability || (role == ExprRole::place && is_place(expr))) return;

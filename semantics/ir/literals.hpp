@@ -21,14 +21,14 @@ struct Literals {
     std::vector<Decimal> real_time;                    ///< durations
     std::set<diagnostics::ForeignText> strings;        ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< the first place of a whole number
-    std::set<std::string> durations;                   ///< see durations()
+    std::set<std::string> durations;                   ///< see constants_of_durations()
 };
 
 [[nodiscard]] Literals literals_of(const System&);
 /// The names of constants that are used only as a whole duration or in a comparison with since(), and at least once.
 /// Their values are numbers of time units, too. All constants of one name are treated as one, because a required
 /// constant takes its value from another constant of this name.
-[[nodiscard]] std::set<std::string> durations(const System&);
+[[nodiscard]] std::set<std::string> constants_of_durations(const System&);
 /// Adds the literals of one expression; `time`: the whole expression is a duration.
 void add_literals(const System&, const Expr&, bool time, Literals&);
 

@@ -10,8 +10,8 @@
 namespace robochart::ir {
 namespace {
 
-bool overlap(diagnostics::Span a, diagnostics::Span b) {
-    return a.known() && b.known() && a.source == b.source && a.begin < b.end && b.begin < a.end;
+bool spans_overlap(diagnostics::Span a, diagnostics::Span b) {
+    return a.is_known() && b.is_known() && a.source == b.source && a.begin < b.end && b.begin < a.end;
 }
 
 /// True if all constants of this name are open, that is, have no value in the model. A required one has its provider's
@@ -41,7 +41,7 @@ std::vector<std::string> open_divisors(const System& system, diagnostics::Span p
         visit_expressions(machine, [&](const Expr& root, ExprRole) {
             visit_operands(root, [&](const Expr& expr) {
                 const bool divides = expr.kind == ExprKind::divide || expr.kind == ExprKind::modulus;
-                if (divides && overlap(expr.span, place)) visit_operands(*expr.args[1], add_constant);
+                if (divides && spans_overlap(expr.span, place)) visit_operands(*expr.args[1], add_constant);
             });
         });
     }

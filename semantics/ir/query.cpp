@@ -42,7 +42,7 @@ public:
                 add(controller.package, controller.path + "::" + part, machine.constants[i]);
         }
     }
-    std::vector<NamedConstant> take() { return std::move(constants_); }
+    std::vector<NamedConstant> take_constants() { return std::move(constants_); }
 
 private:
     std::set<std::string> names_;
@@ -56,7 +56,7 @@ std::string text_of(const Machine& machine, const Transition& transition) {
            machine.nodes[transition.target.index].path;
 }
 
-std::string qualified(const ComponentRef& ref) {
+std::string qualified_name(const ComponentRef& ref) {
     return ref.package.empty() ? ref.path : ref.package + "::" + ref.path;
 }
 
@@ -98,11 +98,11 @@ std::vector<Part> parts_of(const System& system, const Controller& controller) {
     return parts;
 }
 
-bool calls(const System& system, const Controller& controller, const Machine& caller, const Machine& operation) {
+bool can_call(const System& system, const Controller& controller, const Machine& caller, const Machine& operation) {
     const auto called = called_operations(caller);
     return std::ranges::any_of(called, [&](OperationId id) {
         const MachineId definition = definition_in(system, controller, caller.operations[id.index]);
-        return definition.valid() && &system.machine(definition) == &operation;
+        return definition.is_valid() && &system.machine(definition) == &operation;
     });
 }
 
@@ -113,7 +113,8 @@ public:
     ConstantSearch(const System& system, const Module* module, const Controller& controller)
         : system_(system), module_(module), controller_(controller) {}
 
-    void search(const std::string& part, const Machine& machine, const Constant& constant, std::size_t calls_left) {
+    void search_machine(const std::string& part, const Machine& machine, const Constant& constant,
+                        std::size_t calls_left) {
         if (constant.required && machine.kind == MachineKind::operation && calls_left > 0 &&
             search_callers(machine, constant, calls_left - 1))
             return;
@@ -124,16 +125,16 @@ public:
             }
         add({constant_name(controller_.package, controller_.path + "::" + part, constant.name), &constant});
     }
-    std::vector<ConstantSource> take() { return std::move(found_); }
+    std::vector<ConstantSource> take_sources() { return std::move(found_); }
 
 private:
     bool search_callers(const Machine& operation, const Constant& constant, std::size_t calls_left) {
         bool provided = false;
         for (const auto& part : parts_of(system_, controller_)) {
             const Constant* same = find_constant(part.machine->constants, constant.name);
-            if (same == nullptr || !calls(system_, controller_, *part.machine, operation)) continue;
+            if (same == nullptr || !can_call(system_, controller_, *part.machine, operation)) continue;
             provided = true;
-            search(*part.name, *part.machine, *same, calls_left);
+            search_machine(*part.name, *part.machine, *same, calls_left);
         }
         return provided;
     }
@@ -153,8 +154,8 @@ private:
 std::vector<ConstantSource> constant_sources(const System& system, const Module* module, const Controller& controller,
                                              const std::string& part, const Machine& machine, ConstantId id) {
     ConstantSearch search(system, module, controller);
-    search.search(part, machine, machine.constants.at(id.index), controller.definitions.size());
-    return search.take();
+    search.search_machine(part, machine, machine.constants.at(id.index), controller.definitions.size());
+    return search.take_sources();
 }
 
 ConstantSource constant_source(const System& system, const Module* module, const Controller* controller,
@@ -184,7 +185,7 @@ std::vector<NamedConstant> named_constants(const System& system) {
                           system.machine(controller.definitions[i]));
     }
     for (const auto& module : system.modules) list.add_all(module.package, module.name, module.platform.constants);
-    return list.take();
+    return list.take_constants();
 }
 
 }  // namespace robochart::ir

@@ -11,7 +11,7 @@
 namespace robochart::ir {
 
 /// `package::path`, or only the path if the package has no name.
-[[nodiscard]] std::string qualified(const ComponentRef&);
+[[nodiscard]] std::string qualified_name(const ComponentRef&);
 
 /// The definition that a call of this operation runs inside a controller: same name, same parameter types (semantics
 /// 3.8). Invalid: the call leaves the controller.

@@ -21,7 +21,7 @@ bool mentions_time(const Expr& expr) {
 }
 
 /// A boolean expression that replaces `whole` or a part of it.
-ExprPtr made(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
+ExprPtr make_boolean_expression(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
     Expr result;
     result.kind = kind;
     result.type = whole.type;
@@ -31,30 +31,30 @@ ExprPtr made(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::
     return std::make_shared<const Expr>(std::move(result));
 }
 
-ExprPtr negated(const ExprPtr& part) {
-    return part ? made(*part, ExprKind::logical_not, {part}) : nullptr;
+ExprPtr negate_guard(const ExprPtr& part) {
+    return part ? make_boolean_expression(*part, ExprKind::logical_not, {part}) : nullptr;
 }
 
 /// Null means true.
 ExprPtr upper_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
-    return made(whole, ExprKind::conjunction, {left, right});
+    return make_boolean_expression(whole, ExprKind::conjunction, {left, right});
 }
 
 /// Null means true.
 ExprPtr upper_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
-    return left && right ? made(whole, ExprKind::disjunction, {left, right}) : nullptr;
+    return left && right ? make_boolean_expression(whole, ExprKind::disjunction, {left, right}) : nullptr;
 }
 
 /// Null means false.
 ExprPtr lower_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
-    return made(whole, ExprKind::disjunction, {left, right});
+    return make_boolean_expression(whole, ExprKind::disjunction, {left, right});
 }
 
 /// Null means false.
 ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
-    return left && right ? made(whole, ExprKind::conjunction, {left, right}) : nullptr;
+    return left && right ? make_boolean_expression(whole, ExprKind::conjunction, {left, right}) : nullptr;
 }
 
 /// Bounds that are correct for both branches, because the condition of `if` may read clocks.
@@ -65,9 +65,9 @@ Bounds bounds_of_choice(const Expr& choice, const Bounds& yes, const Bounds& no)
     const auto chosen = [&](const ExprPtr& one, const ExprPtr& other, std::int64_t otherwise) -> ExprPtr {
         if (!one && !other) return nullptr;
         const auto known = [&](const ExprPtr& part) {
-            return part ? part : made(choice, ExprKind::boolean, {}, otherwise);
+            return part ? part : make_boolean_expression(choice, ExprKind::boolean, {}, otherwise);
         };
-        return made(choice, ExprKind::if_then_else, {condition, known(one), known(other)});
+        return make_boolean_expression(choice, ExprKind::if_then_else, {condition, known(one), known(other)});
     };
     return {chosen(yes.upper, no.upper, 1), chosen(yes.lower, no.lower, 0)};
 }
@@ -76,12 +76,12 @@ class Reader {
 public:
     explicit Reader(std::vector<ExprPtr>& left_open) : left_open_(left_open) {}
 
-    Bounds bounds(const ExprPtr& part) {
+    Bounds bounds_of(const ExprPtr& part) {
         if (!mentions_time(*part)) return {part, part};
-        const auto operand = [&](std::size_t number) { return bounds(part->args[number]); };
+        const auto operand = [&](std::size_t number) { return bounds_of(part->args[number]); };
         if (part->kind == ExprKind::logical_not) {
             const Bounds inner = operand(0);
-            return {negated(inner.lower), negated(inner.upper)};
+            return {negate_guard(inner.lower), negate_guard(inner.upper)};
         }
         if (part->kind == ExprKind::if_then_else) {
             if (mentions_time(*part->args[0])) left_open_.push_back(part->args[0]);
@@ -98,7 +98,7 @@ public:
         if (part->kind == ExprKind::conjunction)
             return {upper_conjunction(*part, left.upper, right.upper),
                     lower_conjunction(*part, left.lower, right.lower)};
-        if (implies) left = {negated(left.lower), negated(left.upper)};
+        if (implies) left = {negate_guard(left.lower), negate_guard(left.upper)};
         return {upper_disjunction(*part, left.upper, right.upper), lower_disjunction(*part, left.lower, right.lower)};
     }
 
@@ -110,7 +110,7 @@ private:
 
 UntimedGuard untimed_guard(const ExprPtr& condition) {
     UntimedGuard result;
-    if (condition) result.kept = Reader(result.left_open).bounds(condition).upper;
+    if (condition) result.kept = Reader(result.left_open).bounds_of(condition).upper;
     return result;
 }
 

@@ -33,7 +33,7 @@ ConnectionEnd end_of(Lowering& lowering, const ast::Connection::End& end, const 
         result.kind = EndKind::part;
         result.part = part->second;
     } else if (end.node_target == nullptr || end.node_target != self) {
-        lowering.unresolved("the end '" + end.node.text() + "' of a connection", end.node.span);
+        lowering.report_unresolved("the end '" + end.node.text() + "' of a connection", end.node.span);
     }
     return result;
 }
@@ -53,7 +53,7 @@ std::vector<Connection> connections_of(Lowering& lowering, const ast::Component&
     return connections;
 }
 
-void mark(std::vector<Event>& events, const std::string& name, bool input, bool output) {
+void mark_event(std::vector<Event>& events, const std::string& name, bool input, bool output) {
     for (auto& event : events) {
         if (event.name != name) continue;
         event.input = event.input || input;
@@ -64,8 +64,8 @@ void mark(std::vector<Event>& events, const std::string& name, bool input, bool 
 /// A connection that starts at the controller or platform brings the event in; one that ends there takes it out.
 void mark_uses(std::vector<Event>& events, const std::vector<Connection>& connections) {
     for (const auto& connection : connections) {
-        if (connection.from.kind == EndKind::self) mark(events, connection.from.event, true, connection.multiple);
-        if (connection.to.kind == EndKind::self) mark(events, connection.to.event, connection.multiple, true);
+        if (connection.from.kind == EndKind::self) mark_event(events, connection.from.event, true, connection.multiple);
+        if (connection.to.kind == EndKind::self) mark_event(events, connection.to.event, connection.multiple, true);
     }
 }
 
@@ -77,9 +77,9 @@ public:
     void run();
 
 private:
-    void declare();
-    void part(const ast::Declaration& declaration);
-    void machine(const Part& part, MachineId id);
+    void declare_members();
+    void lower_part(const ast::Declaration& declaration);
+    void lower_machine_part(const Part& part, MachineId id);
     void bind_operations();
 
     Lowering& lowering_;
@@ -88,14 +88,15 @@ private:
     ByDeclaration<std::uint32_t> parts_;
 };
 
-void ControllerLowering::declare() {
+void ControllerLowering::declare_members() {
     Declarations declared = lower_declarations(lowering_, source_, controller_.path);
     controller_.variables = std::move(declared.variables);
     controller_.constants = std::move(declared.constants);
     controller_.events = std::move(declared.events);
     controller_.operations = std::move(declared.operations);
     controller_.interfaces = std::move(declared.interfaces);
-    if (!declared.clocks.empty()) lowering_.unsupported("a clock of controller " + source_.name, source_.name_span);
+    if (!declared.clocks.empty())
+        lowering_.report_unsupported("a clock of controller " + source_.name, source_.name_span);
 }
 
 /// Components are identified by their names.
@@ -107,7 +108,7 @@ void check_part(Lowering& lowering, const std::string& owner, const Parts& parts
                 .notes.push_back({known.origin.span, "the first one"});
 }
 
-void ControllerLowering::machine(const Part& part, MachineId id) {
+void ControllerLowering::lower_machine_part(const Part& part, MachineId id) {
     check_part(lowering_, controller_.path, controller_.machines, *part.place);
     MachineInstance instance;
     instance.name = part.place->name;
@@ -117,12 +118,14 @@ void ControllerLowering::machine(const Part& part, MachineId id) {
     controller_.machines.push_back(std::move(instance));
 }
 
-void ControllerLowering::part(const ast::Declaration& declaration) {
+void ControllerLowering::lower_part(const ast::Declaration& declaration) {
     const Part part = part_of(declaration);
     const auto id = lowering_.machines.find(part.definition);
     if (id == lowering_.machines.end())
-        return lowering_.unresolved("part '" + declaration.name + "' of controller " + source_.name, declaration.span);
-    if (lowering_.system.machine(id->second).kind == MachineKind::state_machine) return machine(part, id->second);
+        return lowering_.report_unresolved("part '" + declaration.name + "' of controller " + source_.name,
+                                           declaration.span);
+    if (lowering_.system.machine(id->second).kind == MachineKind::state_machine)
+        return lower_machine_part(part, id->second);
     controller_.definitions.push_back(id->second);
     controller_.definition_names.push_back(declaration.name);
 }
@@ -134,14 +137,14 @@ void ControllerLowering::bind_operations() {
             instance.definitions.push_back(definition_in(lowering_.system, controller_, signature));
     auto& leaving = controller_.operations;
     const auto defined = [&](const OperationSignature& signature) {
-        return definition_in(lowering_.system, controller_, signature).valid();
+        return definition_in(lowering_.system, controller_, signature).is_valid();
     };
     leaving.erase(std::remove_if(leaving.begin(), leaving.end(), defined), leaving.end());
 }
 
 void ControllerLowering::run() {
-    declare();
-    for (const auto* declaration : source_.order) part(*declaration);
+    declare_members();
+    for (const auto* declaration : source_.order) lower_part(*declaration);
     bind_operations();
     controller_.connections = connections_of(lowering_, source_, controller_.path, parts_, &source_);
     mark_uses(controller_.events, controller_.connections);
@@ -168,7 +171,7 @@ public:
     void run();
 
 private:
-    void part(const ast::Declaration& declaration);
+    void lower_part(const ast::Declaration& declaration);
 
     Lowering& lowering_;
     const ast::Component& source_;
@@ -177,18 +180,19 @@ private:
     const ast::Declaration* platform_ = nullptr;
 };
 
-void ModuleLowering::part(const ast::Declaration& declaration) {
+void ModuleLowering::lower_part(const ast::Declaration& declaration) {
     const Part part = part_of(declaration);
     const std::string where = "part '" + declaration.name + "' of module " + source_.name;
-    if (part.definition == nullptr) return lowering_.unresolved(where, declaration.span);
+    if (part.definition == nullptr) return lowering_.report_unresolved(where, declaration.span);
     if (part.definition->kind == ast::DeclKind::platform) {
-        if (platform_ != nullptr) return lowering_.unsupported("a second platform in a module", declaration.span);
+        if (platform_ != nullptr)
+            return lowering_.report_unsupported("a second platform in a module", declaration.span);
         platform_ = part.place;
         module_.platform = platform_of(lowering_, static_cast<const ast::Context&>(*part.definition));
         return;
     }
     const auto id = lowering_.controllers.find(part.definition);
-    if (id == lowering_.controllers.end()) return lowering_.unsupported(where, declaration.span);
+    if (id == lowering_.controllers.end()) return lowering_.report_unsupported(where, declaration.span);
     check_part(lowering_, module_.name, module_.controllers, declaration);
     parts_[part.place] = static_cast<std::uint32_t>(module_.controllers.size());
     module_.controllers.push_back(
@@ -197,8 +201,8 @@ void ModuleLowering::part(const ast::Declaration& declaration) {
 
 void ModuleLowering::run() {
     module_.origin = origin_of(module_.name, source_.span);
-    for (const auto* declaration : source_.order) part(*declaration);
-    if (platform_ == nullptr) lowering_.unresolved("the platform of module " + source_.name, source_.name_span);
+    for (const auto* declaration : source_.order) lower_part(*declaration);
+    if (platform_ == nullptr) lowering_.report_unresolved("the platform of module " + source_.name, source_.name_span);
     module_.connections = connections_of(lowering_, source_, module_.name, parts_, platform_);
     mark_uses(module_.platform.events, module_.connections);
 }

@@ -13,7 +13,7 @@ namespace {
 namespace ast = frontend;
 
 template <class T, class IdType>
-void remember(const std::vector<T>& items, ByDeclaration<IdType>& map, const ast::Declaration& declaration) {
+void map_declaration(const std::vector<T>& items, ByDeclaration<IdType>& map, const ast::Declaration& declaration) {
     map[&declaration] = IdType{static_cast<std::uint32_t>(items.size() - 1)};
 }
 
@@ -22,21 +22,21 @@ class Collector {
 public:
     Collector(Lowering& lowering, const ast::Context& context) : lowering_(lowering), context_(context) {}
 
-    Declarations collect(const std::string& path, const std::vector<ast::VariablePtr>* parameters);
+    Declarations collect_declarations(const std::string& path, const std::vector<ast::VariablePtr>* parameters);
 
 private:
-    void members(const ast::Context& owner, const std::string& element, const ast::InterfaceClause* clause);
-    void interface(const ast::InterfaceClause& clause);
-    void variable(const ast::Variable& source, const std::string& element, const ast::InterfaceClause* clause);
-    void parameter(const ast::Variable& source, const std::string& element);
-    void event(const ast::Event& source, const std::string& element, const std::string& interface);
-    void clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause);
-    void operation(const ast::OperationSignature& source, const std::string& element, const std::string& interface);
+    void add_members(const ast::Context& owner, const std::string& element, const ast::InterfaceClause* clause);
+    void add_interface(const ast::InterfaceClause& clause);
+    void add_variable(const ast::Variable& source, const std::string& element, const ast::InterfaceClause* clause);
+    void add_parameter(const ast::Variable& source, const std::string& element);
+    void add_event(const ast::Event& source, const std::string& element, const std::string& interface);
+    void add_clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause);
+    void add_operation(const ast::OperationSignature& source, const std::string& element, const std::string& interface);
     void initial_values();
     template <class Item>
     void check_names(const std::vector<Item>& items, const std::string& kind);
     [[nodiscard]] bool owns_variables() const;
-    [[nodiscard]] VariableScope scope(const ast::InterfaceClause* clause) const;
+    [[nodiscard]] VariableScope scope_of(const ast::InterfaceClause* clause) const;
 
     Lowering& lowering_;
     const ast::Context& context_;
@@ -57,37 +57,38 @@ bool Collector::owns_variables() const {
 
 /// Machines and controllers share the variables that they require; a platform shows those that it provides (semantics
 /// 3.7).
-VariableScope Collector::scope(const ast::InterfaceClause* clause) const {
+VariableScope Collector::scope_of(const ast::InterfaceClause* clause) const {
     if (clause == nullptr) return VariableScope::local;
     const bool platform = context_.kind == ast::DeclKind::platform;
     const auto shared = platform ? ast::InterfaceUse::provides : ast::InterfaceUse::requires_;
     return clause->use == shared ? VariableScope::required : VariableScope::local;
 }
 
-void Collector::variable(const ast::Variable& source, const std::string& element, const ast::InterfaceClause* clause) {
+void Collector::add_variable(const ast::Variable& source, const std::string& element,
+                             const ast::InterfaceClause* clause) {
     const Origin origin = origin_of(element + "::" + source.name, source.span);
     const TypeId type = lower_type(lowering_, source.type, source.span);
     if (source.kind == ast::DeclKind::constant) {
         const bool required = clause != nullptr && clause->use == ast::InterfaceUse::requires_;
         result_.constants.push_back({source.name, type, nullptr, required, name_of(clause), origin});
         constant_sources_.push_back(&source);
-        remember(result_.constants, result_.names.constants, source);
+        map_declaration(result_.constants, result_.names.constants, source);
         return;
     }
-    result_.variables.push_back({source.name, type, scope(clause), nullptr, name_of(clause), origin});
+    result_.variables.push_back({source.name, type, scope_of(clause), nullptr, name_of(clause), origin});
     variable_sources_.push_back(&source);
-    remember(result_.variables, result_.names.variables, source);
+    map_declaration(result_.variables, result_.names.variables, source);
 }
 
-void Collector::parameter(const ast::Variable& source, const std::string& element) {
+void Collector::add_parameter(const ast::Variable& source, const std::string& element) {
     const TypeId type = lower_type(lowering_, source.type, source.span);
     result_.variables.push_back({source.name, type, VariableScope::parameter, nullptr, "",
                                  origin_of(element + "::" + source.name, source.span)});
     variable_sources_.push_back(&source);
-    remember(result_.variables, result_.names.variables, source);
+    map_declaration(result_.variables, result_.names.variables, source);
 }
 
-void Collector::event(const ast::Event& source, const std::string& element, const std::string& interface) {
+void Collector::add_event(const ast::Event& source, const std::string& element, const std::string& interface) {
     Event event;
     event.name = source.name;
     if (source.type_expr || source.type) event.type = lower_type(lowering_, source.type, source.span);
@@ -95,19 +96,19 @@ void Collector::event(const ast::Event& source, const std::string& element, cons
     event.interface = interface;
     event.origin = origin_of(element + "::" + source.name, source.span);
     result_.events.push_back(std::move(event));
-    remember(result_.events, result_.names.events, source);
+    map_declaration(result_.events, result_.names.events, source);
 }
 
-void Collector::clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause) {
+void Collector::add_clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause) {
     const bool required = clause != nullptr && clause->use == ast::InterfaceUse::requires_;
     result_.clocks.push_back(
         {source.name, {}, required, name_of(clause), origin_of(element + "::" + source.name, source.span)});
-    remember(result_.clocks, result_.names.clocks, source);
+    map_declaration(result_.clocks, result_.names.clocks, source);
 }
 
 /// An operation that several interfaces declare identically is one operation.
-void Collector::operation(const ast::OperationSignature& source, const std::string& element,
-                          const std::string& interface) {
+void Collector::add_operation(const ast::OperationSignature& source, const std::string& element,
+                              const std::string& interface) {
     OperationSignature signature;
     signature.name = source.name;
     for (const auto& item : source.parameters) {
@@ -126,24 +127,24 @@ void Collector::operation(const ast::OperationSignature& source, const std::stri
         return;
     }
     result_.operations.push_back(std::move(signature));
-    remember(result_.operations, result_.names.operations, source);
+    map_declaration(result_.operations, result_.names.operations, source);
 }
 
-void Collector::members(const ast::Context& owner, const std::string& element, const ast::InterfaceClause* clause) {
+void Collector::add_members(const ast::Context& owner, const std::string& element, const ast::InterfaceClause* clause) {
     const std::string interface = name_of(clause);
-    for (const auto& item : owner.variables) variable(*item, element, clause);
-    for (const auto& item : owner.events) event(*item, element, interface);
-    for (const auto& item : owner.clocks) clock(*item, element, clause);
-    for (const auto& item : owner.signatures) operation(*item, element, interface);
+    for (const auto& item : owner.variables) add_variable(*item, element, clause);
+    for (const auto& item : owner.events) add_event(*item, element, interface);
+    for (const auto& item : owner.clocks) add_clock(*item, element, clause);
+    for (const auto& item : owner.signatures) add_operation(*item, element, interface);
 }
 
-void Collector::interface(const ast::InterfaceClause& clause) {
+void Collector::add_interface(const ast::InterfaceClause& clause) {
     if (clause.target == nullptr || clause.target->kind != ast::DeclKind::interface)
-        return lowering_.unresolved("interface '" + clause.name.text() + "'", clause.name.span);
+        return lowering_.report_unresolved("interface '" + clause.name.text() + "'", clause.name.span);
     if (std::ranges::find(seen_, clause.target) != seen_.end()) return;
     seen_.push_back(clause.target);
     result_.interfaces.push_back(clause.target->name);
-    members(static_cast<const ast::Context&>(*clause.target), clause.target->name, &clause);
+    add_members(static_cast<const ast::Context&>(*clause.target), clause.target->name, &clause);
 }
 
 void Collector::initial_values() {
@@ -171,11 +172,11 @@ void Collector::check_names(const std::vector<Item>& items, const std::string& k
     }
 }
 
-Declarations Collector::collect(const std::string& path, const std::vector<ast::VariablePtr>* parameters) {
+Declarations Collector::collect_declarations(const std::string& path, const std::vector<ast::VariablePtr>* parameters) {
     if (parameters != nullptr)
-        for (const auto& item : *parameters) parameter(*item, path);
-    members(context_, path, nullptr);
-    for (const auto& clause : context_.interfaces) interface(clause);
+        for (const auto& item : *parameters) add_parameter(*item, path);
+    add_members(context_, path, nullptr);
+    for (const auto& clause : context_.interfaces) add_interface(clause);
     initial_values();
     check_names(result_.events, "event");
     check_names(result_.clocks, "clock");
@@ -189,7 +190,7 @@ Declarations Collector::collect(const std::string& path, const std::vector<ast::
 
 Declarations lower_declarations(Lowering& lowering, const ast::Context& context, const std::string& path,
                                 const std::vector<ast::VariablePtr>* parameters) {
-    return Collector(lowering, context).collect(path, parameters);
+    return Collector(lowering, context).collect_declarations(path, parameters);
 }
 
 }  // namespace robochart::ir

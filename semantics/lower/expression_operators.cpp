@@ -6,7 +6,7 @@
 namespace robochart::ir {
 namespace {
 
-const ast::Expr& strip(const ast::Expr& expr) {
+const ast::Expr& without_parentheses(const ast::Expr& expr) {
     const ast::Expr* inner = &expr;
     while (inner->kind == ast::ExprKind::parenthesised && inner->args[0]) inner = inner->args[0].get();
     return *inner;
@@ -75,39 +75,40 @@ ExprKind binder_kind(ast::ExprKind kind) {
 }  // namespace
 
 /// A negated literal becomes one literal. RoboTool's Neg(5, core_int) would be clipped to 5, although -5 is meant.
-ExprPtr Expressions::unary(const ast::Expr& source) {
+ExprPtr Expressions::lower_unary(const ast::Expr& source) {
     const bool negates = source.unary == ast::UnaryOp::negate;
-    if (negates && is_number_literal(strip(*source.args[0]))) {
-        Expr literal = *number(strip(*source.args[0]), "-");
+    if (negates && is_number_literal(without_parentheses(*source.args[0]))) {
+        Expr literal = *lower_number(without_parentheses(*source.args[0]), "-");
         literal.span = source.span;
-        return share(std::move(literal));
+        return share_expression(std::move(literal));
     }
-    Expr expr = start(source, negates ? ExprKind::negate : ExprKind::logical_not);
-    expr.args = {operand(source, 0)};
-    if (negates && is_number(expr.args[0]->type)) expr.type = join(expr.args[0]->type, integer_type);
-    return share(std::move(expr));
+    Expr expr = start_node(source, negates ? ExprKind::negate : ExprKind::logical_not);
+    expr.args = {lower_operand(source, 0)};
+    if (negates && is_number(expr.args[0]->type)) expr.type = wider_type(expr.args[0]->type, integer_type);
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::binary(const ast::Expr& source, TypeId expected) {
-    Expr expr = start(source, kind_of(*source.binary));
+ExprPtr Expressions::lower_binary(const ast::Expr& source, TypeId expected) {
+    Expr expr = start_node(source, kind_of(*source.binary));
     const bool concat = expr.kind == ExprKind::concat;
-    expr.args = {operand(source, 0, concat ? expected : TypeId{}), operand(source, 1, concat ? expected : TypeId{})};
-    if (concat && expected.valid()) expr.type = expected;
+    expr.args = {lower_operand(source, 0, concat ? expected : TypeId{}),
+                 lower_operand(source, 1, concat ? expected : TypeId{})};
+    if (concat && expected.is_valid()) expr.type = expected;
     if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) {
         // If the type of one side is open, as with `id()`, the other side determines it.
         for (std::size_t i = 0; i < 2; ++i) {
             const TypeId other = expr.args[1 - i]->type;
             if (is_open(lowering_.system, expr.args[i]->type) && !is_open(lowering_.system, other))
-                expr.args[i] = operand(source, i, other);
+                expr.args[i] = lower_operand(source, i, other);
         }
-        return compared(std::move(expr));
+        return lower_comparison(std::move(expr));
     }
-    if (expr.kind >= ExprKind::plus && expr.kind <= ExprKind::modulus) return computed(std::move(expr), source);
-    return expr.kind == ExprKind::is_in ? membership(std::move(expr)) : share(std::move(expr));
+    if (expr.kind >= ExprKind::plus && expr.kind <= ExprKind::modulus) return lower_arithmetic(std::move(expr), source);
+    return expr.kind == ExprKind::is_in ? lower_membership(std::move(expr)) : share_expression(std::move(expr));
 }
 
 /// A relation, function or sequence is the set of its pairs; both sides are converted to the wider type.
-ExprPtr Expressions::membership(Expr expr) {
+ExprPtr Expressions::lower_membership(Expr expr) {
     const Type collection = lowering_.system.type(expr.args[1]->type);
     TypeId element = collection.args.empty() ? TypeId{} : collection.args[0];
     if (collection.kind != TypeKind::set && !collection.args.empty()) {
@@ -115,38 +116,38 @@ ExprPtr Expressions::membership(Expr expr) {
         pair.kind = TypeKind::product;
         pair.args = collection.args;
         if (collection.kind == TypeKind::sequence) pair.args.insert(pair.args.begin(), nat_type);
-        element = intern(lowering_, std::move(pair));
+        element = intern_type(lowering_, std::move(pair));
     }
     Type set;
     set.kind = TypeKind::set;
     set.args = {common_type(lowering_, element, expr.args[0]->type)};
-    expr.args[0] = coerce(lowering_, expr.args[0], set.args[0]);
+    expr.args[0] = coerce_to_type(lowering_, expr.args[0], set.args[0]);
     const bool same = set.args[0] == element && collection.kind != TypeKind::sequence;
-    if (!same) expr.args[1] = coerce(lowering_, expr.args[1], intern(lowering_, std::move(set)));
-    return share(std::move(expr));
+    if (!same) expr.args[1] = coerce_to_type(lowering_, expr.args[1], intern_type(lowering_, std::move(set)));
+    return share_expression(std::move(expr));
 }
 
 /// Both sides are converted to the wider type; an empty collection takes the other side's type.
-ExprPtr Expressions::compared(Expr expr) {
+ExprPtr Expressions::lower_comparison(Expr expr) {
     expr.type = boolean_type;
     const TypeId common = common_type(lowering_, expr.args[0]->type, expr.args[1]->type);
-    for (auto& arg : expr.args) arg = coerce(lowering_, arg, common);
-    return share(std::move(expr));
+    for (auto& arg : expr.args) arg = coerce_to_type(lowering_, arg, common);
+    return share_expression(std::move(expr));
 }
 
 /// RoboChart's types of arithmetic: minus is at least int, modulus is int, divide is real.
-ExprPtr Expressions::computed(Expr expr, const ast::Expr& source) {
+ExprPtr Expressions::lower_arithmetic(Expr expr, const ast::Expr& source) {
     const TypeId left = expr.args[0]->type;
     const TypeId right = expr.args[1]->type;
     if (!is_number(left) || !is_number(right)) {
-        if (!source.type) lowering_.unresolved("the type of an expression", source.span);
+        if (!source.type) lowering_.report_unresolved("the type of an expression", source.span);
         return computed_blocks(std::move(expr));
     }
-    expr.type = join(left, right);
-    if (expr.kind == ExprKind::minus || expr.kind == ExprKind::modulus) expr.type = join(expr.type, integer_type);
+    expr.type = wider_type(left, right);
+    if (expr.kind == ExprKind::minus || expr.kind == ExprKind::modulus) expr.type = wider_type(expr.type, integer_type);
     if (expr.kind == ExprKind::divide) expr.type = real_type;
-    for (auto& arg : expr.args) arg = coerce(lowering_, arg, expr.type);
-    return share(std::move(expr));
+    for (auto& arg : expr.args) arg = coerce_to_type(lowering_, arg, expr.type);
+    return share_expression(std::move(expr));
 }
 
 /// Arithmetic on vectors and matrices, also with a number: the entries of both operands get one type.
@@ -155,28 +156,29 @@ ExprPtr Expressions::computed_blocks(Expr expr) {
         const Type& type = lowering_.system.type(id);
         return type.kind == TypeKind::vector || type.kind == TypeKind::matrix ? type.args.at(0) : id;
     };
-    const TypeId common = join(entry(expr.args[0]->type), entry(expr.args[1]->type));
+    const TypeId common = wider_type(entry(expr.args[0]->type), entry(expr.args[1]->type));
     for (auto& arg : expr.args) {
         Type type = lowering_.system.type(arg->type);
         if (type.kind != TypeKind::vector && type.kind != TypeKind::matrix) {
-            arg = coerce(lowering_, arg, common);
+            arg = coerce_to_type(lowering_, arg, common);
             continue;
         }
         type.name.clear();
         type.args = {common};
-        arg = coerce(lowering_, arg, intern(lowering_, std::move(type)));
+        arg = coerce_to_type(lowering_, arg, intern_type(lowering_, std::move(type)));
     }
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::conditional(const ast::Expr& source, TypeId expected) {
-    Expr expr = start(source, ExprKind::if_then_else);
-    expr.args = {operand(source, 0, boolean_type), operand(source, 1, expected), operand(source, 2, expected)};
-    TypeId type = expected.valid() ? expected : expr.args[1]->type;
-    if (!expected.valid()) type = common_type(lowering_, type, expr.args[2]->type);
+ExprPtr Expressions::lower_conditional(const ast::Expr& source, TypeId expected) {
+    Expr expr = start_node(source, ExprKind::if_then_else);
+    expr.args = {lower_operand(source, 0, boolean_type), lower_operand(source, 1, expected),
+                 lower_operand(source, 2, expected)};
+    TypeId type = expected.is_valid() ? expected : expr.args[1]->type;
+    if (!expected.is_valid()) type = common_type(lowering_, type, expr.args[2]->type);
     expr.type = type;
-    for (std::size_t i = 1; i < expr.args.size(); ++i) expr.args[i] = coerce(lowering_, expr.args[i], type);
-    return share(std::move(expr));
+    for (std::size_t i = 1; i < expr.args.size(); ++i) expr.args[i] = coerce_to_type(lowering_, expr.args[i], type);
+    return share_expression(std::move(expr));
 }
 
 /// Reports an expression that binds the same name twice.
@@ -187,33 +189,33 @@ void Expressions::check_bindings(const ast::Expr& source) {
     lowering_.check_unique(variables, "one expression", "variable");
 }
 
-ExprPtr Expressions::let(const ast::Expr& source, TypeId expected) {
+ExprPtr Expressions::lower_let(const ast::Expr& source, TypeId expected) {
     check_bindings(source);
-    Expr expr = start(source, ExprKind::let);
+    Expr expr = start_node(source, ExprKind::let);
     for (const auto& binding : source.bindings) {
-        if (!binding.variable || !binding.value) return refuse(source, "a let without a value");
+        if (!binding.variable || !binding.value) return reject_construct(source, "a let without a value");
         expr.bound_names.push_back(binding.variable->name);
         expr.args.push_back(lower(*binding.value));
         expr.bound_types.push_back(expr.args.back()->type);
     }
-    expr.args.push_back(operand(source, 0, expected));
+    expr.args.push_back(lower_operand(source, 0, expected));
     expr.type = expr.args.back()->type;
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 /// The args of a binder are its predicate (true if absent) and, if there is one, its body.
-ExprPtr Expressions::binder(const ast::Expr& source) {
+ExprPtr Expressions::lower_binder(const ast::Expr& source) {
     check_bindings(source);
-    Expr expr = start(source, binder_kind(source.kind));
+    Expr expr = start_node(source, binder_kind(source.kind));
     for (const auto& binding : source.bindings) {
-        if (!binding.variable) return refuse(source, "a binding without a name");
+        if (!binding.variable) return reject_construct(source, "a binding without a name");
         expr.bound_names.push_back(binding.variable->name);
         expr.bound_types.push_back(lower_type(lowering_, binding.variable->type, binding.variable->span));
     }
     const bool restricted = !source.args.empty() && source.args[0] != nullptr;
     expr.args.push_back(restricted ? lower(*source.args[0]) : make_boolean(true, source.span));
     if (source.args.size() > 1 && source.args[1]) expr.args.push_back(lower(*source.args[1]));
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 }  // namespace robochart::ir

@@ -10,7 +10,7 @@
 namespace robochart::ir {
 namespace {
 
-bool mentions(const ExprPtr& expr, ExprKind a, ExprKind b) {
+bool mentions_kind(const ExprPtr& expr, ExprKind a, ExprKind b) {
     bool found = false;
     if (expr) visit_operands(*expr, [&](const Expr& part) { found = found || part.kind == a || part.kind == b; });
     return found;
@@ -25,11 +25,11 @@ ExprPtr coerce_set_of_pairs(Lowering& lowering, const Expr& expr, TypeId expecte
     Type pair;
     pair.kind = TypeKind::product;
     pair.args = lowering.system.type(expected).args;
-    const TypeId pair_type = intern(lowering, pair);
+    const TypeId pair_type = intern_type(lowering, pair);
     Expr result = expr;
     result.type = expected;
-    for (auto& arg : result.args) arg = coerce(lowering, arg, pair_type);
-    return share(std::move(result));
+    for (auto& arg : result.args) arg = coerce_to_type(lowering, arg, pair_type);
+    return share_expression(std::move(result));
 }
 
 ExprPtr number_literal(const Expr& literal, TypeId type) {
@@ -40,7 +40,7 @@ ExprPtr number_literal(const Expr& literal, TypeId type) {
         result.decimal = {literal.number, 0};
         result.number = 0;
     }
-    return share(std::move(result));
+    return share_expression(std::move(result));
 }
 
 ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
@@ -49,7 +49,7 @@ ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
     result.type = type;
     result.span = expr->span;
     result.args = {expr};
-    return share(std::move(result));
+    return share_expression(std::move(result));
 }
 
 /// The types of the parts of a value: of the components of a tuple, of the elements of a collection, of the pairs of a
@@ -74,15 +74,15 @@ ExprPtr coerce_parts(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
     result.type = expected;
     for (std::size_t i = 0; i < result.args.size(); ++i) {
         const std::size_t place = expr->kind == ExprKind::tuple ? i : 0;
-        if (place < args.size()) result.args[i] = coerce(lowering, result.args[i], args[place]);
+        if (place < args.size()) result.args[i] = coerce_to_type(lowering, result.args[i], args[place]);
     }
-    return share(std::move(result));
+    return share_expression(std::move(result));
 }
 
 /// True if values of the two types have different representations: a whole number in the place of a real, or a sequence
 /// in the place of the set of its pairs.
 bool written_differently(const System& system, TypeId from, TypeId to) {
-    if (from == to || !from.valid() || !to.valid()) return false;
+    if (from == to || !from.is_valid() || !to.is_valid()) return false;
     if (to == real_type) return is_number(from);
     const TypeKind source = system.type(from).kind;
     const TypeKind target = system.type(to).kind;
@@ -97,9 +97,9 @@ bool written_differently(const System& system, TypeId from, TypeId to) {
 
 }  // namespace
 
-ExprPtr coerce(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
+ExprPtr coerce_to_type(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
     const bool composed = builds_from_elements(expr->kind) || expr->kind == ExprKind::tuple;
-    if (!expected.valid() || (expr->type == expected && !composed)) return expr;
+    if (!expected.is_valid() || (expr->type == expected && !composed)) return expr;
     const TypeKind kind = lowering.system.type(expected).kind;
     const bool pairs = kind == TypeKind::relation || kind == TypeKind::function;
     if (expr->kind == ExprKind::integer && is_number(expected)) return number_literal(*expr, expected);
@@ -116,7 +116,7 @@ ExprPtr make_boolean(bool value, diagnostics::Span span) {
     expr.type = boolean_type;
     expr.number = value ? 1 : 0;
     expr.span = span;
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 ExprPtr make_conjunction(const ExprPtr& left, const ExprPtr& right) {
@@ -124,9 +124,9 @@ ExprPtr make_conjunction(const ExprPtr& left, const ExprPtr& right) {
     Expr expr;
     expr.kind = ExprKind::conjunction;
     expr.type = boolean_type;
-    expr.span = diagnostics::join(left->span, right->span);
+    expr.span = diagnostics::join_spans(left->span, right->span);
     expr.args = {left, right};
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 ExprPtr make_negation(const ExprPtr& operand) {
@@ -135,15 +135,15 @@ ExprPtr make_negation(const ExprPtr& operand) {
     expr.type = boolean_type;
     expr.span = operand->span;
     expr.args = {operand};
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 bool mentions_time(const ExprPtr& expr) {
-    return mentions(expr, ExprKind::since, ExprKind::since_entry);
+    return mentions_kind(expr, ExprKind::since, ExprKind::since_entry);
 }
 
 bool mentions_trigger_value(const ExprPtr& expr) {
-    return mentions(expr, ExprKind::trigger_value, ExprKind::trigger_value);
+    return mentions_kind(expr, ExprKind::trigger_value, ExprKind::trigger_value);
 }
 
 }  // namespace robochart::ir

@@ -15,9 +15,9 @@ constexpr std::array toolkits{"set_toolkit", "relation_toolkit", "function_toolk
 }  // namespace
 
 /// Applies a value of function type, or a sequence as the function from positions to elements.
-ExprPtr Expressions::application(const ast::Expr& source, ExprPtr function) {
+ExprPtr Expressions::lower_application(const ast::Expr& source, ExprPtr function) {
     const Type type = lowering_.system.type(function->type);
-    Expr expr = start(source, type.kind == TypeKind::sequence ? ExprKind::index : ExprKind::apply);
+    Expr expr = start_node(source, type.kind == TypeKind::sequence ? ExprKind::index : ExprKind::apply);
     std::vector<TypeId> wanted(source.args.size());
     if (type.kind == TypeKind::function) {
         const Type& argument = lowering_.system.type(type.args.at(0));
@@ -28,8 +28,8 @@ ExprPtr Expressions::application(const ast::Expr& source, ExprPtr function) {
         expr.type = type.args.at(1);
     }
     expr.args.push_back(std::move(function));
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i, wanted[i]));
-    return share(std::move(expr));
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(lower_operand(source, i, wanted[i]));
+    return share_expression(std::move(expr));
 }
 
 ExprPtr Expressions::function_call(const ast::Expr& source, const ast::Function& function) {
@@ -38,26 +38,27 @@ ExprPtr Expressions::function_call(const ast::Expr& source, const ast::Function&
     expr.span = source.span;
     expr.text = function.name;
     expr.function = lower_function(lowering_, function, source.span);
-    if (!expr.function.valid()) return make_boolean(true, source.span);
+    if (!expr.function.is_valid()) return make_boolean(true, source.span);
     expr.type = lower_type(lowering_, function.result, source.span);
     for (std::size_t i = 0; i < source.args.size(); ++i) {
         const bool typed = i < function.parameters.size();
         const TypeId type = typed ? lower_type(lowering_, function.parameters[i]->type, source.span) : TypeId{};
-        expr.args.push_back(operand(source, i, type));
+        expr.args.push_back(lower_operand(source, i, type));
     }
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 /// The function as a set of pairs.
 ExprPtr Expressions::function_value(const ast::Expr& source, const ast::Function& function) {
     if (std::ranges::find(toolkits, lowering_.package_of(function)) != toolkits.end())
-        return refuse(source, "function " + function.name + " of " + lowering_.package_of(function) + " as a value");
+        return reject_construct(source,
+                                "function " + function.name + " of " + lowering_.package_of(function) + " as a value");
     Expr expr;
     expr.kind = ExprKind::function_value;
     expr.span = source.span;
     expr.text = function.name;
     expr.function = lower_function(lowering_, function, source.span);
-    if (!expr.function.valid()) return make_boolean(true, source.span);
+    if (!expr.function.is_valid()) return make_boolean(true, source.span);
     Type type;
     type.kind = TypeKind::function;
     const Function& lowered = lowering_.system.functions[expr.function.index];
@@ -68,17 +69,17 @@ ExprPtr Expressions::function_value(const ast::Expr& source, const ast::Function
         Type product;
         product.kind = TypeKind::product;
         product.args = lowered.parameters;
-        argument = intern(lowering_, std::move(product));
+        argument = intern_type(lowering_, std::move(product));
     }
     type.args = {argument, lowering_.system.functions[expr.function.index].result};
-    expr.type = intern(lowering_, std::move(type));
-    return share(std::move(expr));
+    expr.type = intern_type(lowering_, std::move(type));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::call(const ast::Expr& source, TypeId expected) {
-    if (source.callee) return application(source, lower(*source.callee));
+ExprPtr Expressions::lower_call(const ast::Expr& source, TypeId expected) {
+    if (source.callee) return lower_application(source, lower(*source.callee));
     if (source.target == nullptr) {
-        lowering_.unresolved("'" + source.name.text() + "'", source.span);
+        lowering_.report_unresolved("'" + source.name.text() + "'", source.span);
         return make_boolean(true, source.span);
     }
     if (source.target->kind == ast::DeclKind::function) {
@@ -94,35 +95,36 @@ ExprPtr Expressions::call(const ast::Expr& source, TypeId expected) {
     callee.kind = ast::ExprKind::name;
     callee.span = source.name.span;
     callee.target = source.target;
-    return application(source, name(callee, {}));
+    return lower_application(source, name(callee, {}));
 }
 
-ExprPtr Expressions::member(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::member);
-    expr.args = {operand(source, 0)};
+ExprPtr Expressions::lower_member(const ast::Expr& source) {
+    Expr expr = start_node(source, ExprKind::member);
+    expr.args = {lower_operand(source, 0)};
     const Type& type = lowering_.system.type(expr.args[0]->type);
     const auto at = std::ranges::find(type.labels, source.text);
     if (type.kind != TypeKind::record || at == type.labels.end())
-        return lowering_.unresolved("field '" + source.text + "'", source.span), share(std::move(expr));
+        return lowering_.report_unresolved("field '" + source.text + "'", source.span),
+               share_expression(std::move(expr));
     expr.number = at - type.labels.begin();
     expr.text = source.text;
     expr.type = type.args[static_cast<std::size_t>(expr.number)];
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::index(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::index);
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i));
+ExprPtr Expressions::lower_index(const ast::Expr& source) {
+    Expr expr = start_node(source, ExprKind::index);
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(lower_operand(source, i));
     const Type& type = lowering_.system.type(expr.args[0]->type);
-    if (type.kind != TypeKind::product) return share(std::move(expr));
+    if (type.kind != TypeKind::product) return share_expression(std::move(expr));
     const bool fixed = expr.args.size() == 2 && expr.args[1]->kind == ExprKind::integer && expr.args[1]->number >= 1 &&
                        expr.args[1]->number <= static_cast<std::int64_t>(type.args.size());
-    if (!fixed) return refuse(source, "a tuple's place that is not a number literal");
+    if (!fixed) return reject_construct(source, "a tuple's place that is not a number literal");
     expr.kind = ExprKind::member;
     expr.number = expr.args[1]->number;
     expr.type = type.args[static_cast<std::size_t>(expr.number - 1)];
     expr.args.pop_back();
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 /// The default value of a type as an expression (semantics 3.6); null if it has no literal: functions, given types.
@@ -139,17 +141,17 @@ ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
         case TypeKind::real: {
             expr.kind = ExprKind::integer;
             expr.type = nat_type;
-            return coerce(lowering_, share(std::move(expr)), id);
+            return coerce_to_type(lowering_, share_expression(std::move(expr)), id);
         }
         case TypeKind::enumeration:
             if (!type.literal_args.empty() && !type.literal_args.front().empty()) return nullptr;
             expr.kind = ExprKind::enum_literal;
             expr.text = type.labels.front();
-            return share(std::move(expr));
+            return share_expression(std::move(expr));
         case TypeKind::set:
         case TypeKind::sequence:
             expr.kind = type.kind == TypeKind::set ? ExprKind::set : ExprKind::sequence;
-            return share(std::move(expr));
+            return share_expression(std::move(expr));
         case TypeKind::record:
         case TypeKind::product:
             expr.kind = type.kind == TypeKind::record ? ExprKind::record : ExprKind::tuple;
@@ -157,7 +159,7 @@ ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
                 expr.args.push_back(default_of(source, part));
                 if (!expr.args.back()) return nullptr;
             }
-            return share(std::move(expr));
+            return share_expression(std::move(expr));
         case TypeKind::string:
         case TypeKind::given:
         case TypeKind::function:
@@ -171,75 +173,75 @@ ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
 }
 
 /// A missing field gets the default of its type.
-ExprPtr Expressions::record(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::record);
+ExprPtr Expressions::lower_record(const ast::Expr& source) {
+    Expr expr = start_node(source, ExprKind::record);
     const Type type = lowering_.system.type(expr.type);
     for (std::size_t i = 0; i < type.labels.size(); ++i) {
         const auto binding = std::ranges::find_if(
             source.bindings, [&](const ast::Binding& b) { return b.variable && b.variable->name == type.labels[i]; });
         if (binding == source.bindings.end() || !binding->value) {
             expr.args.push_back(default_of(source, type.args[i]));
-            if (!expr.args.back()) return refuse(source, "a record without its field " + type.labels[i]);
+            if (!expr.args.back()) return reject_construct(source, "a record without its field " + type.labels[i]);
             continue;
         }
         expr.args.push_back(lower(*binding->value, type.args[i]));
     }
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::matrix(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::matrix);
+ExprPtr Expressions::lower_matrix(const ast::Expr& source) {
+    Expr expr = start_node(source, ExprKind::matrix);
     const Type& type = lowering_.system.type(expr.type);
     const bool vector = type.kind == TypeKind::vector;
     const TypeId element = type.args.empty() ? TypeId{} : type.args[0];
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i, element));
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(lower_operand(source, i, element));
     expr.number = vector ? 1 : static_cast<std::int64_t>(source.columns);
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::cast(const ast::Expr& source) {
-    if (!source.type_expr) return refuse(source, "a cast without a type");
+ExprPtr Expressions::lower_cast(const ast::Expr& source) {
+    if (!source.type_expr) return reject_construct(source, "a cast without a type");
     const TypeId type = lower_type(lowering_, source.type_expr->type, source.span);
-    const ExprPtr value = operand(source, 0, type);
+    const ExprPtr value = lower_operand(source, 0, type);
     if (value->type == type) return value;
     Expr expr;
     expr.kind = ExprKind::cast;
     expr.span = source.span;
     expr.type = type;
     expr.args = {value};
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 ExprPtr Expressions::type_test(const ast::Expr& source) {
-    if (!source.type_expr) return refuse(source, "a type test without a type");
-    Expr expr = start(source, ExprKind::is_type);
+    if (!source.type_expr) return reject_construct(source, "a type test without a type");
+    Expr expr = start_node(source, ExprKind::is_type);
     expr.type = boolean_type;
-    expr.args = {operand(source, 0)};
+    expr.args = {lower_operand(source, 0)};
     expr.bound_names = {""};
     expr.bound_types = {lower_type(lowering_, source.type_expr->type, source.span)};
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::range(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::range);
+ExprPtr Expressions::lower_range(const ast::Expr& source) {
+    Expr expr = start_node(source, ExprKind::range);
     const auto element = lowering_.system.type(expr.type).args;
     for (std::size_t i = 0; i < 2; ++i)
-        expr.args.push_back(operand(source, i, element.empty() ? TypeId{} : element[0]));
+        expr.args.push_back(lower_operand(source, i, element.empty() ? TypeId{} : element[0]));
     expr.number = (source.lower_closed ? 0 : 1) + (source.upper_closed ? 0 : 2);
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::transpose(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::transpose);
-    expr.args = {operand(source, 0)};
-    return share(std::move(expr));
+ExprPtr Expressions::lower_transpose(const ast::Expr& source) {
+    Expr expr = start_node(source, ExprKind::transpose);
+    expr.args = {lower_operand(source, 0)};
+    return share_expression(std::move(expr));
 }
 
 namespace {
 
 /// The text between the quotes. A backslash escapes a character that would end the text, or denotes a line end or
 /// tabulator.
-std::string unquoted(const std::string& written) {
+std::string remove_quotes(const std::string& written) {
     std::string text;
     for (std::size_t i = 1; i + 1 < written.size(); ++i) {
         const bool escaped = written[i] == '\\' && i + 2 < written.size();
@@ -251,23 +253,23 @@ std::string unquoted(const std::string& written) {
 
 }  // namespace
 
-ExprPtr Expressions::string(const ast::Expr& source) {
+ExprPtr Expressions::lower_string(const ast::Expr& source) {
     Expr expr;
     expr.kind = ExprKind::string;
     expr.type = string_type;
-    expr.characters = unquoted(source.text);
+    expr.characters = remove_quotes(source.text);
     expr.span = source.span;
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::result(const ast::Expr& source) {
-    if (!names_.result.valid()) return refuse(source, "result outside a postcondition");
+ExprPtr Expressions::lower_result(const ast::Expr& source) {
+    if (!names_.result.is_valid()) return reject_construct(source, "result outside a postcondition");
     Expr expr;
     expr.kind = ExprKind::bound;
     expr.type = names_.result;
     expr.text = "result";
     expr.span = source.span;
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 namespace {
@@ -287,23 +289,23 @@ void need_entry_clock(Machine& machine, NodeId node) {
 
 }  // namespace
 
-ExprPtr Expressions::clock(const ast::Expr& source) {
+ExprPtr Expressions::lower_clock(const ast::Expr& source) {
     Expr expr;
     expr.span = source.span;
     expr.type = nat_type;
     if (source.kind == ast::ExprKind::since) {
         expr.kind = ExprKind::since;
         expr.clock = look_up(names_.clocks, source.target);
-        if (!expr.clock.valid()) lowering_.unresolved("clock '" + source.name.text() + "'", source.span);
-        return share(std::move(expr));
+        if (!expr.clock.is_valid()) lowering_.report_unresolved("clock '" + source.name.text() + "'", source.span);
+        return share_expression(std::move(expr));
     }
     expr.kind = ExprKind::since_entry;
     expr.node = look_up(names_.nodes, source.target);
-    if (expr.node.valid() && names_.machine != nullptr)
+    if (expr.node.is_valid() && names_.machine != nullptr)
         need_entry_clock(*names_.machine, expr.node);
     else
-        lowering_.unresolved("state '" + source.name.text() + "'", source.span);
-    return share(std::move(expr));
+        lowering_.report_unresolved("state '" + source.name.text() + "'", source.span);
+    return share_expression(std::move(expr));
 }
 
 }  // namespace robochart::ir

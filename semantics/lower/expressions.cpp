@@ -10,7 +10,7 @@
 namespace robochart::ir {
 
 /// A node of this form. Its type is the one that the front end computed, or boolean if there is none.
-Expr Expressions::start(const ast::Expr& source, ExprKind kind) {
+Expr Expressions::start_node(const ast::Expr& source, ExprKind kind) {
     Expr expr;
     expr.kind = kind;
     expr.span = source.span;
@@ -22,35 +22,35 @@ TypeId Expressions::type_of(const ast::Expr& source) {
     return lower_type(lowering_, source.type, source.span);
 }
 
-ExprPtr Expressions::refuse(const ast::Expr& source, const std::string& what) {
-    lowering_.unsupported(what, source.span);
+ExprPtr Expressions::reject_construct(const ast::Expr& source, const std::string& what) {
+    lowering_.report_unsupported(what, source.span);
     return make_boolean(true, source.span);
 }
 
-ExprPtr Expressions::operand(const ast::Expr& source, std::size_t place, TypeId expected) {
+ExprPtr Expressions::lower_operand(const ast::Expr& source, std::size_t place, TypeId expected) {
     if (place < source.args.size() && source.args[place]) return lower(*source.args[place], expected);
-    lowering_.unresolved("an operand", source.span);
+    lowering_.report_unresolved("an operand", source.span);
     return make_boolean(true, source.span);
 }
 
 ExprPtr Expressions::with_operands(const ast::Expr& source, ExprKind kind) {
-    Expr expr = start(source, kind);
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i));
+    Expr expr = start_node(source, kind);
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(lower_operand(source, i));
     const TypeId type = expr.type;
-    return coerce(lowering_, share(std::move(expr)), type);
+    return coerce_to_type(lowering_, share_expression(std::move(expr)), type);
 }
 
 /// Between two reals, the set has the reals of the finite type; between whole numbers, it has all numbers.
 ExprPtr Expressions::set_range(const ast::Expr& source) {
-    Expr expr = start(source, ExprKind::set_range);
+    Expr expr = start_node(source, ExprKind::set_range);
     const auto element = lowering_.system.type(expr.type).args;
     const TypeId type = element.empty() ? TypeId{} : element[0];
     if (type == real_type) expr.kind = ExprKind::range;
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i, type));
-    return share(std::move(expr));
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(lower_operand(source, i, type));
+    return share_expression(std::move(expr));
 }
 
-ExprPtr Expressions::number(const ast::Expr& source, const std::string& sign) {
+ExprPtr Expressions::lower_number(const ast::Expr& source, const std::string& sign) {
     const auto decimal = parse_decimal(sign + source.text);
     if (!decimal) {
         lowering_.diagnostics.report(rules::number_too_large, source.span, {sign + source.text});
@@ -65,7 +65,7 @@ ExprPtr Expressions::number(const ast::Expr& source, const std::string& sign) {
         expr.decimal = *decimal;
     else
         expr.number = decimal->unscaled;
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 namespace {
@@ -87,13 +87,13 @@ ast::TypePtr declared_type(const ast::Declaration& target) {
 
 ExprPtr Expressions::name(const ast::Expr& source, TypeId expected) {
     if (source.target == nullptr) return literal_by_name(source, expected);
-    Expr expr = start(source, ExprKind::bound);
+    Expr expr = start_node(source, ExprKind::bound);
     if (const auto type = declared_type(*source.target)) expr.type = lower_type(lowering_, type, source.span);
     expr.text = source.target->name;
     expr.variable = look_up(names_.variables, source.target);
     expr.constant = look_up(names_.constants, source.target);
-    if (expr.constant.valid()) expr.kind = ExprKind::constant;
-    if (expr.variable.valid()) expr.kind = ExprKind::variable;
+    if (expr.constant.is_valid()) expr.kind = ExprKind::constant;
+    if (expr.variable.is_valid()) expr.kind = ExprKind::variable;
     if (source.target == names_.trigger_variable) {
         expr.kind = ExprKind::trigger_value;
         expr.variable = {};
@@ -105,18 +105,18 @@ ExprPtr Expressions::name(const ast::Expr& source, TypeId expected) {
             return function_value(source, static_cast<const ast::Function&>(*source.target));
         case ast::DeclKind::variable:
         case ast::DeclKind::constant:
-            if (expr.kind == ExprKind::bound) lowering_.unresolved("'" + source.name.text() + "'", source.span);
+            if (expr.kind == ExprKind::bound) lowering_.report_unresolved("'" + source.name.text() + "'", source.span);
             break;
         default:
             break;
     }
-    return share(std::move(expr));
+    return share_expression(std::move(expr));
 }
 
 /// Names in assertions may be unresolved; they are resolved here as literals of the expected type.
 ExprPtr Expressions::literal_by_name(const ast::Expr& source, TypeId expected) {
     const std::string label = source.name.parts.empty() ? "" : source.name.parts.back();
-    if (expected.valid()) {
+    if (expected.is_valid()) {
         const auto& labels = lowering_.system.type(expected).labels;
         const auto at = std::ranges::find(labels, label);
         if (at != labels.end()) {
@@ -126,10 +126,10 @@ ExprPtr Expressions::literal_by_name(const ast::Expr& source, TypeId expected) {
             expr.text = label;
             expr.number = at - labels.begin();
             expr.span = source.span;
-            return share(std::move(expr));
+            return share_expression(std::move(expr));
         }
     }
-    lowering_.unresolved("'" + source.name.text() + "'", source.span);
+    lowering_.report_unresolved("'" + source.name.text() + "'", source.span);
     return make_boolean(true, source.span);
 }
 
@@ -138,55 +138,56 @@ ExprPtr Expressions::enum_literal(const ast::Expr& source, const ast::EnumLitera
     expr.kind = ExprKind::enum_literal;
     expr.span = source.span;
     expr.text = literal.name;
-    if (literal.parent == nullptr) return lowering_.unresolved("'" + literal.name + "'", source.span), share(expr);
+    if (literal.parent == nullptr)
+        return lowering_.report_unresolved("'" + literal.name + "'", source.span), share_expression(expr);
     const auto& declaration = static_cast<const ast::TypeDeclaration&>(*literal.parent);
     expr.type = lower_declared_type(lowering_, declaration, source.span);
     const Type type = lowering_.system.type(expr.type);
     expr.number = std::ranges::find(type.labels, literal.name) - type.labels.begin();
     const auto place = static_cast<std::size_t>(expr.number);
     for (std::size_t i = 0; place < type.literal_args.size() && i < type.literal_args[place].size(); ++i)
-        expr.args.push_back(operand(source, i, type.literal_args[place][i]));
-    return share(std::move(expr));
+        expr.args.push_back(lower_operand(source, i, type.literal_args[place][i]));
+    return share_expression(std::move(expr));
 }
 
 ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
     switch (source.kind) {
         case ast::ExprKind::integer:
         case ast::ExprKind::real:
-            return number(source, "");
+            return lower_number(source, "");
         case ast::ExprKind::boolean:
             return make_boolean(source.text == "true", source.span);
         case ast::ExprKind::name:
             return name(source, expected);
         case ast::ExprKind::result:
-            return result(source);
+            return lower_result(source);
         case ast::ExprKind::unary:
-            return unary(source);
+            return lower_unary(source);
         case ast::ExprKind::binary:
-            return binary(source, expected);
+            return lower_binary(source, expected);
         case ast::ExprKind::if_then_else:
-            return conditional(source, expected);
+            return lower_conditional(source, expected);
         case ast::ExprKind::let:
-            return let(source, expected);
+            return lower_let(source, expected);
         case ast::ExprKind::forall:
         case ast::ExprKind::exists:
         case ast::ExprKind::exists_unique:
         case ast::ExprKind::lambda:
         case ast::ExprKind::the:
         case ast::ExprKind::set_comprehension:
-            return binder(source);
+            return lower_binder(source);
         case ast::ExprKind::cast:
-            return cast(source);
+            return lower_cast(source);
         case ast::ExprKind::member:
-            return member(source);
+            return lower_member(source);
         case ast::ExprKind::index:
-            return index(source);
+            return lower_index(source);
         case ast::ExprKind::call:
-            return call(source, expected);
+            return lower_call(source, expected);
         case ast::ExprKind::tuple:
             return with_operands(source, ExprKind::tuple);
         case ast::ExprKind::record:
-            return record(source);
+            return lower_record(source);
         case ast::ExprKind::sequence:
             return with_operands(source, ExprKind::sequence);
         case ast::ExprKind::set:
@@ -194,35 +195,35 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
         case ast::ExprKind::set_range:
             return set_range(source);
         case ast::ExprKind::matrix:
-            return matrix(source);
+            return lower_matrix(source);
         case ast::ExprKind::since:
         case ast::ExprKind::since_entry:
-            return clock(source);
+            return lower_clock(source);
         case ast::ExprKind::parenthesised:
-            return operand(source, 0, expected);
+            return lower_operand(source, 0, expected);
         case ast::ExprKind::string:
-            return string(source);
+            return lower_string(source);
         case ast::ExprKind::to:
         case ast::ExprKind::from:
-            return refuse(source, "a broadcast's sender or receiver");
+            return reject_construct(source, "a broadcast's sender or receiver");
         case ast::ExprKind::is_type:
             return type_test(source);
         case ast::ExprKind::range:
-            return range(source);
+            return lower_range(source);
         case ast::ExprKind::inverse:
-            return refuse(source, "inverse(..), whose entries need not be numbers of a finite type,");
+            return reject_construct(source, "inverse(..), whose entries need not be numbers of a finite type,");
         case ast::ExprKind::transpose:
-            return transpose(source);
+            return lower_transpose(source);
         default:  // mistakes, and forms of probabilistic assertions, which are not lowered
             break;
     }
-    lowering_.unresolved("an expression", source.span);
+    lowering_.report_unresolved("an expression", source.span);
     return make_boolean(true, source.span);
 }
 
 ExprPtr Expressions::lower(const ast::Expr& source, TypeId expected) {
     lowering_.diagnostics.poll();
-    return coerce(lowering_, lower_form(source, expected), expected);
+    return coerce_to_type(lowering_, lower_form(source, expected), expected);
 }
 
 ExprPtr lower_expression(Lowering& lowering, const Names& names, const frontend::Expr& source, TypeId expected) {

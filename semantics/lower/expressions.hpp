@@ -24,7 +24,7 @@ struct Names {
 /// retyped, whole numbers used as reals are cast. Never null; after an error, the result is some literal.
 [[nodiscard]] ExprPtr lower_expression(Lowering&, const Names&, const frontend::Expr&, TypeId expected = {});
 /// The expression converted to the type: a retyped literal, a cast, or the expression itself.
-[[nodiscard]] ExprPtr coerce(Lowering&, const ExprPtr&, TypeId);
+[[nodiscard]] ExprPtr coerce_to_type(Lowering&, const ExprPtr&, TypeId);
 
 /// The id of a function that the model declares. Its signature and conditions are lowered at its first use. Generic
 /// functions (`?X`) are reported here, and the id is invalid.

@@ -11,9 +11,9 @@
 namespace robochart::ir {
 namespace {
 
-bool generic(const frontend::TypePtr& type) {
+bool contains_variable(const frontend::TypePtr& type) {
     if (!type) return false;
-    return type->form == frontend::TypeForm::variable || std::ranges::any_of(type->args, generic);
+    return type->form == frontend::TypeForm::variable || std::ranges::any_of(type->args, contains_variable);
 }
 
 /// True if typing has rejected the contract (RC-T36); the function then has none.
@@ -32,7 +32,7 @@ bool defined_by_blocks(const Lowering& lowering, const Function& function) {
     for (const frontend::File* file : lowering.files) {
         for (const frontend::CspBlock& block : file->csp_blocks) {
             const bool replaces = block.name == "Instantiations" || block.name == "instantiations";
-            if (!replaces || !frontend::defines(block, name)) continue;
+            if (!replaces || !frontend::defines_name(block, name)) continue;
             timed = timed || block.time != Time::untimed;
             untimed = untimed || block.time != Time::timed;
         }
@@ -64,8 +64,8 @@ void lower_conditions(Lowering& lowering, const frontend::Function& source, Func
 }
 
 /// Declares the signature. The conditions are lowered later, because they may call the function.
-FunctionId declare(Lowering& lowering, const frontend::Function& source, std::string name,
-                   std::vector<TypeId> parameters, TypeId result) {
+FunctionId declare_function(Lowering& lowering, const frontend::Function& source, std::string name,
+                            std::vector<TypeId> parameters, TypeId result) {
     const FunctionId id{static_cast<std::uint32_t>(lowering.system.functions.size())};
     Function function;
     function.name = std::move(name);
@@ -79,7 +79,7 @@ FunctionId declare(Lowering& lowering, const frontend::Function& source, std::st
     return id;
 }
 
-void define(Lowering& lowering, const frontend::Function& source, FunctionId id) {
+void define_function(Lowering& lowering, const frontend::Function& source, FunctionId id) {
     Function function = lowering.system.functions[id.index];
     lower_conditions(lowering, source, function);
     report_values(lowering, source, function);
@@ -103,15 +103,15 @@ std::string instance_name(const Lowering& lowering, const frontend::Function& so
 }  // namespace
 
 bool is_generic(const frontend::Function& function) {
-    const auto open = [](const auto& parameter) { return generic(parameter->type); };
-    return generic(function.result) || std::ranges::any_of(function.parameters, open);
+    const auto open = [](const auto& parameter) { return contains_variable(parameter->type); };
+    return contains_variable(function.result) || std::ranges::any_of(function.parameters, open);
 }
 
 FunctionId lower_function(Lowering& lowering, const frontend::Function& source, diagnostics::Span where) {
     const auto known = lowering.functions.find(&source);
     if (known != lowering.functions.end()) return known->second;
     if (is_generic(source)) {
-        lowering.unsupported("function " + source.name + " for all types as a value", where);
+        lowering.report_unsupported("function " + source.name + " for all types as a value", where);
         return {};
     }
     std::vector<TypeId> parameters;
@@ -119,8 +119,8 @@ FunctionId lower_function(Lowering& lowering, const frontend::Function& source, 
         parameters.push_back(lower_type(lowering, parameter->type, parameter->span));
     const TypeId result = lower_type(lowering, source.result, source.span);
     const FunctionId id = lowering.functions[&source] =
-        declare(lowering, source, source.name, std::move(parameters), result);
-    define(lowering, source, id);
+        declare_function(lowering, source, source.name, std::move(parameters), result);
+    define_function(lowering, source, id);
     return id;
 }
 
@@ -134,14 +134,15 @@ FunctionId lower_instance(Lowering& lowering, const frontend::Function& source, 
         if (instance.parameters == parameters && instance.result == result) return id;
     }
     if (known.size() == most) {
-        lowering.unsupported("function " + source.name + " used for more than " + std::to_string(most) + " types",
-                             where);
+        lowering.report_unsupported(
+            "function " + source.name + " used for more than " + std::to_string(most) + " types", where);
         return {};
     }
-    const FunctionId id = declare(lowering, source, instance_name(lowering, source, known.size()), parameters, result);
+    const FunctionId id =
+        declare_function(lowering, source, instance_name(lowering, source, known.size()), parameters, result);
     known.push_back(id);
     std::swap(lowering.type_variables, variables);
-    define(lowering, source, id);
+    define_function(lowering, source, id);
     std::swap(lowering.type_variables, variables);
     return id;
 }

@@ -13,11 +13,11 @@ std::string Lowering::package_of(const frontend::Declaration& declaration) const
     return file == home.end() ? "" : file->second->package.text();
 }
 
-void Lowering::unsupported(const std::string& what, diagnostics::Span where) const {
+void Lowering::report_unsupported(const std::string& what, diagnostics::Span where) const {
     diagnostics.report(rules::unsupported_construct, where, {what});
 }
 
-void Lowering::unresolved(const std::string& what, diagnostics::Span where) const {
+void Lowering::report_unresolved(const std::string& what, diagnostics::Span where) const {
     diagnostics.report(rules::unresolved, where, {what});
 }
 

@@ -54,9 +54,9 @@ struct Lowering {
     /// The package of a declaration ("" if unnamed), taken from the file of its outermost parent.
     [[nodiscard]] std::string package_of(const frontend::Declaration&) const;
     /// Reports RC-S01: "X is not supported yet".
-    void unsupported(const std::string& what, diagnostics::Span where) const;
+    void report_unsupported(const std::string& what, diagnostics::Span where) const;
     /// Reports RC-S05: "X does not lead to a declaration".
-    void unresolved(const std::string& what, diagnostics::Span where) const;
+    void report_unresolved(const std::string& what, diagnostics::Span where) const;
     /// Reports RC-S22 if two of these declarations have the same name.
     void check_unique(const std::vector<const frontend::Declaration*>& declarations, const std::string& owner,
                       const std::string& kind) const;

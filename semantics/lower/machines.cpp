@@ -30,21 +30,21 @@ private:
         ExprPtr condition;  ///< the lowered condition alone; the guard may contain more
     };
 
-    void declare();
-    void contracts();
-    void nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth);
-    NodeId node(const ast::State& source, NodeId parent);
-    void collect(const ast::NodeContainer& container, const std::string& path);
+    void declare_members();
+    void lower_contracts();
+    void add_nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth);
+    NodeId add_node(const ast::State& source, NodeId parent);
+    void collect_transitions(const ast::NodeContainer& container, const std::string& path);
     void check_level(const std::vector<NodeId>& level, const std::string& kind, const std::string& name,
                      diagnostics::Span span);
-    void actions(const ast::State& source, Node& node);
-    void transition(Pending& pending);
+    void lower_actions(const ast::State& source, Node& node);
+    void lower_transition(Pending& pending);
     void communication_and_guard(Pending& pending, Transition& transition);
-    ExprPtr otherwise(const Pending& pending, const Transition& transition);
+    ExprPtr otherwise_condition(const Pending& pending, const Transition& transition);
     void finish_guards();
     void event_use(const Communication& communication, bool trigger);
     void event_uses();
-    [[nodiscard]] std::string element(const std::string& path) const { return machine_.path + "::" + path; }
+    [[nodiscard]] std::string element_path(const std::string& path) const { return machine_.path + "::" + path; }
 
     Lowering& lowering_;
     const ast::Machine& source_;
@@ -69,7 +69,7 @@ NodeKind kind_of(ast::DeclKind kind) {
     }
 }
 
-void MachineLowering::declare() {
+void MachineLowering::declare_members() {
     const bool operation = machine_.kind == MachineKind::operation;
     Declarations declared =
         lower_declarations(lowering_, source_, machine_.path, operation ? &source_.parameters : nullptr);
@@ -83,52 +83,52 @@ void MachineLowering::declare() {
     names_.machine = &machine_;
 }
 
-void MachineLowering::contracts() {
+void MachineLowering::lower_contracts() {
     for (const auto& condition : source_.preconditions)
         machine_.preconditions.push_back(lower_expression(lowering_, names_, *condition, boolean_type));
     for (const auto& condition : source_.postconditions)
         machine_.postconditions.push_back(lower_expression(lowering_, names_, *condition, boolean_type));
 }
 
-NodeId MachineLowering::node(const ast::State& source, NodeId parent) {
+NodeId MachineLowering::add_node(const ast::State& source, NodeId parent) {
     Node node;
     node.kind = kind_of(source.kind);
     node.name = source.name;
     node.parent = parent;
-    node.path = parent.valid() ? machine_.nodes[parent.index].path + "::" + source.name : source.name;
-    node.origin = origin_of(element(node.path), source.span);
+    node.path = parent.is_valid() ? machine_.nodes[parent.index].path + "::" + source.name : source.name;
+    node.origin = origin_of(element_path(node.path), source.span);
     const NodeId id{static_cast<std::uint32_t>(machine_.nodes.size())};
     machine_.nodes.push_back(std::move(node));
     names_.nodes[&source] = id;
     states_.emplace_back(&source, id);
-    NodeId& initial = parent.valid() ? machine_.nodes[parent.index].initial : machine_.initial;
+    NodeId& initial = parent.is_valid() ? machine_.nodes[parent.index].initial : machine_.initial;
     if (source.kind == ast::DeclKind::initial) initial = id;
-    (parent.valid() ? machine_.nodes[parent.index].children : machine_.top).push_back(id);
+    (parent.is_valid() ? machine_.nodes[parent.index].children : machine_.top).push_back(id);
     return id;
 }
 
 /// Nodes in textual order; a composite state comes before the nodes inside it.
-void MachineLowering::nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth) {
+void MachineLowering::add_nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth) {
     if (depth > deepest_nesting) {
         lowering_.diagnostics.report(rules::too_deep, source_.span, {"states", std::to_string(deepest_nesting)});
         return;
     }
     for (const auto& state : container.nodes) {
-        const NodeId id = node(*state, parent);
-        nodes(*state, id, depth + 1);
+        const NodeId id = add_node(*state, parent);
+        add_nodes(*state, id, depth + 1);
     }
 }
 
 /// Collects the transitions of this level, then those of inner levels.
-void MachineLowering::collect(const ast::NodeContainer& container, const std::string& path) {
+void MachineLowering::collect_transitions(const ast::NodeContainer& container, const std::string& path) {
     for (const auto& transition : container.transitions) pending_.push_back({transition.get(), path, nullptr});
     for (const auto& state : container.nodes) {
         const auto known = names_.nodes.find(state.get());
-        if (known != names_.nodes.end()) collect(*state, machine_.nodes[known->second.index].path + "::");
+        if (known != names_.nodes.end()) collect_transitions(*state, machine_.nodes[known->second.index].path + "::");
     }
 }
 
-void MachineLowering::actions(const ast::State& source, Node& node) {
+void MachineLowering::lower_actions(const ast::State& source, Node& node) {
     for (const auto& action : source.actions) {
         StmtPtr& slot = action.kind == ast::ActionKind::entry    ? node.entry
                         : action.kind == ast::ActionKind::during ? node.during
@@ -151,15 +151,15 @@ void MachineLowering::communication_and_guard(Pending& pending, Transition& tran
     if (pending.condition) transition.guard = make_conjunction(transition.guard, pending.condition);
 }
 
-void MachineLowering::transition(Pending& pending) {
+void MachineLowering::lower_transition(Pending& pending) {
     const ast::Transition& source = *pending.source;
     Transition transition;
     transition.name = source.name;
-    transition.origin = origin_of(element(pending.path + source.name), source.span);
+    transition.origin = origin_of(element_path(pending.path + source.name), source.span);
     const auto from = names_.nodes.find(source.source);
     const auto to = names_.nodes.find(source.target);
     if (from == names_.nodes.end() || to == names_.nodes.end())
-        return lowering_.unresolved("an end of transition '" + source.name + "'", source.span);
+        return lowering_.report_unresolved("an end of transition '" + source.name + "'", source.span);
     transition.source = from->second;
     transition.target = to->second;
     communication_and_guard(pending, transition);
@@ -168,7 +168,7 @@ void MachineLowering::transition(Pending& pending) {
         if (clock != names_.clocks.end())
             transition.resets.push_back(clock->second);
         else
-            lowering_.unresolved("clock '" + reset.name.text() + "'", reset.name.span);
+            lowering_.report_unresolved("clock '" + reset.name.text() + "'", reset.name.span);
     }
     if (source.deadline) transition.deadline = lower_duration(lowering_, names_, *source.deadline);
     if (source.probability)
@@ -181,15 +181,15 @@ void MachineLowering::transition(Pending& pending) {
 
 /// `condition else` is true if no condition of the other transitions of the source is true. Their triggers do not
 /// matter, and a transition without a condition counts as true.
-ExprPtr MachineLowering::otherwise(const Pending& pending, const Transition& transition) {
+ExprPtr MachineLowering::otherwise_condition(const Pending& pending, const Transition& transition) {
     ExprPtr none;
     for (const auto& sibling : pending_) {
         if (sibling.source->source != pending.source->source || sibling.source->otherwise) continue;
         const ExprPtr condition = sibling.condition ? sibling.condition : make_boolean(true, sibling.source->span);
         if (mentions_trigger_value(condition) &&
             (!transition.trigger || pending.source->trigger->event_target != sibling.source->trigger->event_target))
-            lowering_.unsupported("`condition else` beside a condition on another trigger's value",
-                                  pending.source->span);
+            lowering_.report_unsupported("`condition else` beside a condition on another trigger's value",
+                                         pending.source->span);
         none = make_conjunction(none, make_negation(condition));
     }
     return none;
@@ -199,13 +199,13 @@ void MachineLowering::finish_guards() {
     for (std::size_t i = 0; i < machine_.transitions.size(); ++i) {
         Transition& transition = machine_.transitions[i];
         if (pending_[i].source->otherwise)
-            transition.guard = make_conjunction(transition.guard, otherwise(pending_[i], transition));
+            transition.guard = make_conjunction(transition.guard, otherwise_condition(pending_[i], transition));
         transition.guard_timed = mentions_time(transition.guard);
     }
 }
 
 void MachineLowering::event_use(const Communication& communication, bool trigger) {
-    if (!communication.event.valid()) return;
+    if (!communication.event.is_valid()) return;
     Event& event = machine_.events[communication.event.index];
     const bool receives = trigger || communication.kind == CommKind::input;
     (receives ? event.input : event.output) = true;
@@ -239,22 +239,22 @@ void MachineLowering::check_level(const std::vector<NodeId>& level, const std::s
 }
 
 void MachineLowering::run() {
-    declare();
-    contracts();
-    nodes(source_, {}, 0);
+    declare_members();
+    lower_contracts();
+    add_nodes(source_, {}, 0);
     const bool operation = machine_.kind == MachineKind::operation;
     check_level(machine_.top, operation ? "operation" : "state machine", machine_.name, source_.name_span);
     for (const auto& [state, id] : states_)
         if (machine_.nodes[id.index].kind == NodeKind::state)
             check_level(machine_.nodes[id.index].children, "composite state", machine_.nodes[id.index].path,
                         state->name_span);
-    collect(source_, "");
+    collect_transitions(source_, "");
     for (const auto& [state, id] : states_) {
         Node node = machine_.nodes[id.index];
-        actions(*state, node);
+        lower_actions(*state, node);
         machine_.nodes[id.index] = std::move(node);
     }
-    for (auto& pending : pending_) transition(pending);
+    for (auto& pending : pending_) lower_transition(pending);
     // If a transition was left out after an error, transitions and sources no longer correspond.
     if (machine_.transitions.size() == pending_.size()) finish_guards();
     event_uses();

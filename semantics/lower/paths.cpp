@@ -92,7 +92,7 @@ bool enter_part(const Lowering& lowering, FoundComponent& at, const std::string&
     return false;
 }
 
-bool enter(const Lowering& lowering, FoundComponent& at, const std::string& name) {
+bool enter_component(const Lowering& lowering, FoundComponent& at, const std::string& name) {
     if (at.ref.kind == ComponentKind::module) return enter_controller(lowering, at, name);
     if (at.ref.kind == ComponentKind::controller) return enter_part(lowering, at, name);
     return false;
@@ -104,7 +104,7 @@ std::optional<FoundComponent> component_at(const Lowering& lowering, const ast::
     if (path.steps.empty()) return std::nullopt;
     auto found = top_at(lowering, path.steps.front());
     for (std::size_t i = 1; found && i < path.steps.size(); ++i)
-        if (!enter(lowering, *found, path.steps[i]->name)) return std::nullopt;
+        if (!enter_component(lowering, *found, path.steps[i]->name)) return std::nullopt;
     return found;
 }
 

@@ -19,19 +19,19 @@ public:
     StmtPtr lower(const ast::Stmt& source);
 
 private:
-    Stmt start(const ast::Stmt& source, StmtKind kind);
-    void fill(const ast::Stmt& source, Stmt& stmt);
-    void sequence(const ast::Stmt& source, Stmt& stmt);
-    void conditional(const ast::Stmt& source, Stmt& stmt);
-    void assignment(const ast::Stmt& source, Stmt& stmt);
-    TypeId path(const ast::Expr& target, Stmt& stmt);
+    Stmt start_statement(const ast::Stmt& source, StmtKind kind);
+    void fill_statement(const ast::Stmt& source, Stmt& stmt);
+    void lower_sequence(const ast::Stmt& source, Stmt& stmt);
+    void lower_conditional(const ast::Stmt& source, Stmt& stmt);
+    void lower_assignment(const ast::Stmt& source, Stmt& stmt);
+    TypeId lower_path(const ast::Expr& target, Stmt& stmt);
     TypeId member_step(const ast::Expr& target, TypeId base, Stmt& stmt);
     TypeId index_step(const ast::Expr& target, TypeId base, Stmt& stmt);
-    void communication(const ast::Stmt& source, Stmt& stmt);
-    void call(const ast::Stmt& source, Stmt& stmt);
+    void lower_communication_statement(const ast::Stmt& source, Stmt& stmt);
+    void lower_call(const ast::Stmt& source, Stmt& stmt);
     void clock_reset(const ast::Stmt& source, Stmt& stmt);
 
-    static StmtPtr share(Stmt stmt) { return std::make_shared<const Stmt>(std::move(stmt)); }
+    static StmtPtr share_statement(Stmt stmt) { return std::make_shared<const Stmt>(std::move(stmt)); }
 
     Lowering& lowering_;
     const Names& names_;
@@ -85,22 +85,23 @@ Communication lower_communication(Lowering& lowering, const Names& names, const 
     Communication result;
     result.kind = kind_of(source.kind);
     result.event = look_up(names.events, source.event_target);
-    if (!result.event.valid()) {
-        lowering.unresolved("event '" + source.event.text() + "'", source.span);
+    if (!result.event.is_valid()) {
+        lowering.report_unresolved("event '" + source.event.text() + "'", source.span);
         return result;
     }
     const Event& event = names.machine->events[result.event.index];
-    if (event.broadcast) lowering.unsupported("broadcast event " + event.name, source.span);
-    if (!source.from_variable.empty()) lowering.unsupported("receiving the sender of a broadcast", source.span);
+    if (event.broadcast) lowering.report_unsupported("broadcast event " + event.name, source.span);
+    if (!source.from_variable.empty()) lowering.report_unsupported("receiving the sender of a broadcast", source.span);
     if (source.kind == ast::CommKind::input) {
         result.variable = look_up(names.variables, source.variable_target);
-        if (!result.variable.valid()) lowering.unresolved("variable '" + source.variable.text() + "'", source.span);
+        if (!result.variable.is_valid())
+            lowering.report_unresolved("variable '" + source.variable.text() + "'", source.span);
     }
     if (source.value) result.value = lower_expression(lowering, names, *source.value, event.type.value_or(TypeId{}));
     return result;
 }
 
-Stmt Programs::start(const ast::Stmt& source, StmtKind kind) {
+Stmt Programs::start_statement(const ast::Stmt& source, StmtKind kind) {
     Stmt stmt;
     stmt.kind = kind;
     stmt.point = names_.machine->points++;
@@ -113,28 +114,29 @@ StmtPtr Programs::lower(const ast::Stmt& source) {
     const ast::Stmt* inner = &source;
     while (inner->kind == ast::StmtKind::parenthesised && !inner->body.empty() && inner->body[0])
         inner = inner->body[0].get();
-    Stmt stmt = start(*inner, kind_of(inner->kind));
-    fill(*inner, stmt);
-    return share(std::move(stmt));
+    Stmt stmt = start_statement(*inner, kind_of(inner->kind));
+    fill_statement(*inner, stmt);
+    return share_statement(std::move(stmt));
 }
 
-void Programs::sequence(const ast::Stmt& source, Stmt& stmt) {
+void Programs::lower_sequence(const ast::Stmt& source, Stmt& stmt) {
     for (const auto& part : source.body)
         if (part) stmt.body.push_back(lower(*part));
 }
 
-void Programs::conditional(const ast::Stmt& source, Stmt& stmt) {
+void Programs::lower_conditional(const ast::Stmt& source, Stmt& stmt) {
     stmt.condition = lower_expression(lowering_, names_, *source.condition, boolean_type);
-    if (mentions_time(stmt.condition)) lowering_.unsupported("a timed expression in an action", source.condition->span);
-    sequence(source, stmt);
-    if (stmt.body.size() < 2) stmt.body.push_back(share(start(source, StmtKind::skip)));
+    if (mentions_time(stmt.condition))
+        lowering_.report_unsupported("a timed expression in an action", source.condition->span);
+    lower_sequence(source, stmt);
+    if (stmt.body.size() < 2) stmt.body.push_back(share_statement(start_statement(source, StmtKind::skip)));
 }
 
 TypeId Programs::member_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
     const Type& type = lowering_.system.type(base);
     const auto at = std::ranges::find(type.labels, target.text);
     if (type.kind != TypeKind::record || at == type.labels.end()) {
-        lowering_.unresolved("field '" + target.text + "'", target.span);
+        lowering_.report_unresolved("field '" + target.text + "'", target.span);
         return base;
     }
     Expr field;
@@ -158,72 +160,74 @@ TypeId Programs::index_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
     const bool fixed = !stmt.path.empty() && stmt.path.back()->kind == ExprKind::integer;
     const auto place = fixed ? static_cast<std::size_t>(stmt.path.back()->number - 1) : type.args.size();
     if (type.kind == TypeKind::product && place < type.args.size()) return type.args[place];
-    lowering_.unsupported("an assignment through an index of type " + type.name, target.span);
+    lowering_.report_unsupported("an assignment through an index of type " + type.name, target.span);
     return base;
 }
 
 /// Lowers the assigned variable and the steps to a part of it; returns the type of that part.
-TypeId Programs::path(const ast::Expr& target, Stmt& stmt) {
+TypeId Programs::lower_path(const ast::Expr& target, Stmt& stmt) {
     if (target.kind == ast::ExprKind::member || target.kind == ast::ExprKind::index) {
-        const TypeId base = path(*target.args[0], stmt);
+        const TypeId base = lower_path(*target.args[0], stmt);
         return target.kind == ast::ExprKind::member ? member_step(target, base, stmt) : index_step(target, base, stmt);
     }
     stmt.variable = look_up(names_.variables, target.target);
-    if (stmt.variable.valid()) return names_.machine->variables[stmt.variable.index].type;
-    lowering_.unresolved("variable '" + target.name.text() + "'", target.span);
+    if (stmt.variable.is_valid()) return names_.machine->variables[stmt.variable.index].type;
+    lowering_.report_unresolved("variable '" + target.name.text() + "'", target.span);
     return nat_type;
 }
 
-void Programs::assignment(const ast::Stmt& source, Stmt& stmt) {
-    const TypeId type = path(*source.target, stmt);
+void Programs::lower_assignment(const ast::Stmt& source, Stmt& stmt) {
+    const TypeId type = lower_path(*source.target, stmt);
     stmt.value = lower_expression(lowering_, names_, *source.value, type);
-    if (mentions_time(stmt.value)) lowering_.unsupported("a timed expression in an action", source.value->span);
+    if (mentions_time(stmt.value)) lowering_.report_unsupported("a timed expression in an action", source.value->span);
 }
 
-void Programs::communication(const ast::Stmt& source, Stmt& stmt) {
+void Programs::lower_communication_statement(const ast::Stmt& source, Stmt& stmt) {
     const ast::Communication& communication = *source.communication;
     stmt.communication = lower_communication(lowering_, names_, communication);
     if (!communication.predicate) return;
     if (communication.kind != ast::CommKind::input)
-        return lowering_.unsupported("a condition on a communication that receives no value in an action", source.span);
+        return lowering_.report_unsupported("a condition on a communication that receives no value in an action",
+                                            source.span);
     Names incoming = names_;  // the variable stands for the received value, as in a trigger
     incoming.trigger_variable = communication.variable_target;
     stmt.communication.predicate = lower_expression(lowering_, incoming, *communication.predicate, boolean_type);
     if (mentions_time(stmt.communication.predicate))
-        lowering_.unsupported("a timed expression in an action", communication.predicate->span);
+        lowering_.report_unsupported("a timed expression in an action", communication.predicate->span);
 }
 
-void Programs::call(const ast::Stmt& source, Stmt& stmt) {
+void Programs::lower_call(const ast::Stmt& source, Stmt& stmt) {
     stmt.operation = look_up(names_.operations, source.declaration);
-    if (!stmt.operation.valid()) return lowering_.unresolved("operation '" + source.name.text() + "'", source.span);
+    if (!stmt.operation.is_valid())
+        return lowering_.report_unresolved("operation '" + source.name.text() + "'", source.span);
     const auto types = names_.machine->operations[stmt.operation.index].parameters;
     for (std::size_t i = 0; i < source.args.size(); ++i)
         stmt.args.push_back(
             lower_expression(lowering_, names_, *source.args[i], i < types.size() ? types[i] : TypeId{}));
-    if (types.size() != source.args.size()) lowering_.unresolved("a call with these arguments", source.span);
+    if (types.size() != source.args.size()) lowering_.report_unresolved("a call with these arguments", source.span);
 }
 
 void Programs::clock_reset(const ast::Stmt& source, Stmt& stmt) {
     stmt.clock = look_up(names_.clocks, source.declaration);
-    if (!stmt.clock.valid()) lowering_.unresolved("clock '" + source.name.text() + "'", source.span);
+    if (!stmt.clock.is_valid()) lowering_.report_unresolved("clock '" + source.name.text() + "'", source.span);
 }
 
-void Programs::fill(const ast::Stmt& source, Stmt& stmt) {
+void Programs::fill_statement(const ast::Stmt& source, Stmt& stmt) {
     switch (source.kind) {
         case ast::StmtKind::sequence:
-            return sequence(source, stmt);
+            return lower_sequence(source, stmt);
         case ast::StmtKind::if_then_else:
-            return conditional(source, stmt);
+            return lower_conditional(source, stmt);
         case ast::StmtKind::assignment:
-            return assignment(source, stmt);
+            return lower_assignment(source, stmt);
         case ast::StmtKind::communication:
-            return communication(source, stmt);
+            return lower_communication_statement(source, stmt);
         case ast::StmtKind::call:
-            return call(source, stmt);
+            return lower_call(source, stmt);
         case ast::StmtKind::clock_reset:
             return clock_reset(source, stmt);
         case ast::StmtKind::deadline:
-            sequence(source, stmt);
+            lower_sequence(source, stmt);
             [[fallthrough]];
         case ast::StmtKind::wait:
         case ast::StmtKind::wait_interval:
@@ -234,7 +238,7 @@ void Programs::fill(const ast::Stmt& source, Stmt& stmt) {
             return;
         case ast::StmtKind::parenthesised:
         case ast::StmtKind::error:
-            return lowering_.unresolved("a statement", source.span);
+            return lowering_.report_unresolved("a statement", source.span);
     }
 }
 
@@ -247,7 +251,7 @@ StmtPtr lower_action(Lowering& lowering, const Names& names, const ast::Stmt& so
 Communication lower_trigger(Lowering& lowering, const Names& names, const ast::Communication& source) {
     Communication trigger = lower_communication(lowering, names, source);
     if (trigger.kind == CommKind::output || trigger.kind == CommKind::sync)
-        lowering.unsupported("a trigger that sends a value", source.span);
+        lowering.report_unsupported("a trigger that sends a value", source.span);
     return trigger;
 }
 
@@ -255,9 +259,10 @@ ExprPtr lower_duration(Lowering& lowering, const Names& names, const ast::Expr& 
     const ExprPtr duration = lower_expression(lowering, names, source);
     const TypeKind kind = lowering.system.type(duration->type).kind;
     if (kind == TypeKind::nat || kind == TypeKind::integer) return duration;
-    if (kind != TypeKind::real) return lowering.unsupported("a duration that is not a number", source.span), duration;
+    if (kind != TypeKind::real)
+        return lowering.report_unsupported("a duration that is not a number", source.span), duration;
     const bool whole = duration->kind != ExprKind::real || duration->decimal.decimals == 0;
-    if (!whole) lowering.unsupported("a duration that is not a whole number of time units", source.span);
+    if (!whole) lowering.report_unsupported("a duration that is not a whole number of time units", source.span);
     Expr cast;
     cast.kind = ExprKind::cast;
     cast.type = integer_type;

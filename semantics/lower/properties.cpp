@@ -60,7 +60,7 @@ PropertyModel model_of(const std::optional<ast::AssertionModel>& model) {
 
 /// The assertion as written. Its span may start after the word that says in which semantics it is decided.
 std::string wording_of(const diagnostics::SourceManager& sources, const ast::Assertion& source) {
-    const auto text = sources.text(source.span.source);
+    const auto text = sources.source_text(source.span.source);
     const std::string line =
         diagnostics::on_one_line(text.substr(source.span.begin, source.span.end - source.span.begin));
     const bool begins = line.starts_with("assertion") || line.starts_with("sleec");
@@ -78,16 +78,16 @@ public:
     void lower_assertions();
 
 private:
-    void assertion(const ast::Assertion& source);
-    void block(const ast::CspBlock& source);
-    std::optional<FoundComponent> component(const ast::ComponentPath& path, const ast::QualifiedName& name);
-    void reachable(const ast::Assertion& source, Property& property);
-    void clock(const ast::Assertion& source, Property& property);
+    void lower_assertion(const ast::Assertion& source);
+    void lower_block(const ast::CspBlock& source);
+    std::optional<FoundComponent> find_component(const ast::ComponentPath& path, const ast::QualifiedName& name);
+    void lower_reachable(const ast::Assertion& source, Property& property);
+    void lower_clock(const ast::Assertion& source, Property& property);
     void missed_event(const ast::Assertion& source, Property& property);
-    void parameter(const ast::AssertionParameter& source, Property& property);
-    void constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
+    void lower_parameter(const ast::AssertionParameter& source, Property& property);
+    void lower_constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
     void operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
-    ExprPtr value(const ast::AssertionParameter& source, TypeId type);
+    ExprPtr lower_value(const ast::AssertionParameter& source, TypeId type);
 
     Lowering& lowering_;
     const ast::File& file_;
@@ -95,7 +95,8 @@ private:
 };
 
 /// The component that name resolution found for a name, or the csp block.
-std::optional<FoundComponent> Properties::component(const ast::ComponentPath& path, const ast::QualifiedName& name) {
+std::optional<FoundComponent> Properties::find_component(const ast::ComponentPath& path,
+                                                         const ast::QualifiedName& name) {
     if (path.process != nullptr) {
         FoundComponent process;
         process.ref.path = path.process->name;
@@ -103,7 +104,7 @@ std::optional<FoundComponent> Properties::component(const ast::ComponentPath& pa
         return process;
     }
     auto found = component_at(lowering_, path);
-    if (!found) lowering_.unresolved(name.text(), name.span);
+    if (!found) lowering_.report_unresolved(name.text(), name.span);
     return found;
 }
 
@@ -117,8 +118,8 @@ std::string node_path(const ast::State& state) {
 }
 
 /// Sets the path of the state relative to the subject: from the subject to the machine, then the node's path.
-void Properties::reachable(const ast::Assertion& source, Property& property) {
-    const auto machine = component(source.other_path, source.other);
+void Properties::lower_reachable(const ast::Assertion& source, Property& property) {
+    const auto machine = find_component(source.other_path, source.other);
     if (!machine || source.state == nullptr) return;
     const std::string& above = property.subject.path;
     const std::string& at = machine->ref.path;
@@ -127,8 +128,8 @@ void Properties::reachable(const ast::Assertion& source, Property& property) {
 }
 
 /// `clock X::S::C is initialised`: the subject is the machine at the end of the path.
-void Properties::clock(const ast::Assertion& source, Property& property) {
-    const auto machine = component(source.other_path, source.other);
+void Properties::lower_clock(const ast::Assertion& source, Property& property) {
+    const auto machine = find_component(source.other_path, source.other);
     if (!machine || source.clock == nullptr) return;
     property.subject = machine->ref;
     property.state = source.clock->name;
@@ -136,7 +137,7 @@ void Properties::clock(const ast::Assertion& source, Property& property) {
 
 /// `event E is missed in S`: the subject is the machine.
 void Properties::missed_event(const ast::Assertion& source, Property& property) {
-    const auto machine = component(source.other_path, source.other);
+    const auto machine = find_component(source.other_path, source.other);
     if (!machine || source.missed == nullptr) return;
     property.subject = machine->ref;
     property.event = source.missed->name;
@@ -144,26 +145,27 @@ void Properties::missed_event(const ast::Assertion& source, Property& property) 
     property.time_units = source.time_units.value_or(1);
 }
 
-ExprPtr Properties::value(const ast::AssertionParameter& source, TypeId type) {
+ExprPtr Properties::lower_value(const ast::AssertionParameter& source, TypeId type) {
     if (source.value) return lower_expression(lowering_, {}, *source.value, type);
-    lowering_.unresolved("the value of " + source.name.text(), source.name.span);
+    lowering_.report_unresolved("the value of " + source.name.text(), source.name.span);
     return make_boolean(true, source.name.span);
 }
 
 template <class Declaration>
-std::optional<std::uint32_t> position(const std::vector<Declaration>& items, const std::string& name) {
+std::optional<std::uint32_t> position_of(const std::vector<Declaration>& items, const std::string& name) {
     for (std::uint32_t i = 0; i < items.size(); ++i)
         if (items[i].name == name) return i;
     return std::nullopt;
 }
 
 /// Sets the constant, by the name of its process parameter in the component that determines its value.
-void Properties::constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property) {
+void Properties::lower_constant(const ast::AssertionParameter& source, const FoundComponent& context,
+                                Property& property) {
     const auto& constants = context.machine != nullptr      ? context.machine->constants
                             : context.controller != nullptr ? context.controller->constants
                                                             : context.module->platform.constants;
-    const auto at = position(constants, source.name.parts.back());
-    if (!at) return lowering_.unresolved(source.name.text(), source.name.span);
+    const auto at = position_of(constants, source.name.parts.back());
+    if (!at) return lowering_.report_unresolved(source.name.text(), source.name.span);
     std::string name = constant_name(context.ref.package, context.ref.path, source.name.parts.back());
     if (context.machine != nullptr)
         name = constant_source(lowering_.system, context.module, context.controller, context.part, *context.machine,
@@ -171,33 +173,33 @@ void Properties::constant(const ast::AssertionParameter& source, const FoundComp
                    .name;
     else if (context.controller != nullptr)
         name = constant_source(context.module, *context.controller, ConstantId{*at}).name;
-    property.constants.emplace_back(name, value(source, constants[*at].type));
+    property.constants.emplace_back(name, lower_value(source, constants[*at].type));
 }
 
 /// Sets a parameter for `parameter p of O`: its name begins with "param_" instead of "const_".
 void Properties::operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context,
                                      Property& property) {
     const bool operation = context.machine != nullptr && context.machine->kind == MachineKind::operation;
-    const auto at = operation ? position(context.machine->variables, source.name.parts.back()) : std::nullopt;
+    const auto at = operation ? position_of(context.machine->variables, source.name.parts.back()) : std::nullopt;
     if (!at || context.machine->variables[*at].scope != VariableScope::parameter)
-        return lowering_.unresolved(source.name.text(), source.name.span);
+        return lowering_.report_unresolved(source.name.text(), source.name.span);
     const std::string path =
         context.controller != nullptr ? context.controller->path + "::" + context.part : context.machine->path;
     std::string name = constant_name(context.ref.package, path, source.name.parts.back());
     name.replace(0, std::string("const_").size(), "param_");
-    property.constants.emplace_back(name, value(source, context.machine->variables[*at].type));
+    property.constants.emplace_back(name, lower_value(source, context.machine->variables[*at].type));
 }
 
-void Properties::parameter(const ast::AssertionParameter& source, Property& property) {
-    const auto context = component(source.context_path, source.context);
+void Properties::lower_parameter(const ast::AssertionParameter& source, Property& property) {
+    const auto context = find_component(source.context_path, source.context);
     if (!context) return;
     if (source.constant)
-        constant(source, *context, property);
+        lower_constant(source, *context, property);
     else
         operation_parameter(source, *context, property);
 }
 
-void Properties::assertion(const ast::Assertion& source) {
+void Properties::lower_assertion(const ast::Assertion& source) {
     Property property;
     property.name = source.name;
     property.kind = kind_of(source.kind);
@@ -209,27 +211,27 @@ void Properties::assertion(const ast::Assertion& source) {
     property.wording = wording_of(lowering_.sources, source);
     property.origin = origin_of(source.name, source.span);
     if (property.kind == PropertyKind::clock_initialised) {
-        clock(source, property);
+        lower_clock(source, property);
     } else if (property.kind == PropertyKind::event_missed) {
         missed_event(source, property);
-    } else if (const auto subject = component(source.subject_path, source.subject)) {
+    } else if (const auto subject = find_component(source.subject_path, source.subject)) {
         property.subject = subject->ref;
-        if (property.kind == PropertyKind::reachable) reachable(source, property);
+        if (property.kind == PropertyKind::reachable) lower_reachable(source, property);
         if (property.kind == PropertyKind::conforms) property.rule = source.other.text();
     }
     if (property.kind == PropertyKind::refines || property.kind == PropertyKind::equals)
-        if (const auto other = component(source.other_path, source.other)) property.other = other->ref;
-    for (const auto& item : source.parameters) parameter(item, property);
+        if (const auto other = find_component(source.other_path, source.other)) property.other = other->ref;
+    for (const auto& item : source.parameters) lower_parameter(item, property);
     lowering_.system.properties.push_back(std::move(property));
 }
 
-void Properties::block(const ast::CspBlock& source) {
+void Properties::lower_block(const ast::CspBlock& source) {
     CspBlock block;
     block.name = source.name;
     block.timed = source.time != ast::AssertionTime::untimed;
     block.untimed = source.time != ast::AssertionTime::timed;
     for (std::size_t i = 0; i < source.associated_paths.size(); ++i)
-        if (const auto found = component(source.associated_paths[i], source.associated[i]))
+        if (const auto found = find_component(source.associated_paths[i], source.associated[i]))
             block.associated.push_back(found->ref);
     block.text = source.text;
     block.text_span = source.text_span;
@@ -239,11 +241,11 @@ void Properties::block(const ast::CspBlock& source) {
 }
 
 void Properties::lower_blocks() {
-    for (const auto& block : file_.csp_blocks) this->block(block);
+    for (const auto& block : file_.csp_blocks) this->lower_block(block);
 }
 
 void Properties::lower_assertions() {
-    for (const auto& assertion : file_.assertions) this->assertion(assertion);
+    for (const auto& assertion : file_.assertions) this->lower_assertion(assertion);
 }
 
 }  // namespace

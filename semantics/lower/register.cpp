@@ -7,7 +7,7 @@ namespace {
 
 namespace ast = frontend;
 
-std::string below(const std::string& path, const std::string& name) {
+std::string path_below(const std::string& path, const std::string& name) {
     return path.empty() ? name : path + "::" + name;
 }
 
@@ -16,7 +16,7 @@ void add_machine(Lowering& lowering, const ast::Machine& source, const std::stri
     machine.kind = source.kind == ast::DeclKind::operation ? MachineKind::operation : MachineKind::state_machine;
     machine.name = source.name;
     machine.package = lowering.package_of(source);
-    machine.path = below(path, source.name);
+    machine.path = path_below(path, source.name);
     lowering.machines[&source] = MachineId{static_cast<std::uint32_t>(lowering.system.machines.size())};
     lowering.machine_sources.push_back(&source);
     lowering.system.machines.push_back(std::move(machine));
@@ -26,7 +26,7 @@ void add_controller(Lowering& lowering, const ast::Component& source, const std:
     Controller controller;
     controller.name = source.name;
     controller.package = lowering.package_of(source);
-    controller.path = below(path, source.name);
+    controller.path = path_below(path, source.name);
     for (const auto* part : source.order)
         if (part->kind == ast::DeclKind::state_machine || part->kind == ast::DeclKind::operation)
             add_machine(lowering, static_cast<const ast::Machine&>(*part), controller.path);

@@ -90,7 +90,7 @@ TypeKind kind_of(const frontend::TypeDeclaration& declaration) {
 }
 
 /// `T` as RoboChart writes it; "?" for an unknown part.
-std::string written(const System& system, const Type& type) {
+std::string type_as_written(const System& system, const Type& type) {
     const auto part = [&](std::size_t i) {
         const Type& found = system.type(type.args.at(i));
         return found.kind == TypeKind::unit || found.name.empty() ? std::string("?") : found.name;
@@ -133,7 +133,7 @@ std::string written(const System& system, const Type& type) {
 }
 
 TypeId add(Lowering& lowering, Type type) {
-    if (type.name.empty()) type.name = written(lowering.system, type);
+    if (type.name.empty()) type.name = type_as_written(lowering.system, type);
     const TypeId id{static_cast<std::uint32_t>(lowering.system.types.size())};
     lowering.types.emplace(key_of(type), id);
     lowering.system.types.push_back(std::move(type));
@@ -157,7 +157,7 @@ void intern_core_types(Lowering& lowering) {
     }
 }
 
-TypeId intern(Lowering& lowering, Type type) {
+TypeId intern_type(Lowering& lowering, Type type) {
     const auto known = lowering.types.find(key_of(type));
     return known != lowering.types.end() ? known->second : add(lowering, std::move(type));
 }
@@ -165,8 +165,9 @@ TypeId intern(Lowering& lowering, Type type) {
 TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& declaration, diagnostics::Span where) {
     const auto known = lowering.declared_types.find(&declaration);
     if (known != lowering.declared_types.end()) {
-        if (!known->second.valid()) lowering.unsupported("type " + declaration.name + ", which contains itself", where);
-        return known->second.valid() ? known->second : nat_type;
+        if (!known->second.is_valid())
+            lowering.report_unsupported("type " + declaration.name + ", which contains itself", where);
+        return known->second.is_valid() ? known->second : nat_type;
     }
     lowering.declared_types[&declaration] = TypeId{};  // in progress
     Type type;
@@ -176,16 +177,16 @@ TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& 
     type.origin = origin_of(declaration.name, declaration.span);
     add_literals(lowering, declaration, type);
     add_fields(lowering, declaration, type);
-    return lowering.declared_types[&declaration] = intern(lowering, std::move(type));
+    return lowering.declared_types[&declaration] = intern_type(lowering, std::move(type));
 }
 
 TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnostics::Span where) {
-    if (!source) return lowering.unresolved("a type", where), nat_type;
+    if (!source) return lowering.report_unresolved("a type", where), nat_type;
     if (source->declaration != nullptr) return lower_declared_type(lowering, *source->declaration, where);
     if (source->form == TypeForm::variable && lowering.type_variables.contains(source->name))
         return lowering.type_variables.at(source->name);
     if (source->form == TypeForm::variable)
-        return lowering.unsupported("type variable ?" + source->name, where), nat_type;
+        return lowering.report_unsupported("type variable ?" + source->name, where), nat_type;
     // The front end types the argument of a function with one parameter as a product of one.
     if (source->form == TypeForm::product && source->args.size() == 1)
         return lower_type(lowering, source->args[0], where);
@@ -197,11 +198,11 @@ TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnosti
     type.origin.element = type.name;
     const bool sized =
         std::ranges::all_of(type.sizes, [](std::int64_t size) { return size >= 1 && size <= largest_size; });
-    if (!sized) return lowering.unsupported("type " + type.name + " of this size", where), nat_type;
-    return intern(lowering, std::move(type));
+    if (!sized) return lowering.report_unsupported("type " + type.name + " of this size", where), nat_type;
+    return intern_type(lowering, std::move(type));
 }
 
-TypeId join(TypeId a, TypeId b) {
+TypeId wider_type(TypeId a, TypeId b) {
     if (!is_number(a) || !is_number(b)) return a;
     return std::max(a, b);  // nat < int < real by id
 }
@@ -211,16 +212,16 @@ bool is_set_like(TypeKind kind) {
 }
 
 bool is_open(const System& system, TypeId id) {
-    if (!id.valid() || system.type(id).kind == TypeKind::unit) return true;
+    if (!id.is_valid() || system.type(id).kind == TypeKind::unit) return true;
     const Type& type = system.type(id);
     return type.kind != TypeKind::record &&
            std::ranges::any_of(type.args, [&](TypeId arg) { return is_open(system, arg); });
 }
 
 TypeId common_type(Lowering& lowering, TypeId a, TypeId b) {
-    if (!a.valid() || lowering.system.type(a).kind == TypeKind::unit) return b;
-    if (a == b || !b.valid() || lowering.system.type(b).kind == TypeKind::unit) return a;
-    if (is_number(a) && is_number(b)) return join(a, b);
+    if (!a.is_valid() || lowering.system.type(a).kind == TypeKind::unit) return b;
+    if (a == b || !b.is_valid() || lowering.system.type(b).kind == TypeKind::unit) return a;
+    if (is_number(a) && is_number(b)) return wider_type(a, b);
     const Type left = lowering.system.type(a);
     const Type right = lowering.system.type(b);
     if (left.kind == TypeKind::sequence && is_set_like(right.kind)) return b;
@@ -229,7 +230,7 @@ TypeId common_type(Lowering& lowering, TypeId a, TypeId b) {
     type.name.clear();
     for (std::size_t i = 0; i < left.args.size(); ++i)
         type.args[i] = common_type(lowering, left.args[i], right.args[i]);
-    return intern(lowering, std::move(type));
+    return intern_type(lowering, std::move(type));
 }
 
 bool is_number(TypeId id) {

@@ -13,9 +13,9 @@ void intern_core_types(Lowering&);
 /// The id of a declared type (given, enumeration, record).
 [[nodiscard]] TypeId lower_declared_type(Lowering&, const frontend::TypeDeclaration&, diagnostics::Span where);
 /// Interns a composed type that lowering constructs.
-[[nodiscard]] TypeId intern(Lowering&, Type);
+[[nodiscard]] TypeId intern_type(Lowering&, Type);
 /// The wider of two number types; for other types `a`.
-[[nodiscard]] TypeId join(TypeId a, TypeId b);
+[[nodiscard]] TypeId wider_type(TypeId a, TypeId b);
 [[nodiscard]] bool is_number(TypeId);
 [[nodiscard]] bool is_set_like(TypeKind);
 /// True if a part of the type is unknown, such as the element type of `{}`.

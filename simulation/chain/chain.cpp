@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics/means.hpp"
 #include "prism/markov/operators/robust.hpp"
 #include "simulation/scenario/rules.hpp"
-#include "base/statistics/means.hpp"
 
 namespace robochart::simulation {
 
@@ -24,7 +24,7 @@ constexpr const char* not_said =
 
 /// The index of the last state in a trial; the state at 0 s has index 0.
 std::uint64_t last_step(const Scenario& scenario) {
-    return scenario.steps() / scenario.steps_apart();
+    return scenario.step_count() / scenario.steps_between_samples();
 }
 
 class Asking {
@@ -33,28 +33,30 @@ public:
         : scenario_(scenario), states_(states), diagnostics_(diagnostics) {}
 
     std::vector<ChainAsked> operator()() {
-        for (const Claim& each : scenario_.claims) ask(each);
-        for (const ChainQuestion& each : scenario_.chain_questions) ask(each);
+        for (const Claim& each : scenario_.claims) add_question(each);
+        for (const ChainQuestion& each : scenario_.chain_questions) add_question(each);
         return std::move(result_);
     }
 
 private:
-    void refuse(diagnostics::Span span, const std::string& why) {
+    void report_refusal(diagnostics::Span span, const std::string& why) {
         diagnostics_.report(rules::not_in_chain, span, {why});
     }
 
-    void ask(const Claim& claim) {
+    void add_question(const Claim& claim) {
         if (claim.property.kind != Formula::Kind::within || std::isinf(claim.property.time))
-            return refuse(claim.span, "a chain answers `CONDITION within TIME`");
-        if (claim.indifference > 0) return refuse(claim.span, "a chain has bounds, no test with an indifference");
+            return report_refusal(claim.span, "a chain answers `CONDITION within TIME`");
+        if (claim.indifference > 0)
+            return report_refusal(claim.span, "a chain has bounds, no test with an indifference");
         if (claim.limited)
-            return refuse(claim.span, "a chain is made of the scenario's trials, `at most N trials` is of none");
+            return report_refusal(claim.span,
+                                  "a chain is made of the scenario's trials, `at most N trials` is of none");
         const double steps = claim.property.time / scenario_.abstraction->every;
         const double whole = std::round(steps);
         if (std::abs(steps - whole) > 1e-9 * std::max(1.0, steps))
-            return refuse(claim.span, fmt::format("the chain has no state at {:g} s", claim.property.time));
-        const auto goal = states_.holding(claim.property.parts.front());
-        if (!goal) return refuse(claim.span, not_said);
+            return report_refusal(claim.span, fmt::format("the chain has no state at {:g} s", claim.property.time));
+        const auto goal = states_.states_satisfying(claim.property.parts.front());
+        if (!goal) return report_refusal(claim.span, not_said);
         ChainAsked& asked = result_.emplace_back();
         asked.claim = &claim;
         asked.text = claim.text;
@@ -63,17 +65,17 @@ private:
         asked.steps = static_cast<std::uint64_t>(whole);
     }
 
-    void ask(const ChainQuestion& question) {
+    void add_question(const ChainQuestion& question) {
         ChainAsked asked;
         asked.kind = question.time ? ChainAsked::Kind::time : ChainAsked::Kind::average;
         asked.text = question.text;
         asked.confidence = question.confidence;
         if (question.time) {
-            const auto goal = states_.holding(question.condition);
-            if (!goal) return refuse(question.span, not_said);
+            const auto goal = states_.states_satisfying(question.condition);
+            if (!goal) return report_refusal(question.span, not_said);
             asked.goal = *goal;
         } else if (!take_average(question, asked)) {
-            return refuse(question.span, "the chain does not tell apart what is averaged");
+            return report_refusal(question.span, "the chain does not tell apart what is averaged");
         }
         result_.push_back(std::move(asked));
     }
@@ -85,7 +87,7 @@ private:
         if (found == distinctions.end()) return false;
         asked.distinction = static_cast<std::size_t>(found - distinctions.begin());
         for (std::size_t state = 0; state < states_.size(); ++state) {
-            const auto values = states_.measure(state, question.measure);
+            const auto values = states_.class_of_measure(state, question.measure);
             asked.low.push_back(values ? values->low : 0);
             asked.high.push_back(values ? values->high : 0);
         }
@@ -100,16 +102,16 @@ private:
 
 }  // namespace
 
-std::vector<ChainAsked> chain_asked(const Scenario& scenario, const ChainStates& states,
-                                    diagnostics::Diagnostics& diagnostics) {
+std::vector<ChainAsked> find_chain_questions(const Scenario& scenario, const ChainStates& states,
+                                             diagnostics::Diagnostics& diagnostics) {
     return Asking(scenario, states, diagnostics)();
 }
 
-bool ChainAnswer::refuted() const {
+bool ChainAnswer::is_refuted() const {
     return of_no_chain || std::ranges::any_of(checks, [](const ChainCheck& each) { return each.contradicts; });
 }
 
-ClaimVerdict ChainAnswer::verdict() const {
+ClaimVerdict ChainAnswer::claim_verdict() const {
     if (asked.claim == nullptr || asked.claim->estimate) return ClaimVerdict::estimated;
     const double wanted = asked.claim->probability;
     const bool least = asked.claim->at_least;
@@ -126,15 +128,15 @@ std::vector<statistics::StateSequence> sequences_of(const Scenario& scenario, co
         statistics::StateSequence& sequence = result.emplace_back();
         sequence.push_back(ChainStates::start);
         for (std::size_t at = 0; at < trials[trial].samples.size(); ++at) {
-            const std::size_t next = states.of(trials[trial].samples[at]);
+            const std::size_t next = states.find_state(trials[trial].samples[at]);
             if (next != ChainStates::none && permitted[sequence.back()][next]) {
                 sequence.push_back(next);
                 continue;
             }
             excluded.push_back(
                 {static_cast<std::uint32_t>(trial), static_cast<double>(at) * scenario.abstraction->every,
-                 states.text(sequence.back()),
-                 next == ChainStates::none ? "a state that no robots are in together" : states.text(next)});
+                 states.state_text(sequence.back()),
+                 next == ChainStates::none ? "a state that no robots are in together" : states.state_text(next)});
             break;
         }
     }
@@ -180,19 +182,19 @@ public:
 
     ChainAnswer operator()() {
         if (answer_.asked.kind == ChainAsked::Kind::average)
-            average();
+            bound_average();
         else
-            reach();
+            bound_reach();
         answer_.low = std::max(0.0, answer_.low);  // rounding may have produced -0
         return std::move(answer_);
     }
 
 private:
-    [[nodiscard]] std::size_t fresh() const { return sequences_.size() - first_fresh_; }
+    [[nodiscard]] std::size_t fresh_count() const { return sequences_.size() - first_fresh_; }
     [[nodiscard]] double error_of_check() const { return error_ / static_cast<double>(last_step(scenario_) + 1); }
 
     /// The first state of the swarm is one step after the start state, so steps are counted from there.
-    void reach() {
+    void bound_reach() {
         const std::uint64_t steps = last_step(scenario_) + 1;
         const auto& goal = answer_.asked.goal;
         const auto least = markov::reach_bounds(chain_, goal, steps, Direction::minimum, budget_);
@@ -218,7 +220,7 @@ private:
         return std::clamp<std::uint64_t>(500'000'000 / transitions, 1'000, 100'000);
     }
 
-    void average() {
+    void bound_average() {
         const std::uint64_t steps = last_step(scenario_) + 1;
         const ChainAsked& asked = answer_.asked;
         const auto least = markov::value_bounds(chain_, asked.low, steps, Direction::minimum, budget_);
@@ -244,9 +246,10 @@ private:
             if (std::any_of(begin, end, [&](std::size_t state) { return answer_.asked.goal[state]; })) ++there;
         }
         const double error = error_of_check();
-        const Interval by_trials = statistics::clopper_pearson(there, fresh(), error);
-        answer_.checks.push_back({time_of(step), predicted, static_cast<double>(there) / static_cast<double>(fresh()),
-                                  by_trials, statistics::contradicts(there, fresh(), error, predicted)});
+        const Interval by_trials = statistics::clopper_pearson(there, fresh_count(), error);
+        answer_.checks.push_back({time_of(step), predicted,
+                                  static_cast<double>(there) / static_cast<double>(fresh_count()), by_trials,
+                                  statistics::contradicts_prediction(there, fresh_count(), error, predicted)});
     }
 
     /// Compares the mean of a fraction over the fresh trials with the prediction, by Hoeffding's inequality.
@@ -254,8 +257,8 @@ private:
         double sum = 0;
         for (std::size_t i = first_fresh_; i < trials_.size(); ++i)
             sum += trials_[i].samples.at(step - 1).at(answer_.asked.distinction);
-        const double mean = sum / static_cast<double>(fresh());
-        const double away = statistics::hoeffding_epsilon(static_cast<double>(fresh()), error_of_check());
+        const double mean = sum / static_cast<double>(fresh_count());
+        const double away = statistics::hoeffding_epsilon(static_cast<double>(fresh_count()), error_of_check());
         const Interval by_trials{std::max(0.0, mean - away), std::min(1.0, mean + away)};
         answer_.checks.push_back({time_of(step), predicted, mean, by_trials,
                                   by_trials.low > predicted.high || predicted.low > by_trials.high});

@@ -10,10 +10,10 @@
 
 #include "base/diagnostics/budget.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "base/statistics/chains.hpp"
 #include "simulation/chain/states.hpp"
 #include "simulation/report/claims.hpp"
 #include "simulation/trial/trial.hpp"
-#include "base/statistics/chains.hpp"
 
 namespace robochart::simulation {
 
@@ -31,7 +31,8 @@ struct ChainAsked {
 };
 
 /// The questions of the scenario. Reports those that its chain cannot answer (RC-M17).
-[[nodiscard]] std::vector<ChainAsked> chain_asked(const Scenario&, const ChainStates&, diagnostics::Diagnostics&);
+[[nodiscard]] std::vector<ChainAsked> find_chain_questions(const Scenario&, const ChainStates&,
+                                                           diagnostics::Diagnostics&);
 
 /// The prediction for one time, compared with fresh trials.
 struct ChainCheck {
@@ -50,9 +51,9 @@ struct ChainAnswer {
     bool of_no_chain = false;        ///< the order of the chain is refuted, for all questions
 
     /// True if trials contradict the chain, so that its bounds do not apply to the swarm.
-    [[nodiscard]] bool refuted() const;
+    [[nodiscard]] bool is_refuted() const;
     /// The verdict on the claim; `estimated` if there is no claim. Must not be called if the answer is refuted.
-    [[nodiscard]] ClaimVerdict verdict() const;
+    [[nodiscard]] ClaimVerdict claim_verdict() const;
 };
 
 /// The successor of a state depends on the state before it, so the swarm is not a chain over these states.

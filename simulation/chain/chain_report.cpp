@@ -15,23 +15,25 @@ namespace robochart::simulation {
 
 using diagnostics::Json;
 
-bool ChainResult::refuted() const {
-    return order || std::ranges::any_of(answers, [](const ChainAnswer& each) { return each.refuted(); });
+bool ChainResult::is_refuted() const {
+    return order || std::ranges::any_of(answers, [](const ChainAnswer& each) { return each.is_refuted(); });
 }
 
-bool ChainResult::fails() const {
-    return refuted() ||
-           std::ranges::any_of(answers, [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::fails; });
+bool ChainResult::has_failed() const {
+    return is_refuted() || std::ranges::any_of(answers, [](const ChainAnswer& each) {
+               return each.claim_verdict() == ClaimVerdict::fails;
+           });
 }
 
-bool ChainResult::complete() const {
-    return !interrupted && answers.size() == questions &&
-           std::ranges::none_of(answers, [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::open; });
+bool ChainResult::is_complete() const {
+    return !interrupted && answers.size() == questions && std::ranges::none_of(answers, [](const ChainAnswer& each) {
+        return each.claim_verdict() == ClaimVerdict::open;
+    });
 }
 
 std::string answer_word(const ChainAnswer& answer) {
-    if (answer.refuted()) return "REFUTED";
-    const ClaimVerdict verdict = answer.verdict();
+    if (answer.is_refuted()) return "REFUTED";
+    const ClaimVerdict verdict = answer.claim_verdict();
     if (verdict == ClaimVerdict::fails) return "FAILS";
     return verdict == ClaimVerdict::estimated ? "estimate" : verdict_word(verdict);
 }
@@ -39,32 +41,33 @@ std::string answer_word(const ChainAnswer& answer) {
 namespace {
 
 /// Probabilities rounded down and up.
-std::string below(const ChainAnswer& answer) {
+std::string lower_bound_text(const ChainAnswer& answer) {
     if (answer.asked.kind != ChainAsked::Kind::time) return percent_below(answer.low);
     return fmt::format("{:.1f} s", std::floor(answer.low * 10) / 10);
 }
 
-std::string above(const ChainAnswer& answer) {
+std::string upper_bound_text(const ChainAnswer& answer) {
     if (answer.asked.kind != ChainAsked::Kind::time) return percent_above(answer.high);
     return fmt::format("{:.1f} s", std::ceil(answer.high * 10) / 10);
 }
 
-std::string bounds(const ChainAnswer& answer) {
-    if (std::isinf(answer.high)) return fmt::format("at least {}; no upper bound was found", below(answer));
-    return fmt::format("between {} and {}", below(answer), above(answer));
+std::string bounds_text(const ChainAnswer& answer) {
+    if (std::isinf(answer.high)) return fmt::format("at least {}; no upper bound was found", lower_bound_text(answer));
+    return fmt::format("between {} and {}", lower_bound_text(answer), upper_bound_text(answer));
 }
 
-std::string interval(const statistics::Interval& each) {
+std::string interval_text(const statistics::Interval& each) {
     return fmt::format("between {} and {}", percent_below(each.low), percent_above(each.high));
 }
 
 /// The first check that contradicts the prediction.
-std::string contradiction(const ChainAnswer& answer) {
+std::string contradiction_text(const ChainAnswer& answer) {
     const auto found = std::ranges::find_if(answer.checks, [](const ChainCheck& each) { return each.contradicts; });
     const auto all = std::ranges::count_if(answer.checks, [](const ChainCheck& each) { return each.contradicts; });
     if (all == 0) return "the chain is no abstraction here: its order is refuted";
     return fmt::format("the chain is no abstraction here: at {:g} s it says {}, fresh trials {}; so at {} of {} times",
-                       found->time, interval(found->predicted), interval(found->by_trials), all, answer.checks.size());
+                       found->time, interval_text(found->predicted), interval_text(found->by_trials), all,
+                       answer.checks.size());
 }
 
 std::string trials_of(std::uint32_t first, std::uint32_t count, std::uint64_t seed) {
@@ -77,9 +80,9 @@ std::string answers_text(const ChainResult& result) {
     std::string out;
     for (const ChainAnswer& each : result.answers)
         out += fmt::format("  {:<8} {}\n           {}\n", answer_word(each), each.asked.text,
-                           each.refuted() ? contradiction(each)
-                                          : fmt::format("{}; fresh trials do not contradict the chain at {} times",
-                                                        bounds(each), each.checks.size()));
+                           each.is_refuted() ? contradiction_text(each)
+                                             : fmt::format("{}; fresh trials do not contradict the chain at {} times",
+                                                           bounds_text(each), each.checks.size()));
     return out;
 }
 
@@ -99,22 +102,23 @@ std::string order_text(const ChainStates& states, const ChainResult& result) {
     if (!result.order) return "nothing shows that what follows a state depends on the one before it\n";
     const statistics::OrderContradiction& found = result.order->found;
     const auto after = [&](std::size_t before, const statistics::Interval& each) {
-        return fmt::format("after \"{}\" {}", states.text(before), interval(each));
+        return fmt::format("after \"{}\" {}", states.state_text(before), interval_text(each));
     };
     return fmt::format(
         "REFUTED with confidence {}: what follows a state depends on the one before it; on \"{}\" follows \"{}\" {}, "
         "{}\n",
-        percent(result.order->confidence), states.text(found.state), states.text(found.next),
+        percent_text(result.order->confidence), states.state_text(found.state), states.state_text(found.next),
         after(found.less, found.after_less), after(found.more, found.after_more));
 }
 
 std::string chain_summary(const ChainResult& result) {
-    const auto refuted = std::ranges::count_if(result.answers, [](const ChainAnswer& each) { return each.refuted(); });
+    const auto refuted =
+        std::ranges::count_if(result.answers, [](const ChainAnswer& each) { return each.is_refuted(); });
     const auto fails = std::ranges::count_if(result.answers, [](const ChainAnswer& each) {
-        return !each.refuted() && each.verdict() == ClaimVerdict::fails;
+        return !each.is_refuted() && each.claim_verdict() == ClaimVerdict::fails;
     });
     const auto open = std::ranges::count_if(result.answers, [](const ChainAnswer& each) {
-        return !each.refuted() && each.verdict() == ClaimVerdict::open;
+        return !each.is_refuted() && each.claim_verdict() == ClaimVerdict::open;
     });
     std::string out;
     if (result.order)
@@ -135,11 +139,12 @@ std::string transitions_csv(const ChainStates& states, const statistics::Permitt
     const auto intervals = statistics::transition_intervals(counts, permitted, error);
     std::string out = "from,to,count,visits,low,high\n";
     for (std::size_t from = 0; from < states.size(); ++from) {
-        const std::uint64_t visits = counts.visits(from);
+        const std::uint64_t visits = counts.visit_count(from);
         for (std::size_t to = 0; to < states.size() && visits > 0; ++to)
             if (permitted[from][to])
-                out += fmt::format("\"{}\",\"{}\",{},{},{:.6f},{:.6f}\n", states.text(from), states.text(to),
-                                   counts.count(from, to), visits, intervals[from][to].low, intervals[from][to].high);
+                out +=
+                    fmt::format("\"{}\",\"{}\",{},{},{:.6f},{:.6f}\n", states.state_text(from), states.state_text(to),
+                                counts.count(from, to), visits, intervals[from][to].low, intervals[from][to].high);
     }
     return out;
 }
@@ -189,7 +194,7 @@ Json answer_json(const ChainAnswer& answer) {
     const char* const kind = answer.asked.kind == ChainAsked::Kind::within ? "probability"
                              : answer.asked.kind == ChainAsked::Kind::time ? "time"
                                                                            : "average";
-    std::string verdict = answer.refuted() ? "refuted" : verdict_word(answer.verdict());
+    std::string verdict = answer.is_refuted() ? "refuted" : verdict_word(answer.claim_verdict());
     return Json{{"question", answer.asked.text},   {"kind", kind},
                 {"verdict", std::move(verdict)},   {"confidence", chain_number(answer.asked.confidence)},
                 {"low", chain_number(answer.low)}, {"high", chain_number(answer.high)},
@@ -205,11 +210,11 @@ Json order_json(const ChainStates& states, const ChainResult& result) {
     if (!result.order) return nullptr;
     const statistics::OrderContradiction& found = result.order->found;
     const auto after = [&](std::size_t before, const statistics::Interval& each) {
-        return Json{{"before", states.text(before)}, {"low", each.low}, {"high", each.high}};
+        return Json{{"before", states.state_text(before)}, {"low", each.low}, {"high", each.high}};
     };
     return {{"confidence", result.order->confidence},
-            {"state", states.text(found.state)},
-            {"next", states.text(found.next)},
+            {"state", states.state_text(found.state)},
+            {"next", states.state_text(found.next)},
             {"less", after(found.less, found.after_less)},
             {"more", after(found.more, found.after_more)}};
 }
@@ -235,7 +240,7 @@ std::string chain_json(const Scenario& scenario, const ChainStates& states, cons
                     {"orderAsked", result.order_asked},
                     {"order", order_json(states, result)},
                     {"interrupted", result.interrupted},
-                    {"cpuSeconds", diagnostics::rounded(result.cpu_seconds, 3)},
+                    {"cpuSeconds", diagnostics::round_to_places(result.cpu_seconds, 3)},
                     {"answers", std::move(answers)},
                     {"world", world_lines(scenario)},
                     {"files", files},

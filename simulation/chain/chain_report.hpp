@@ -25,11 +25,11 @@ struct ChainResult {
     bool interrupted = false;
     double cpu_seconds = 0;
 
-    [[nodiscard]] bool refuted() const;
+    [[nodiscard]] bool is_refuted() const;
     /// True if the order or an answer is refuted, or a claim fails.
-    [[nodiscard]] bool fails() const;
+    [[nodiscard]] bool has_failed() const;
     /// True if all questions are answered and none is open.
-    [[nodiscard]] bool complete() const;
+    [[nodiscard]] bool is_complete() const;
 };
 
 /// "holds", "FAILS", "open", "estimated", "REFUTED".

@@ -12,7 +12,7 @@ namespace robochart::simulation {
 
 namespace {
 
-double share(std::uint32_t count, std::uint32_t robots) {
+double robot_share(std::uint32_t count, std::uint32_t robots) {
     return static_cast<double>(count) / static_cast<double>(robots);
 }
 
@@ -65,13 +65,13 @@ void ChainStates::find_classes(const Distinction& distinction) {
     if (robots >= most_states) throw TooManyStates(fmt::format("{} robots", robots));
     const auto level_of = [&](std::uint32_t count) {
         const auto& levels = distinction.levels;
-        return std::ranges::lower_bound(levels, share(count, robots)) - levels.begin();
+        return std::ranges::lower_bound(levels, robot_share(count, robots)) - levels.begin();
     };
     for (std::uint32_t count = 0; count <= robots; ++count) {
         const bool same = count > 0 && !distinction.levels.empty() && level_of(count) == level_of(count - 1);
-        if (!same) found.push_back({true, count, count, share(count, robots), 0});
+        if (!same) found.push_back({true, count, count, robot_share(count, robots), 0});
         found.back().most = count;
-        found.back().high = share(count, robots);
+        found.back().high = robot_share(count, robots);
     }
 }
 
@@ -80,14 +80,14 @@ void ChainStates::find_distributions(const std::vector<std::uint32_t>& classes) 
     if (classes.size() > most_classes)
         throw TooManyStates(fmt::format("{} classes of states of a robot", classes.size()));
     Distribution so_far(classes.size());
-    distribute(so_far, 0, scenario_.robots);
-    for (const Distribution& each : distributions_) distributed_.push_back(projected(each, classes));
+    add_distributions(so_far, 0, scenario_.robots);
+    for (const Distribution& each : distributions_) distributed_.push_back(project_distribution(each, classes));
     admitted_ = distributed_;
     std::ranges::sort(admitted_);
     admitted_.erase(std::unique(admitted_.begin(), admitted_.end()), admitted_.end());
 }
 
-void ChainStates::distribute(Distribution& so_far, std::size_t at, std::uint32_t left) {
+void ChainStates::add_distributions(Distribution& so_far, std::size_t at, std::uint32_t left) {
     if (at + 1 == so_far.size()) {
         so_far[at] = left;
         if (distributions_.size() == most_distributions)
@@ -98,11 +98,12 @@ void ChainStates::distribute(Distribution& so_far, std::size_t at, std::uint32_t
     }
     for (std::uint32_t here = 0; here <= left; ++here) {
         so_far[at] = here;
-        distribute(so_far, at + 1, left - here);
+        add_distributions(so_far, at + 1, left - here);
     }
 }
 
-ChainStates::Tuple ChainStates::projected(const Distribution& robots, const std::vector<std::uint32_t>& classes) const {
+ChainStates::Tuple ChainStates::project_distribution(const Distribution& robots,
+                                                     const std::vector<std::uint32_t>& classes) const {
     Tuple result(classes_.size());
     std::uint32_t bit = 1;
     for (std::size_t d = 0; d < classes_.size(); ++d) {
@@ -125,13 +126,13 @@ ChainStates::Tuple ChainStates::robots_in(const Tuple& state) const {
     return result;
 }
 
-bool ChainStates::fits(const Tuple& state) const {
+bool ChainStates::is_admitted(const Tuple& state) const {
     return std::ranges::binary_search(admitted_, robots_in(state));
 }
 
 void ChainStates::find_states(std::size_t at, Tuple& so_far) {
     if (at == classes_.size()) {
-        if (!fits(so_far)) return;
+        if (!is_admitted(so_far)) return;
         if (states_.size() == most_states) throw TooManyStates(fmt::format("more than {} states", most_states));
         states_.push_back(so_far);
         return;
@@ -144,7 +145,7 @@ void ChainStates::find_states(std::size_t at, Tuple& so_far) {
     so_far.pop_back();
 }
 
-std::size_t ChainStates::of(const std::vector<double>& sample) const {
+std::size_t ChainStates::find_state(const std::vector<double>& sample) const {
     Tuple wanted;
     for (std::size_t d = 0; d < classes_.size(); ++d) {
         const auto& classes = classes_[d];
@@ -157,7 +158,7 @@ std::size_t ChainStates::of(const std::vector<double>& sample) const {
     return found == states_.end() || *found != wanted ? none : static_cast<std::size_t>(found - states_.begin()) + 1;
 }
 
-std::string ChainStates::text(std::size_t state) const {
+std::string ChainStates::state_text(std::size_t state) const {
     if (state == start) return "start";
     std::string result;
     for (std::size_t d = 0; d < classes_.size(); ++d) {
@@ -175,7 +176,7 @@ std::string ChainStates::text(std::size_t state) const {
     return result;
 }
 
-std::optional<MeasureClass> ChainStates::measure(std::size_t state, std::size_t measure) const {
+std::optional<MeasureClass> ChainStates::class_of_measure(std::size_t state, std::size_t measure) const {
     const auto& distinctions = scenario_.abstraction->distinctions;
     for (std::size_t d = 0; d < distinctions.size() && state != start; ++d)
         if (distinctions[d].measure == measure) return classes_[d][states_[state - 1][d]];
@@ -185,7 +186,7 @@ std::optional<MeasureClass> ChainStates::measure(std::size_t state, std::size_t 
 namespace {
 
 /// True if all values of a class are in the band, false if none is; otherwise no value.
-std::optional<bool> within(const MeasureClass& values, double low, double high, std::uint32_t robots) {
+std::optional<bool> is_class_within(const MeasureClass& values, double low, double high, std::uint32_t robots) {
     if (!values.share) {
         if (low <= values.low && values.high <= high) return true;
         if (values.high < low || high <= values.low) return false;
@@ -193,7 +194,7 @@ std::optional<bool> within(const MeasureClass& values, double low, double high, 
     }
     std::uint32_t inside = 0;
     for (std::uint32_t count = values.least; count <= values.most; ++count)
-        if (low <= share(count, robots) && share(count, robots) <= high) ++inside;
+        if (low <= robot_share(count, robots) && robot_share(count, robots) <= high) ++inside;
     if (inside == 0) return false;
     return inside == values.most - values.least + 1 ? std::optional(true) : std::nullopt;
 }
@@ -201,14 +202,14 @@ std::optional<bool> within(const MeasureClass& values, double low, double high, 
 }  // namespace
 
 /// Three-valued logic (Kleene).
-std::optional<bool> ChainStates::holds(const Formula& formula, std::size_t state) const {
+std::optional<bool> ChainStates::holds_in(const Formula& formula, std::size_t state) const {
     switch (formula.kind) {
         case Formula::Kind::compare: {
-            const auto values = measure(state, formula.measure);
-            return values ? within(*values, formula.low, formula.high, scenario_.robots) : std::nullopt;
+            const auto values = class_of_measure(state, formula.measure);
+            return values ? is_class_within(*values, formula.low, formula.high, scenario_.robots) : std::nullopt;
         }
         case Formula::Kind::negation: {
-            const auto part = holds(formula.parts.front(), state);
+            const auto part = holds_in(formula.parts.front(), state);
             return part ? std::optional(!*part) : std::nullopt;
         }
         case Formula::Kind::both:
@@ -216,7 +217,7 @@ std::optional<bool> ChainStates::holds(const Formula& formula, std::size_t state
             const bool decisive = formula.kind == Formula::Kind::either;
             std::optional<bool> result = !decisive;
             for (const Formula& each : formula.parts) {
-                const auto part = holds(each, state);
+                const auto part = holds_in(each, state);
                 if (part == decisive) return decisive;
                 if (!part) result = std::nullopt;
             }
@@ -227,17 +228,17 @@ std::optional<bool> ChainStates::holds(const Formula& formula, std::size_t state
     }
 }
 
-std::optional<std::vector<bool>> ChainStates::holding(const Formula& condition) const {
+std::optional<std::vector<bool>> ChainStates::states_satisfying(const Formula& condition) const {
     std::vector<bool> result{false};
     for (std::size_t state = 1; state < size(); ++state) {
-        const auto here = holds(condition, state);
+        const auto here = holds_in(condition, state);
         if (!here) return std::nullopt;
         result.push_back(*here);
     }
     return result;
 }
 
-bool ChainStates::admits(const Distribution& before, const Distribution& behind) const {
+bool ChainStates::admits_step(const Distribution& before, const Distribution& behind) const {
     const std::size_t count = before.size();
     for (std::uint32_t set = 1; set < std::uint32_t{1} << count; ++set) {
         std::uint32_t inside = 0;
@@ -254,7 +255,7 @@ bool ChainStates::admits(const Distribution& before, const Distribution& behind)
     return true;
 }
 
-statistics::Permitted ChainStates::permitted(diagnostics::Budget* budget) const {
+statistics::Permitted ChainStates::permitted_transitions(diagnostics::Budget* budget) const {
     statistics::Permitted result = statistics::all_permitted(size());
     const auto number = [&](const Tuple& robots) {
         return static_cast<std::size_t>(std::ranges::lower_bound(admitted_, robots) - admitted_.begin());
@@ -270,7 +271,8 @@ statistics::Permitted ChainStates::permitted(diagnostics::Budget* budget) const 
         if (begins) first[source] = true;
         for (std::size_t to = 0; to < distributions_.size(); ++to) {
             const std::size_t target = number(distributed_[to]);
-            if (!follows[source][target]) follows[source][target] = admits(distributions_[from], distributions_[to]);
+            if (!follows[source][target])
+                follows[source][target] = admits_step(distributions_[from], distributions_[to]);
         }
     }
     for (std::vector<bool>& row : follows)

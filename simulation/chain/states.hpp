@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/diagnostics/budget.hpp"
-#include "simulation/scenario/scenario.hpp"
 #include "base/statistics/chains.hpp"
+#include "simulation/scenario/scenario.hpp"
 
 namespace robochart::simulation {
 
@@ -56,19 +56,19 @@ public:
     /// The number of states, including the start state.
     [[nodiscard]] std::size_t size() const { return states_.size() + 1; }
     /// The state for the values of a sample; `none` if there is none.
-    [[nodiscard]] std::size_t of(const std::vector<double>& sample) const;
+    [[nodiscard]] std::size_t find_state(const std::vector<double>& sample) const;
     /// "searching 3 of 10, way 50 to 100 cm".
-    [[nodiscard]] std::string text(std::size_t state) const;
+    [[nodiscard]] std::string state_text(std::size_t state) const;
     /// The class of a measure in a state; no value if it is not distinguished, or in the start state.
-    [[nodiscard]] std::optional<MeasureClass> measure(std::size_t state, std::size_t measure) const;
+    [[nodiscard]] std::optional<MeasureClass> class_of_measure(std::size_t state, std::size_t measure) const;
     /// For each state, whether the condition is true in it (false in the start state); no value if a state does not
     /// determine it.
-    [[nodiscard]] std::optional<std::vector<bool>> holding(const Formula& condition) const;
+    [[nodiscard]] std::optional<std::vector<bool>> states_satisfying(const Formula& condition) const;
     /// The permitted transitions. The robots' steps restrict changes of robot numbers; other measures may change
     /// without restriction. A robot's steps allow a change of the numbers exactly if, for every set of classes, at most
     /// as many robots are in it as are in its successors afterwards (Hall's theorem for transports). If they allow no
     /// successor of a state, all are permitted: a proof that time stops does not apply to code that continues.
-    [[nodiscard]] statistics::Permitted permitted(diagnostics::Budget* = nullptr) const;
+    [[nodiscard]] statistics::Permitted permitted_transitions(diagnostics::Budget* = nullptr) const;
 
 private:
     /// One class for each distinction.
@@ -78,14 +78,14 @@ private:
 
     void find_classes(const Distinction&);
     void find_distributions(const std::vector<std::uint32_t>& classes);
-    void distribute(Distribution& so_far, std::size_t at, std::uint32_t left);
+    void add_distributions(Distribution& so_far, std::size_t at, std::uint32_t left);
     void find_states(std::size_t at, Tuple& so_far);
     /// The classes of the distinctions by `in_state` for these robots; 0 for all other distinctions.
-    [[nodiscard]] Tuple projected(const Distribution&, const std::vector<std::uint32_t>& classes) const;
-    [[nodiscard]] bool fits(const Tuple&) const;
+    [[nodiscard]] Tuple project_distribution(const Distribution&, const std::vector<std::uint32_t>& classes) const;
+    [[nodiscard]] bool is_admitted(const Tuple&) const;
     [[nodiscard]] Tuple robots_in(const Tuple&) const;
-    [[nodiscard]] bool admits(const Distribution& before, const Distribution& behind) const;
-    [[nodiscard]] std::optional<bool> holds(const Formula&, std::size_t state) const;
+    [[nodiscard]] bool admits_step(const Distribution& before, const Distribution& behind) const;
+    [[nodiscard]] std::optional<bool> holds_in(const Formula&, std::size_t state) const;
     [[nodiscard]] bool is_in_state(std::size_t distinction) const;
 
     const Scenario& scenario_;

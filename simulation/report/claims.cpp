@@ -11,7 +11,7 @@
 
 namespace robochart::simulation {
 
-std::uint64_t ClaimResult::stopped() const {
+std::uint64_t ClaimResult::stopped_count() const {
     return static_cast<std::uint64_t>(
         std::ranges::count_if(outcomes, [](const ClaimOutcome& each) { return each.stopped; }));
 }
@@ -28,38 +28,38 @@ void ClaimJudge::add(const ClaimOutcome& outcome, std::uint64_t steps) {
     result_.successes += outcome.holds ? 1U : 0U;
     result_.steps += steps;
     if (claim_.estimate)
-        estimate();
+        update_estimate();
     else if (claim_.indifference > 0)
-        test();
+        run_test();
     else
-        look_at_interval();
-    done_ = done_ || result_.trials() >= claim_.trials;
+        update_interval();
+    done_ = done_ || result_.trial_count() >= claim_.trials;
 }
 
-void ClaimJudge::look_at_interval() {
-    const auto interval = looks_.at(result_.successes, result_.trials());
+void ClaimJudge::update_interval() {
+    const auto interval = looks_.interval_after(result_.successes, result_.trial_count());
     if (!interval) return;
     result_.interval = *interval;
-    result_.looked = result_.trials();
+    result_.looked = result_.trial_count();
     const double p = claim_.probability;
     const bool above = claim_.at_least ? interval->low >= p : interval->low > p;
     const bool below = claim_.at_least ? interval->high < p : interval->high <= p;
-    if (above || below) decide(above);
+    if (above || below) set_verdict(above);
 }
 
-void ClaimJudge::estimate() {
-    if (result_.trials() < claim_.trials) return;
-    result_.interval = statistics::clopper_pearson(result_.successes, result_.trials(), result_.error);
-    result_.looked = result_.trials();
+void ClaimJudge::update_estimate() {
+    if (result_.trial_count() < claim_.trials) return;
+    result_.interval = statistics::clopper_pearson(result_.successes, result_.trial_count(), result_.error);
+    result_.looked = result_.trial_count();
     result_.verdict = ClaimVerdict::estimated;
 }
 
-void ClaimJudge::test() {
-    const statistics::Sprt::Answer answer = sprt_.answer(result_.successes, result_.trials());
-    if (answer != statistics::Sprt::Answer::open) decide(answer == statistics::Sprt::Answer::at_least);
+void ClaimJudge::run_test() {
+    const statistics::Sprt::Answer answer = sprt_.answer(result_.successes, result_.trial_count());
+    if (answer != statistics::Sprt::Answer::open) set_verdict(answer == statistics::Sprt::Answer::at_least);
 }
 
-void ClaimJudge::decide(bool above) {
+void ClaimJudge::set_verdict(bool above) {
     result_.verdict = above == claim_.at_least ? ClaimVerdict::holds : ClaimVerdict::fails;
     done_ = true;
 }
@@ -78,18 +78,18 @@ std::string verdict_word(ClaimVerdict verdict) {
 }
 
 std::string evidence_text(const Claim& claim, const ClaimResult& found) {
-    std::string text = fmt::format("{} of {} trials", found.successes, found.trials());
+    std::string text = fmt::format("{} of {} trials", found.successes, found.trial_count());
     if (claim.indifference > 0)
         text += fmt::format("; test of at least {} against at most {}, each answer wrong with at most {}",
-                            percent(claim.probability + claim.indifference),
-                            percent(claim.probability - claim.indifference), percent(found.error));
+                            percent_text(claim.probability + claim.indifference),
+                            percent_text(claim.probability - claim.indifference), percent_text(found.error));
     else if (found.looked > 0)
         text +=
             fmt::format("; between {} and {}{}", percent_below(found.interval.low), percent_above(found.interval.high),
-                        found.looked == found.trials() ? "" : fmt::format(" (after {} trials)", found.looked));
+                        found.looked == found.trial_count() ? "" : fmt::format(" (after {} trials)", found.looked));
     if (found.verdict == ClaimVerdict::open)
-        text += found.trials() >= claim.trials ? "; no more trials are allowed" : "; it needs more trials";
-    if (const std::uint64_t stopped = found.stopped(); stopped > 0)
+        text += found.trial_count() >= claim.trials ? "; no more trials are allowed" : "; it needs more trials";
+    if (const std::uint64_t stopped = found.stopped_count(); stopped > 0)
         text += fmt::format("; {} of them stopped by a controller, counted against it", stopped);
     return text;
 }
@@ -98,8 +98,8 @@ namespace {
 
 std::string errors_text(const Sensor& sensor) {
     return sensor.false_negative > 0 || sensor.false_positive > 0
-               ? fmt::format("missed in {}, seen where there is none in {} of looks", percent(sensor.false_negative),
-                             percent(sensor.false_positive))
+               ? fmt::format("missed in {}, seen where there is none in {} of looks",
+                             percent_text(sensor.false_negative), percent_text(sensor.false_positive))
                : "without errors";
 }
 
@@ -111,7 +111,8 @@ std::string sensor_line(const Sensor& sensor) {
             return text + fmt::format("line of sight {}, {}", range(sensor.sight_range),
                                       sensor.false_negative > 0 || sensor.false_positive > 0
                                           ? fmt::format("{} of robots missed, {} seen that are not there",
-                                                        percent(sensor.false_negative), percent(sensor.false_positive))
+                                                        percent_text(sensor.false_negative),
+                                                        percent_text(sensor.false_positive))
                                           : "without errors");
         case SensorKind::range_and_bearing: {
             const RangeAndBearing& radio = sensor.range_and_bearing;
@@ -120,11 +121,11 @@ std::string sensor_line(const Sensor& sensor) {
                                       radio.noise > 0
                                           ? fmt::format("distances with a deviation of {:g} cm", radio.noise)
                                           : "exact distances",
-                                      radio.loss > 0 ? fmt::format("{} lost", percent(radio.loss)) : "none lost");
+                                      radio.loss > 0 ? fmt::format("{} lost", percent_text(radio.loss)) : "none lost");
         }
         case SensorKind::light:
             return text + fmt::format("{} light sensors with shadows, {} leak", sensor.light_ring.sensors,
-                                      percent(sensor.light_ring.leak));
+                                      percent_text(sensor.light_ring.leak));
         case SensorKind::ground:
             return text + fmt::format("the distance to {}, {}", sensor.source.text, errors_text(sensor));
         case SensorKind::proximity:
@@ -165,7 +166,7 @@ std::string placements_line(const Scenario& scenario, const RobotKind& kind) {
                        left_out > 0 ? fmt::format("; and {} more places", left_out) : "");
 }
 
-const char* what_fails(const Failure& failure) {
+const char* failing_part(const Failure& failure) {
     return failure.kind == FailureKind::motors    ? "motors"
            : failure.kind == FailureKind::radio   ? "radio"
            : failure.kind == FailureKind::sensors ? "sensors"
@@ -174,7 +175,7 @@ const char* what_fails(const Failure& failure) {
 
 std::string failure_line(const Scenario& scenario, const RobotKind& kind, const Failure& failure) {
     const std::string whose = of_whom(scenario, kind);
-    const char* const what = what_fails(failure);
+    const char* const what = failing_part(failure);
     return failure.mean_time > 0
                ? fmt::format("failures{}: {} of each robot, after {:g} s in the mean, exponentially", whose, what,
                              failure.mean_time)
@@ -197,7 +198,7 @@ std::string act_text(const Scenario& scenario, const WorldAct& act) {
             return fmt::format("{} lets {} {}", act.on.text, obstacle(),
                                act.kind == Kind::obstacle_appear ? "appear" : "vanish");
         case Kind::failure:
-            return fmt::format("{} lets {} fail of {} robots, drawn at random", act.on.text, what_fails(act.failure),
+            return fmt::format("{} lets {} fail of {} robots, drawn at random", act.on.text, failing_part(act.failure),
                                act.failure.robots);
         case Kind::stimulus:
             return fmt::format("{} raises {}", act.on.text, act.stimulus.event.text);
@@ -218,12 +219,13 @@ std::string environment_line(const Scenario& scenario) {
 }
 
 /// The differences of a kind from the first kind: ", axle of 8 cm, wheels to 6 cm/s, without noise".
-std::string own_drive(const Scenario& scenario, std::size_t kind) {
+std::string drive_differences(const Scenario& scenario, std::size_t kind) {
     const OwnDrive& own = scenario.kind_at(kind).own;
     std::string text;
     if (own.axle) text += fmt::format(", axle of {:g} cm", *own.axle);
     if (own.max_wheel) text += fmt::format(", wheels to {:g} cm/s", *own.max_wheel);
-    if (own.noise) text += *own.noise > 0 ? fmt::format(", {} noise of each", percent(*own.noise)) : ", without noise";
+    if (own.noise)
+        text += *own.noise > 0 ? fmt::format(", {} noise of each", percent_text(*own.noise)) : ", without noise";
     return text;
 }
 
@@ -247,19 +249,19 @@ std::vector<std::string> world_lines(const Scenario& scenario) {
     lines.push_back(
         fmt::format("{} robot{} of radius {:g} cm, wheels to {:g} cm/s, {}", scenario.all_robots(),
                     scenario.all_robots() == 1 ? "" : "s", body.radius, body.max_wheel,
-                    body.noise > 0 ? fmt::format("{} noise of each", percent(body.noise)) : "without noise"));
+                    body.noise > 0 ? fmt::format("{} noise of each", percent_text(body.noise)) : "without noise"));
     lines.push_back(fmt::format("{:g} cm by {:g} cm {}{}", arena.width, arena.height,
                                 arena.walled ? "with walls" : "without walls",
                                 arena.walls.empty() ? "" : fmt::format(", {} inside", arena.walls.size())));
-    for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind) {
+    for (std::size_t kind = 0; kind < scenario.kind_count() && !scenario.others.empty(); ++kind) {
         const RobotKind& robots = scenario.kind_at(kind);
         lines.push_back(fmt::format("{}: {} robots by {}{}", robots.kind.text.empty() ? "first kind" : robots.kind.text,
-                                    robots.robots, robots.component.text, own_drive(scenario, kind)));
+                                    robots.robots, robots.component.text, drive_differences(scenario, kind)));
     }
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind)
         lines.push_back(placements_line(scenario, scenario.kind_at(kind)));
     for (const Sensor& sensor : scenario.sensors) lines.push_back(sensor_line(sensor));
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind)
         for (const Failure& failure : scenario.kind_at(kind).failures)
             lines.push_back(failure_line(scenario, scenario.kind_at(kind), failure));
     if (scenario.environment) lines.push_back(environment_line(scenario));

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "simulation/trial/trial.hpp"
 #include "base/statistics/sequential.hpp"
+#include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {
 
@@ -33,8 +33,8 @@ struct ClaimResult {
     std::uint64_t steps = 0;             ///< control steps until the property was known, over all its trials
     std::vector<ClaimOutcome> outcomes;  ///< the trials that the verdict is based on, in the order of seeds
 
-    [[nodiscard]] std::uint64_t trials() const { return outcomes.size(); }
-    [[nodiscard]] std::uint64_t stopped() const;
+    [[nodiscard]] std::uint64_t trial_count() const { return outcomes.size(); }
+    [[nodiscard]] std::uint64_t stopped_count() const;
 };
 
 /// Receives the trials of a claim one after another until it is decided.
@@ -44,16 +44,16 @@ public:
     ClaimJudge(const Claim&, std::uint32_t comparisons);
 
     /// True if no more trials are needed, because the claim is decided or the maximum is reached.
-    [[nodiscard]] bool done() const { return done_; }
+    [[nodiscard]] bool is_done() const { return done_; }
     /// Adds the next trial, which must have an answer.
     void add(const ClaimOutcome&, std::uint64_t steps);
     [[nodiscard]] const ClaimResult& result() const { return result_; }
 
 private:
-    void look_at_interval();
-    void test();
-    void estimate();
-    void decide(bool above);
+    void update_interval();
+    void run_test();
+    void update_estimate();
+    void set_verdict(bool above);
 
     const Claim& claim_;
     ClaimResult result_;

@@ -56,15 +56,15 @@ std::string picture_style() {
     return rules_of(light) + "@media screen and (prefers-color-scheme:dark){" + rules_of(dark) + "}";
 }
 
-const char* colour(std::size_t number) {
+const char* series_colour(std::size_t number) {
     return palette.at(number % palette.size());
 }
 
 const char* state_colour(std::size_t state, std::size_t states) {
-    return state < states ? colour(state) : "#777777";
+    return state < states ? series_colour(state) : "#777777";
 }
 
-std::vector<double> ticks(double low, double high, std::size_t most) {
+std::vector<double> axis_ticks(double low, double high, std::size_t most) {
     if (!(high > low) || most < 2) return {};
     const double least = (high - low) / static_cast<double>(most - 1);
     const double power = std::pow(10, std::floor(std::log10(least)));
@@ -109,8 +109,8 @@ std::string robot_symbols(std::size_t states, double radius, double outline, con
     std::string out = "<defs>\n";
     for (std::size_t s = 0; s <= states; ++s) {
         const bool between = s == states;
-        const std::string body =
-            between ? "class=\"sim-body sim-between\"" : fmt::format("class=\"sim-body\" fill=\"{}\"", colour(s));
+        const std::string body = between ? "class=\"sim-body sim-between\""
+                                         : fmt::format("class=\"sim-body\" fill=\"{}\"", series_colour(s));
         const std::size_t mark = between ? 0 : s % marks.size();
         out += fmt::format(
             "<g id=\"{}{}\" transform=\"scale({:g})\"><circle r=\"1\" stroke-width=\"{:.3f}\" {}/><path d=\"{}\" "

@@ -16,13 +16,13 @@ namespace robochart::simulation {
 
 /// Colours that colour-blind readers can distinguish (Okabe and Ito, Color universal design, 2008), repeated
 /// cyclically.
-[[nodiscard]] const char* colour(std::size_t number);
+[[nodiscard]] const char* series_colour(std::size_t number);
 /// The colour of a state; grey between states.
 [[nodiscard]] const char* state_colour(std::size_t state, std::size_t states);
 
 /// Round numbers (with a distance of 1, 2 or 5 times a power of ten) from `low` to `high`: at most `most`, and at least
 /// two if possible.
-[[nodiscard]] std::vector<double> ticks(double low, double high, std::size_t most);
+[[nodiscard]] std::vector<double> axis_ticks(double low, double high, std::size_t most);
 
 /// "12", "0.5"; never "-0".
 [[nodiscard]] std::string number_text(double value);

@@ -26,7 +26,7 @@ struct Span {
 
 class LinePlotter {
 public:
-    explicit LinePlotter(const LinePlot& plot) : plot_(plot), legend_(entries(), width, 1) {
+    explicit LinePlotter(const LinePlot& plot) : plot_(plot), legend_(legend_entries(), width, 1) {
         top_ = 34 + legend_.height() + 12;
         bool first = true;
         for (const PlotLine& line : plot.lines)
@@ -45,8 +45,8 @@ public:
     }
 
     std::string operator()() {
-        axes();
-        for (std::size_t i = 0; i < plot_.lines.size(); ++i) line(i);
+        draw_axes();
+        for (std::size_t i = 0; i < plot_.lines.size(); ++i) draw_line(i);
         const double total = top_ + height + 54;
         return fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 520 {0:g}\" width=\"520\" height=\"{0:g}\" "
@@ -60,10 +60,10 @@ public:
 private:
     static constexpr double left = 62, width = 440, height = 240;
 
-    [[nodiscard]] std::vector<LegendEntry> entries() const {
+    [[nodiscard]] std::vector<LegendEntry> legend_entries() const {
         std::vector<LegendEntry> list;
         for (std::size_t i = 0; i < plot_.lines.size(); ++i)
-            list.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"/>", colour(i)),
+            list.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"/>", series_colour(i)),
                             plot_.lines[i].name});
         return list;
     }
@@ -71,14 +71,14 @@ private:
     [[nodiscard]] double x(double value) const { return left + width * x_.share(value); }
     [[nodiscard]] double y(double value) const { return top_ + height * (1 - y_.share(value)); }
 
-    void axes() {
+    void draw_axes() {
         const double bottom = top_ + height;
-        for (const double value : ticks(y_.low, y_.high, 6))
+        for (const double value : axis_ticks(y_.low, y_.high, 6))
             out_ += fmt::format(
                 "<path class=\"sim-grid\" d=\"M{:g} {:.1f}H{:g}\"/><text class=\"sim-soft\" x=\"{:g}\" y=\"{:.1f}\" "
                 "text-anchor=\"end\">{}</text>\n",
                 left, y(value), left + width, left - 6, y(value) + 4, number_text(value));
-        for (const double value : ticks(x_.low, x_.high, 8))
+        for (const double value : axis_ticks(x_.low, x_.high, 8))
             out_ += fmt::format(
                 "<path class=\"sim-axis\" d=\"M{0:.1f} {1:g}v5\"/><text class=\"sim-soft\" x=\"{0:.1f}\" y=\"{2:g}\" "
                 "text-anchor=\"middle\">{3}</text>\n",
@@ -90,18 +90,18 @@ private:
     }
 
     /// Points with their intervals, connected by lines.
-    void line(std::size_t number) {
+    void draw_line(std::size_t number) {
         std::string joined;
         for (const PlotPoint& point : plot_.lines[number].points) {
             joined += fmt::format("{}{:.1f},{:.1f}", joined.empty() ? "" : " ", x(point.x), y(point.y));
             out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n", x(point.x), y(point.y),
-                                colour(number));
+                                series_colour(number));
             if (point.low < point.high)
                 out_ += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\"/>\n", x(point.x), y(point.low),
-                                    y(point.high), colour(number));
+                                    y(point.high), series_colour(number));
         }
         out_ += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", joined,
-                            colour(number));
+                            series_colour(number));
     }
 
     const LinePlot& plot_;

@@ -8,7 +8,7 @@
 
 namespace robochart::simulation {
 
-std::string percent(double probability) {
+std::string percent_text(double probability) {
     return fmt::format("{:.6g} %", 100 * probability + 0.0);  // -0 becomes 0
 }
 

@@ -7,7 +7,7 @@
 namespace robochart::simulation {
 
 /// "95 %", "0.25 %": at most six digits.
-[[nodiscard]] std::string percent(double probability);
+[[nodiscard]] std::string percent_text(double probability);
 /// Three decimals, rounded down or up.
 [[nodiscard]] std::string percent_below(double probability);
 [[nodiscard]] std::string percent_above(double probability);

@@ -27,10 +27,10 @@ struct Range {
 class Plotter {
 public:
     Plotter(const Chart& chart, const std::vector<double>& times, const PlotOptions& options)
-        : chart_(chart), times_(times), options_(options), legend_(entries(), area_.width, 1) {
+        : chart_(chart), times_(times), options_(options), legend_(legend_entries(), area_.width, 1) {
         area_.top = 24 + legend_.height() + 12;
         end_ = times.empty() || times.back() <= 0 ? 1 : times.back();
-        range_ = range();
+        range_ = value_range();
     }
 
     Plot draw() {
@@ -38,10 +38,10 @@ public:
             "<text class=\"sim-text\" x=\"{:g}\" y=\"16\" font-size=\"14\" font-weight=\"bold\">{}</text>\n",
             area_.left, xml_text(chart_.title));
         out_ += legend_.svg(area_.left, 24);
-        axes();
-        for (std::size_t s = 0; s < chart_.series.size(); ++s) bands(s);
-        for (const Target& target : chart_.targets) mark(target);
-        for (std::size_t s = 0; s < chart_.series.size(); ++s) lines(s);
+        draw_axes();
+        for (std::size_t s = 0; s < chart_.series.size(); ++s) draw_bands(s);
+        for (const Target& target : chart_.targets) mark_target(target);
+        for (std::size_t s = 0; s < chart_.series.size(); ++s) draw_lines(s);
         if (options_.now)
             out_ += fmt::format("<line class=\"sim-now\" x1=\"{0:g}\" x2=\"{0:g}\" y1=\"{1:g}\" y2=\"{2:g}\"/>\n",
                                 x(end_), area_.top, area_.top + area_.height);
@@ -49,24 +49,26 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t trials() const { return chart_.series.empty() ? 0 : chart_.series.front().trials.size(); }
+    [[nodiscard]] std::size_t trial_count() const {
+        return chart_.series.empty() ? 0 : chart_.series.front().trials.size();
+    }
 
     /// The band of all trials is drawn only for a single series, because several bands would hide each other.
-    [[nodiscard]] bool everything() const { return chart_.series.size() == 1; }
+    [[nodiscard]] bool shows_full_band() const { return chart_.series.size() == 1; }
 
-    [[nodiscard]] std::vector<LegendEntry> entries() const {
+    [[nodiscard]] std::vector<LegendEntry> legend_entries() const {
         std::vector<LegendEntry> list;
-        const bool several = trials() > 1;
+        const bool several = trial_count() > 1;
         for (std::size_t s = 0; s < chart_.series.size(); ++s) {
             const std::string name = chart_.series[s].name;
-            list.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"{}/>", colour(s),
+            list.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"{}/>", series_colour(s),
                                         dashes.at(s % dashes.size())),
                             several ? (name.empty() ? "median of the trials" : name + ", median")
                                     : (name.empty() ? "the trial" : name)});
         }
         if (several) {
             list.push_back({swatch(0.36), "the middle half"});
-            if (everything()) list.push_back({swatch(0.16), "all trials"});
+            if (shows_full_band()) list.push_back({swatch(0.16), "all trials"});
         }
         if (options_.trials && several)
             list.push_back({"<path class=\"sim-one\" d=\"M-7 0H7\" stroke-width=\"1.2\"/>", "the trial shown"});
@@ -83,12 +85,12 @@ private:
 
     static std::string swatch(double opacity) {
         return fmt::format("<rect x=\"-7\" y=\"-5\" width=\"14\" height=\"10\" fill=\"{}\" fill-opacity=\"{:g}\"/>",
-                           colour(0), opacity);
+                           series_colour(0), opacity);
     }
 
     /// Returns the range from 0 (or the least value, if that is negative) to the greatest value, including targets that
     /// are near.
-    [[nodiscard]] Range range() const {
+    [[nodiscard]] Range value_range() const {
         Range found{0, 0};
         for (const Series& each : chart_.series)
             for (const Quartiles& at : each.all) {
@@ -110,17 +112,17 @@ private:
         return area_.top + area_.height * (1 - share);
     }
 
-    void axes() {
+    void draw_axes() {
         const double bottom = area_.top + area_.height;
         const double right = area_.left + area_.width;
-        for (const double value : ticks(range_.low, range_.high, 6)) {
+        for (const double value : axis_ticks(range_.low, range_.high, 6)) {
             if (chart_.whole && value != std::floor(value)) continue;
             out_ += fmt::format(
                 "<path class=\"sim-grid\" d=\"M{:g} {:.1f}H{:g}\"/><text class=\"sim-soft\" x=\"{:g}\" "
                 "y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n",
                 area_.left, y(value), right, area_.left - 6, y(value) + 4, number_text(value));
         }
-        for (const double time : ticks(0, end_, 8))
+        for (const double time : axis_ticks(0, end_, 8))
             out_ += fmt::format(
                 "<path class=\"sim-axis\" d=\"M{0:.1f} {1:g}v5\"/><text class=\"sim-soft\" x=\"{0:.1f}\" "
                 "y=\"{2:g}\" text-anchor=\"middle\">{3}</text>\n",
@@ -134,7 +136,7 @@ private:
             area_.top + area_.height / 2, chart_.unit.empty() ? "number" : "[" + chart_.unit + "]");
     }
 
-    [[nodiscard]] std::string points(const std::vector<double>& values) const {
+    [[nodiscard]] std::string polyline_points(const std::vector<double>& values) const {
         std::string text;
         for (std::size_t i = 0; i < values.size(); ++i)
             text += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "" : " ", x(times_[i]), y(values[i]));
@@ -142,41 +144,41 @@ private:
     }
 
     template <class Low, class High>
-    void band(std::size_t series, double opacity, Low low, High high) {
+    void draw_band(std::size_t series, double opacity, Low low, High high) {
         const std::vector<Quartiles>& all = chart_.series[series].all;
         std::string outline;
         for (std::size_t i = 0; i < all.size(); ++i)
             outline += fmt::format("{:.1f},{:.1f} ", x(times_[i]), y(high(all[i])));
         for (std::size_t i = all.size(); i-- > 0;)
             outline += fmt::format("{:.1f},{:.1f} ", x(times_[i]), y(low(all[i])));
-        out_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{:g}\"/>\n", outline, colour(series),
-                            opacity);
+        out_ += fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{:g}\"/>\n", outline,
+                            series_colour(series), opacity);
     }
 
-    void bands(std::size_t series) {
-        if (trials() < 2) return;
-        if (everything())
-            band(
+    void draw_bands(std::size_t series) {
+        if (trial_count() < 2) return;
+        if (shows_full_band())
+            draw_band(
                 series, 0.16, [](const Quartiles& q) { return q.least; }, [](const Quartiles& q) { return q.most; });
-        band(
+        draw_band(
             series, 0.2, [](const Quartiles& q) { return q.lower; }, [](const Quartiles& q) { return q.upper; });
     }
 
-    void lines(std::size_t series) {
+    void draw_lines(std::size_t series) {
         const Series& each = chart_.series[series];
         std::vector<double> middles;
         for (const Quartiles& at : each.all) middles.push_back(at.middle);
         out_ += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n",
-                            points(middles), colour(series), dashes.at(series % dashes.size()));
-        if (!options_.trials || trials() < 2) return;
+                            polyline_points(middles), series_colour(series), dashes.at(series % dashes.size()));
+        if (!options_.trials || trial_count() < 2) return;
         for (std::size_t trial = 0; trial < each.trials.size(); ++trial)
             out_ += fmt::format(
                 "<polyline class=\"sim-one sim-trial\" data-trial=\"{}\" stroke-width=\"1.2\"{} points=\"{}\"/>\n",
-                trial, dashes.at(series % dashes.size()), points(each.trials[trial]));
+                trial, dashes.at(series % dashes.size()), polyline_points(each.trials[trial]));
     }
 
     /// A bracket along values at a time, or along times at a level.
-    void mark(const Target& target) {
+    void mark_target(const Target& target) {
         const char* const dash = target.mean ? " stroke-dasharray=\"3 2\"" : "";
         if (target.low == target.high && target.from != target.to) {
             out_ += fmt::format(
@@ -205,7 +207,7 @@ private:
 
 }  // namespace
 
-Plot plot(const Chart& chart, const std::vector<double>& times, const PlotOptions& options) {
+Plot draw_plot(const Chart& chart, const std::vector<double>& times, const PlotOptions& options) {
     return Plotter(chart, times, options).draw();
 }
 
@@ -213,7 +215,7 @@ std::string plots_svg(const Scenario& scenario, const Charts& charts) {
     std::string body;
     double top = 10;
     for (const Chart& chart : charts.charts) {
-        const Plot made = plot(chart, charts.times);
+        const Plot made = draw_plot(chart, charts.times);
         body += fmt::format("<g transform=\"translate(0 {:g})\">\n{}</g>\n", top, made.svg);
         top += made.height + 12;
     }

@@ -27,7 +27,7 @@ struct Plot {
     double height = 0;
     PlotArea area;
 };
-[[nodiscard]] Plot plot(const Chart&, const std::vector<double>& times, const PlotOptions& = {});
+[[nodiscard]] Plot draw_plot(const Chart&, const std::vector<double>& times, const PlotOptions& = {});
 
 /// All charts of a run below each other, as a picture.
 [[nodiscard]] std::string plots_svg(const Scenario&, const Charts&);

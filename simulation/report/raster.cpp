@@ -9,7 +9,7 @@
 
 namespace robochart::simulation {
 
-Raster rasterise(const Scenario& scenario, const Frame& frame, std::size_t states, std::size_t width) {
+Raster rasterise_frame(const Scenario& scenario, const Frame& frame, std::size_t states, std::size_t width) {
     const View view = view_of(scenario, {frame});
     const double scale = static_cast<double>(width) / view.width;
     // Video codecs require even sizes.
@@ -37,7 +37,7 @@ Raster rasterise(const Scenario& scenario, const Frame& frame, std::size_t state
         if (now.on) disk(now.at, 6, "#f5c400");
     }
     for (std::size_t r = 0; r < frame.poses.size(); ++r)
-        disk(frame.poses[r].at, scenario.world.body.radius, state_colour(frame.state(r), states));
+        disk(frame.poses[r].at, scenario.world.body.radius, state_colour(frame.robot_state(r), states));
     return raster;
 }
 

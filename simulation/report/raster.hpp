@@ -15,6 +15,6 @@ struct Raster {
     std::vector<unsigned char> dots;
 };
 /// `states`: the number of states of a controller's first machine.
-[[nodiscard]] Raster rasterise(const Scenario&, const Frame&, std::size_t states, std::size_t width);
+[[nodiscard]] Raster rasterise_frame(const Scenario&, const Frame&, std::size_t states, std::size_t width);
 
 }  // namespace robochart::simulation

@@ -25,24 +25,24 @@ Dimension dimension_of(const Scenario& scenario, const Band& band) {
 }
 
 /// Six significant digits; null if the value is not a number.
-Json number(double value) {
+Json json_number(double value) {
     if (!std::isfinite(value)) return nullptr;
     return Json::parse(fmt::format("{:.6g}", value));
 }
 
-double simulated(const Scenario& scenario, const RunResult& result) {
+double simulated_time(const Scenario& scenario, const RunResult& result) {
     return static_cast<double>(result.steps) * scenario.world.control_step;
 }
 
 Json band_json(const Band& band, const BandResult& found, std::size_t index, const RunResult& result) {
     Json trials = Json::array();
-    for (const TrialResult& trial : result.trials) trials.push_back(number(trial.statistics.at(index)));
+    for (const TrialResult& trial : result.trials) trials.push_back(json_number(trial.statistics.at(index)));
     return Json{{"band", band.text},
                 {"holds", found.holds},
                 {"each", band.each},
-                {"low", number(band.low)},
-                {"high", number(band.high)},
-                {"value", number(found.value)},
+                {"low", json_number(band.low)},
+                {"high", json_number(band.high)},
+                {"value", json_number(found.value)},
                 {"trialsOutside", found.trials_outside},
                 {"trials", std::move(trials)}};
 }
@@ -58,17 +58,17 @@ Json claim_json(const Claim& claim, const ClaimResult& found) {
     Json json{{"claim", claim.text},
               {"verdict", verdict_word(found.verdict)},
               {"atLeast", claim.estimate ? Json() : Json(claim.at_least)},
-              {"probability", claim.estimate ? Json() : number(claim.probability)},
-              {"confidence", number(claim.confidence)},
-              {"error", number(found.error)},
-              {"trials", found.trials()},
+              {"probability", claim.estimate ? Json() : json_number(claim.probability)},
+              {"confidence", json_number(claim.confidence)},
+              {"error", json_number(found.error)},
+              {"trials", found.trial_count()},
               {"most", claim.trials},
               {"successes", found.successes},
-              {"stopped", found.stopped()},
+              {"stopped", found.stopped_count()},
               {"steps", found.steps}};
     if (claim.indifference > 0) {
         json["method"] = "sequential test";
-        json["indifference"] = number(claim.indifference);
+        json["indifference"] = json_number(claim.indifference);
     } else {
         json["method"] = "Clopper-Pearson";
         json["low"] = found.interval.low;
@@ -91,7 +91,7 @@ Json trials_json(const RunResult& result) {
         Json& json = list.emplace_back(Json{{"steps", trial.steps}, {"complete", trial.complete}});
         if (!trial.stop) continue;
         json["stop"] = Json{{"robot", trial.stop->environment ? Json() : Json(trial.stop->robot)},
-                            {"time", number(trial.stop->time)},
+                            {"time", json_number(trial.stop->time)},
                             {"cause", trial.stop->cause},
                             {"place", trial.stop->place}};
     }
@@ -131,7 +131,7 @@ std::string bands_text(const Scenario& scenario, const RunResult& result) {
     return out;
 }
 
-std::string summary(const RunResult& result) {
+std::string summary_text(const RunResult& result) {
     const auto held = std::ranges::count_if(result.bands, [](const auto& b) { return b.holds; });
     const auto count = [&](ClaimVerdict verdict) {
         return std::ranges::count_if(result.claims, [&](const ClaimResult& claim) { return claim.verdict == verdict; });
@@ -148,7 +148,7 @@ std::string summary(const RunResult& result) {
 }
 
 std::string run_text(const Scenario& scenario, const RunResult& result) {
-    const double seconds = simulated(scenario, result);
+    const double seconds = simulated_time(scenario, result);
     const double steps = seconds / scenario.world.control_step * scenario.all_robots();
     return fmt::format(
         "{:.0f} s simulated in {:.2f} s: {:.0f} times real time; {:.2f} million robot-steps a CPU second\n", seconds,
@@ -158,7 +158,7 @@ std::string run_text(const Scenario& scenario, const RunResult& result) {
 Json guard_json(const Guard* guard, bool complete) {
     if (guard == nullptr) return {};
     Json notes = Json::array();
-    std::istringstream lines(guard->note());
+    std::istringstream lines(guard->summary_lines());
     for (std::string line; std::getline(lines, line);) notes.push_back(line.substr(line.find_first_not_of(' ')));
     return {{"complete", complete}, {"notes", std::move(notes)}};
 }
@@ -170,12 +170,12 @@ std::string result_json(const Scenario& scenario, const RunResult& result, Json 
                     {"component", scenario.component.text},
                     {"robots", scenario.all_robots()},
                     {"trials", trials_json(result)},
-                    {"duration", number(scenario.duration)},
+                    {"duration", json_number(scenario.duration)},
                     {"seed", scenario.seed},
                     {"interrupted", result.interrupted},
-                    {"simulatedSeconds", number(simulated(scenario, result))},
-                    {"seconds", number(result.seconds)},
-                    {"cpuSeconds", number(result.cpu_seconds)},
+                    {"simulatedSeconds", json_number(simulated_time(scenario, result))},
+                    {"seconds", json_number(result.seconds)},
+                    {"cpuSeconds", json_number(result.cpu_seconds)},
                     {"bands", bands_json(scenario, result)},
                     {"claims", claims_json(scenario, result)},
                     {"world", world_lines(scenario)},

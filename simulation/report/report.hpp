@@ -15,7 +15,7 @@ namespace robochart::simulation {
 /// One line per band: verdict, the band as written, the value.
 [[nodiscard]] std::string bands_text(const Scenario&, const RunResult&);
 /// "7 of 7 bands hold", "1 of 2 claims holds, 1 is open".
-[[nodiscard]] std::string summary(const RunResult&);
+[[nodiscard]] std::string summary_text(const RunResult&);
 /// The run itself: trials, seconds simulated, speed.
 [[nodiscard]] std::string run_text(const Scenario&, const RunResult&);
 /// The guard's result for JSON: `complete`, `notes`; null without a guard. `complete`: everything was observed.

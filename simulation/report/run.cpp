@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double since(Clock::time_point start) {
+double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -48,25 +48,26 @@ public:
     RunResult run(diagnostics::Diagnostics& diagnostics) {
         const double cpu = cpu_now();
         diagnostics::in_parallel_watched(
-            threads(), [this] { work(); }, [this] { stop_ = enough_ = true; }, [this] { watch(); });
-        result_.seconds = since(start_);
+            thread_count(), [this] { run_worker(); }, [this] { stop_ = enough_ = true; }, [this] { watch_workers(); });
+        result_.seconds = seconds_since(start_);
         result_.cpu_seconds = cpu_now() - cpu;
         result_.interrupted = stop_.load();
         result_.stops_are_errors = !scenario_.bands.empty() || scenario_.claims.empty();
         for (const ClaimJudge& each : judges_) result_.claims.push_back(each.result());
-        result_.watched = watched();
+        result_.watched = all_trials_watched();
         for (Done& each : trials_) {
             const bool whole = result_.trials.size() < whole_;
             result_.steps += whole ? each.trial.steps : each.needed;
             if (whole) result_.trials.push_back(std::move(each.trial));
         }
-        report(diagnostics);
-        if (!result_.interrupted && diagnostics.ok() && whole_ > 0) result_.bands = judge(scenario_, result_.trials);
+        report_problems(diagnostics);
+        if (!result_.interrupted && diagnostics.ok() && whole_ > 0)
+            result_.bands = judge_bands(scenario_, result_.trials);
         return std::move(result_);
     }
 
 private:
-    [[nodiscard]] unsigned threads() const {
+    [[nodiscard]] unsigned thread_count() const {
         return std::min<unsigned>(diagnostics::threads_wanted(options_.threads), most_);
     }
 
@@ -77,13 +78,13 @@ private:
         std::uint64_t needed = 0;  ///< steps until the claims that are based on it had their answers
     };
 
-    void work() {
+    void run_worker() {
         for (std::uint32_t trial = next_++; trial < most_ && !stop_; trial = next_++) {
             const std::vector<bool> awaited = still_awaited();
             if (trial >= whole_ && std::ranges::count(awaited, true) == 0) break;
             run_one(trial, awaited);
             const std::lock_guard lock(mutex_);
-            ended(trial);
+            end_trial(trial);
         }
     }
 
@@ -91,7 +92,7 @@ private:
     std::vector<bool> still_awaited() {
         const std::lock_guard lock(mutex_);
         std::vector<bool> awaited;
-        for (const ClaimJudge& each : judges_) awaited.push_back(!each.done());
+        for (const ClaimJudge& each : judges_) awaited.push_back(!each.is_done());
         return awaited;
     }
 
@@ -111,22 +112,22 @@ private:
         options.steps_done = &steps_;
         options.interrupted = trial < whole_ ? &stop_ : &enough_;
         done.trial = run_trial(plan_, drives_, *stage, options);
-        done.trial.watched = trace == nullptr || trace->decided();
+        done.trial.watched = trace == nullptr || trace->is_conclusive();
     }
 
     /// Judges the claims on the finished trials, in order, up to the first unfinished one.
-    void ended(std::uint32_t trial) {
+    void end_trial(std::uint32_t trial) {
         const TrialResult& result = trials_[trial].trial;
         trials_[trial].ended = result.complete || result.stop;
         if (trials_[trial].ended) ++done_;
         for (; judged_ < most_ && trials_[judged_].ended; ++judged_) judge_next(trials_[judged_]);
-        const bool decided = std::ranges::all_of(judges_, [](const ClaimJudge& each) { return each.done(); });
+        const bool decided = std::ranges::all_of(judges_, [](const ClaimJudge& each) { return each.is_done(); });
         if (decided || stop_) enough_ = true;
     }
 
     void judge_next(Done& done) {
         for (std::size_t c = 0; c < judges_.size(); ++c) {
-            if (judges_[c].done()) continue;
+            if (judges_[c].is_done()) continue;
             const Answer& answer = done.trial.answers.at(c);
             const double time = static_cast<double>(answer.step) * scenario_.world.control_step;
             judges_[c].add({answer.holds.value(), time, answer.taken}, answer.step);
@@ -135,43 +136,43 @@ private:
     }
 
     /// Called while the workers run: checks for interruption and reports progress.
-    void watch() {
+    void watch_workers() {
         if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
         const std::lock_guard lock(mutex_);
-        if (options_.progress) options_.progress(progress());
+        if (options_.progress) options_.progress(current_progress());
     }
 
     /// Returns true if the observers saw everything in the trials that the results are based on. Further trials, which
     /// threads may have started, are ignored.
-    [[nodiscard]] bool watched() const {
+    [[nodiscard]] bool all_trials_watched() const {
         std::uint64_t asked = whole_;
-        for (const ClaimResult& each : result_.claims) asked = std::max<std::uint64_t>(asked, each.trials());
+        for (const ClaimResult& each : result_.claims) asked = std::max<std::uint64_t>(asked, each.trial_count());
         const auto end = trials_.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(asked, trials_.size()));
         return std::all_of(trials_.begin(), end, [](const Done& each) { return each.trial.watched; });
     }
 
-    [[nodiscard]] RunProgress progress() const {
+    [[nodiscard]] RunProgress current_progress() const {
         RunProgress now;
         now.trials = most_;
         now.trials_done = done_;
         now.simulated_seconds = static_cast<double>(steps_.load()) * scenario_.world.control_step;
         now.total_seconds = most_ * scenario_.duration;
-        now.seconds = since(start_);
+        now.seconds = seconds_since(start_);
         return now;
     }
 
-    void report(diagnostics::Diagnostics& diagnostics) const {
+    void report_problems(diagnostics::Diagnostics& diagnostics) const {
         // All trials have the same problem, so one report is enough.
         const auto bad = std::ranges::find_if(trials_, [](const Done& done) { return !done.found.ok(); });
         if (bad != trials_.end())
-            for (const diagnostics::Diagnostic& d : bad->found.sorted())
+            for (const diagnostics::Diagnostic& d : bad->found.sorted_findings())
                 diagnostics.report(*d.rule, d.span, d.arguments);
         if (!result_.stops_are_errors) return;
         for (std::size_t trial = 0; trial < result_.trials.size(); ++trial) {
             const auto& stop = result_.trials[trial].stop;
             if (!stop) continue;
             diagnostics.report(rules::stopped, scenario_.component.span,
-                               {stop->whose(), std::to_string(trial + 1), fmt::format("{:.1f}", stop->time),
+                               {stop->owner_text(), std::to_string(trial + 1), fmt::format("{:.1f}", stop->time),
                                 stop->cause, stop->place});
         }
     }
@@ -196,7 +197,7 @@ private:
 };
 
 /// The distance of a value from a band; infinite for a time that was never reached.
-double outside(const Band& band, double value) {
+double distance_from_band(const Band& band, double value) {
     if (std::isnan(value)) return std::numeric_limits<double>::infinity();
     return std::max({0.0, band.low - value, value - band.high});
 }
@@ -215,7 +216,7 @@ BandResult judge_each(const Band& band, std::size_t index, const std::vector<Tri
     bool first = true;
     for (const TrialResult& trial : trials) {
         const double value = trial.statistics.at(index);
-        if (outside(band, value) > 0) ++result.trials_outside;
+        if (distance_from_band(band, value) > 0) ++result.trials_outside;
         if (first || rank(value) > rank(result.value)) result.value = value;
         first = false;
     }
@@ -228,24 +229,24 @@ BandResult judge_mean(const Band& band, std::size_t index, const std::vector<Tri
     for (const TrialResult& trial : trials) sum += trial.statistics.at(index);
     BandResult result;
     result.value = sum / static_cast<double>(trials.size());
-    result.holds = outside(band, result.value) == 0;
+    result.holds = distance_from_band(band, result.value) == 0;
     return result;
 }
 
 }  // namespace
 
-bool RunResult::stopped() const {
+bool RunResult::has_stopped_trial() const {
     return stops_are_errors &&
            std::ranges::any_of(trials, [](const TrialResult& trial) { return trial.stop.has_value(); });
 }
 
-bool RunResult::fails() const {
-    return stopped() || std::ranges::any_of(bands, [](const BandResult& band) { return !band.holds; }) ||
+bool RunResult::has_failed() const {
+    return has_stopped_trial() || std::ranges::any_of(bands, [](const BandResult& band) { return !band.holds; }) ||
            std::ranges::any_of(claims, [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::fails; });
 }
 
-bool RunResult::holds() const {
-    return !fails() && !interrupted && watched &&
+bool RunResult::all_hold() const {
+    return !has_failed() && !interrupted && watched &&
            std::ranges::none_of(claims, [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::open; });
 }
 
@@ -253,7 +254,7 @@ std::uint32_t whole_trials(const Scenario& scenario, bool record) {
     return record || !scenario.bands.empty() || scenario.claims.empty() ? scenario.trials : 0;
 }
 
-std::vector<BandResult> judge(const Scenario& scenario, const std::vector<TrialResult>& trials) {
+std::vector<BandResult> judge_bands(const Scenario& scenario, const std::vector<TrialResult>& trials) {
     std::vector<BandResult> results;
     for (std::size_t i = 0; i < scenario.bands.size(); ++i) {
         const Band& band = scenario.bands[i];
@@ -270,8 +271,8 @@ std::uint32_t recorded_trials(const Scenario& scenario) {
     return static_cast<std::uint32_t>(std::clamp(trials, 0.0, std::min(100.0, static_cast<double>(scenario.trials))));
 }
 
-RunResult run(const Plan& plan, const Drives& drives, const RunOptions& options,
-              diagnostics::Diagnostics& diagnostics) {
+RunResult run_trials(const Plan& plan, const Drives& drives, const RunOptions& options,
+                     diagnostics::Diagnostics& diagnostics) {
     return Runner(plan, drives, options).run(diagnostics);
 }
 

@@ -55,12 +55,12 @@ struct RunResult {
     double cpu_seconds = 0;        ///< CPU time of all threads
 
     /// True if a controller stopped a trial and this is an error.
-    [[nodiscard]] bool stopped() const;
+    [[nodiscard]] bool has_stopped_trial() const;
     /// True if a band or a claim fails, or a controller stopped.
-    [[nodiscard]] bool fails() const;
+    [[nodiscard]] bool has_failed() const;
     /// True if all trials are complete and observed, and all bands and claims hold. If the result neither holds nor
     /// fails, a claim is open, or not everything was observed.
-    [[nodiscard]] bool holds() const;
+    [[nodiscard]] bool all_hold() const;
 };
 
 /// The number of trials that run to their end: those of the scenario, unless there are only claims and nothing is
@@ -71,9 +71,9 @@ struct RunResult {
 [[nodiscard]] std::uint32_t recorded_trials(const Scenario&);
 
 /// Runs the trials. Reports robots that do not fit, and controllers that stopped.
-[[nodiscard]] RunResult run(const Plan&, const Drives&, const RunOptions&, diagnostics::Diagnostics&);
+[[nodiscard]] RunResult run_trials(const Plan&, const Drives&, const RunOptions&, diagnostics::Diagnostics&);
 
 /// The results of a scenario's bands for finished trials.
-[[nodiscard]] std::vector<BandResult> judge(const Scenario&, const std::vector<TrialResult>&);
+[[nodiscard]] std::vector<BandResult> judge_bands(const Scenario&, const std::vector<TrialResult>&);
 
 }  // namespace robochart::simulation

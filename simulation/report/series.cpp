@@ -37,17 +37,17 @@ public:
         if (!trials_.empty()) choose_times(std::max<std::size_t>(most_times, 2));
     }
 
-    Charts make() {
+    Charts make_charts() {
         if (trials_.empty() || scenario_.all_robots() == 0) return std::move(result_);
         if (scenario_.all_robots() > 1) {
-            if (result_.distances) distances();
-            for (const double link : links()) cluster_series(link);
+            if (result_.distances) add_distance_chart();
+            for (const double link : cluster_links()) cluster_series(link);
             result_.charts.push_back(std::move(largest_));
             result_.charts.push_back(std::move(count_));
         }
         for (std::size_t m = 0; m < scenario_.measures.size(); ++m)
-            if (scenario_.measures[m].kind != MeasureKind::cluster || scenario_.measures[m].of) measure(m);
-        states();
+            if (scenario_.measures[m].kind != MeasureKind::cluster || scenario_.measures[m].of) add_measure_chart(m);
+        add_states_chart();
         return std::move(result_);
     }
 
@@ -64,12 +64,12 @@ private:
         const auto longest = *std::ranges::max_element(
             trials_, [](const auto* a, const auto* b) { return a->frames.size() < b->frames.size(); });
         const std::size_t count = longest->frames.size();
-        result_.every = thinning(count, most);
-        kept_ = thinned(count, result_.every);
+        result_.every = thinning_factor(count, most);
+        kept_ = kept_indices(count, result_.every);
         for (const std::size_t frame : kept_) result_.times.push_back(longest->frames[frame].time);
     }
 
-    Series series(std::string name, const SwarmValue& value) const {
+    Series make_series(std::string name, const SwarmValue& value) const {
         Series made{std::move(name), {}, {}};
         for (const TrialResult* trial : trials_) {
             made.trials.emplace_back();
@@ -85,15 +85,15 @@ private:
         return made;
     }
 
-    void distances() {
+    void add_distance_chart() {
         Chart chart{"Mean distance between robots", "cm",
                     "The mean over all pairs of robots of the distance between their centres."};
-        chart.series.push_back(series("", [](const Frame& frame) { return mean_distance(frame.poses); }));
+        chart.series.push_back(make_series("", [](const Frame& frame) { return mean_distance(frame.poses); }));
         result_.charts.push_back(std::move(chart));
     }
 
     /// The links of the scenario's measures of clusters, shortest first.
-    [[nodiscard]] std::set<double> links() const {
+    [[nodiscard]] std::set<double> cluster_links() const {
         std::set<double> lengths;
         for (const Measure& measure : scenario_.measures)
             if (measure.kind == MeasureKind::cluster && !measure.of) lengths.insert(measure.link);
@@ -104,11 +104,11 @@ private:
     void cluster_series(double link) {
         const std::string name = fmt::format("links of at most {:g} cm", link);
         const auto robots = static_cast<double>(scenario_.all_robots());
-        largest_.series.push_back(series(name, [&](const Frame& frame) {
-            return 100 * static_cast<double>(clusters(frame.poses, link).largest) / robots;
+        largest_.series.push_back(make_series(name, [&](const Frame& frame) {
+            return 100 * static_cast<double>(count_clusters(frame.poses, link).largest) / robots;
         }));
-        count_.series.push_back(
-            series(name, [&](const Frame& frame) { return static_cast<double>(clusters(frame.poses, link).count); }));
+        count_.series.push_back(make_series(
+            name, [&](const Frame& frame) { return static_cast<double>(count_clusters(frame.poses, link).count); }));
         for (std::size_t m = 0; m < scenario_.measures.size(); ++m)
             if (scenario_.measures[m].kind == MeasureKind::cluster && !scenario_.measures[m].of &&
                 scenario_.measures[m].link == link)
@@ -134,7 +134,7 @@ private:
         }
     }
 
-    void measure(std::size_t number) {
+    void add_measure_chart(std::size_t number) {
         const Measure& measure = scenario_.measures[number];
         Chart chart;
         if (measure.kind == MeasureKind::time) return;
@@ -195,12 +195,12 @@ private:
         if (measure.of) chart.title += " of " + scenario_.kind_at(*measure.of).kind.text;
         chart.title += fmt::format(" ({})", measure.name.text);
         chart.series.push_back(
-            series("", [&](const Frame& frame) { return factor * measured(scenario_, measure, frame); }));
+            make_series("", [&](const Frame& frame) { return factor * measure_value(scenario_, measure, frame); }));
         add_targets(number, factor, chart.targets);
         result_.charts.push_back(std::move(chart));
     }
 
-    void states() {
+    void add_states_chart() {
         constexpr std::size_t most_states = 8;
         if (machines_.empty() || machines_.front().states.size() < 2 || machines_.front().states.size() > most_states)
             return;
@@ -209,10 +209,10 @@ private:
         if (!machines_.front().name.empty()) chart.title += " of " + machines_.front().name;
         chart.whole = true;
         for (std::size_t s = 0; s < machines_.front().states.size(); ++s)
-            chart.series.push_back(series(machines_.front().states[s], [&](const Frame& frame) {
+            chart.series.push_back(make_series(machines_.front().states[s], [&](const Frame& frame) {
                 double count = 0;
                 for (std::size_t robot = 0; robot < frame.poses.size(); ++robot)
-                    count += frame.state(robot) == s ? 1 : 0;
+                    count += frame.robot_state(robot) == s ? 1 : 0;
                 return count;
             }));
         result_.charts.push_back(std::move(chart));
@@ -239,13 +239,13 @@ Quartiles quartiles_of(std::vector<double> values) {
     return {values.front(), at_rank(values, 0.25), at_rank(values, 0.5), at_rank(values, 0.75), values.back()};
 }
 
-std::size_t thinning(std::size_t count, std::size_t most) {
+std::size_t thinning_factor(std::size_t count, std::size_t most) {
     // There are count - 1 gaps between the first and the last time, divided into at most most - 1 steps.
     const std::size_t steps = std::max<std::size_t>(most, 2) - 1;
     return count < 2 ? 1 : (count - 1 + steps - 1) / steps;
 }
 
-std::vector<std::size_t> thinned(std::size_t count, std::size_t every) {
+std::vector<std::size_t> kept_indices(std::size_t count, std::size_t every) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < count; i += every) kept.push_back(i);
     if (count > 0 && kept.back() != count - 1) kept.push_back(count - 1);
@@ -260,7 +260,7 @@ double link_of(const Scenario& scenario) {
 
 Charts charts_of(const Scenario& scenario, const std::vector<TrialResult>& trials, const Machines& machines,
                  std::size_t most_times) {
-    return ChartMaker(scenario, trials, machines, most_times).make();
+    return ChartMaker(scenario, trials, machines, most_times).make_charts();
 }
 
 }  // namespace robochart::simulation

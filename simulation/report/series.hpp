@@ -65,9 +65,9 @@ struct Charts {
                                std::size_t most_times = 240);
 
 /// Returns the smallest `every` with which the next function keeps at most `most` (at least two) times.
-[[nodiscard]] std::size_t thinning(std::size_t count, std::size_t most);
+[[nodiscard]] std::size_t thinning_factor(std::size_t count, std::size_t most);
 /// The indices of the recorded times that are kept: one in `every`, and the last.
-[[nodiscard]] std::vector<std::size_t> thinned(std::size_t count, std::size_t every);
+[[nodiscard]] std::vector<std::size_t> kept_indices(std::size_t count, std::size_t every);
 
 /// The length of a link in the scenario's first measure of clusters. If the scenario has no such measure, the length is
 /// two diameters, so that no robot fits between two linked robots.

@@ -27,32 +27,32 @@ public:
     [[nodiscard]] const View& view() const { return view_; }
     [[nodiscard]] double dot() const { return dot_; }
     /// The length of `count` dots, in centimetres.
-    [[nodiscard]] double dots(double count) const { return count * dot_; }
+    [[nodiscard]] double length_of_dots(double count) const { return count * dot_; }
 
     /// The head of a picture of this rectangle, with title, style and background.
-    [[nodiscard]] std::string head(const View& shown, const std::string& what) const;
+    [[nodiscard]] std::string picture_head(const View& shown, const std::string& what) const;
     /// The arena with its walls.
-    [[nodiscard]] std::string floor() const;
+    [[nodiscard]] std::string draw_floor() const;
     /// The named obstacles that are present in this frame.
-    [[nodiscard]] std::string obstacles(const Frame&) const;
+    [[nodiscard]] std::string draw_obstacles(const Frame&) const;
     /// The lights at their positions; faint if they are off.
-    [[nodiscard]] std::string lights(const Frame&) const;
+    [[nodiscard]] std::string draw_lights(const Frame&) const;
     [[nodiscard]] std::string lower_axis() const;
     [[nodiscard]] std::string left_axis() const;
     /// A scale bar of a round length, with its right end at this point.
     [[nodiscard]] std::string scale_bar(double right, double y) const;
     /// The legend: states, and lights and walls if there are any.
-    [[nodiscard]] Legend legend(const MachineStates&, double width) const;
-    [[nodiscard]] std::string symbols(const MachineStates&) const;
-    [[nodiscard]] std::string robot(const Pose&, std::size_t state) const;
+    [[nodiscard]] Legend make_legend(const MachineStates&, double width) const;
+    [[nodiscard]] std::string symbol_definitions(const MachineStates&) const;
+    [[nodiscard]] std::string draw_robot(const Pose&, std::size_t state) const;
     /// The drawn radius of a robot: at least two dots, so that it is visible.
-    [[nodiscard]] double radius() const;
+    [[nodiscard]] double drawn_radius() const;
     /// The outline of a robot, in radii.
-    [[nodiscard]] double outline() const;
+    [[nodiscard]] double outline_width() const;
     /// Legend entries for lights and walls, if there are any.
-    [[nodiscard]] std::vector<LegendEntry> things() const;
+    [[nodiscard]] std::vector<LegendEntry> object_entries() const;
     /// "translate(...) rotate(...)".
-    [[nodiscard]] static std::string place(const Pose&);
+    [[nodiscard]] static std::string transform_text(const Pose&);
 
 private:
     const Scenario& scenario_;

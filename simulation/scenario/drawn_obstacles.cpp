@@ -35,35 +35,35 @@ bool is_blank(char c) {
 /// Reads numbers and, in paths, commands, one after another.
 class Coordinates {
 public:
-    explicit Coordinates(std::string_view text) : rest_(text) { skip(); }
+    explicit Coordinates(std::string_view text) : rest_(text) { skip_separators(); }
 
-    [[nodiscard]] bool done() const { return rest_.empty(); }
+    [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
     [[nodiscard]] bool at_letter() const {
         return !rest_.empty() && ((rest_[0] >= 'a' && rest_[0] <= 'z') || (rest_[0] >= 'A' && rest_[0] <= 'Z'));
     }
-    char letter() {
+    char read_letter() {
         const char c = rest_.front();
         rest_.remove_prefix(1);
-        skip();
+        skip_separators();
         return c;
     }
-    double number() {
+    double read_number() {
         if (rest_.starts_with('+')) rest_.remove_prefix(1);
         double value = 0;
         const auto [end, wrong] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
         if (wrong != std::errc() || !(std::abs(value) <= largest_number))
             throw BadDrawing(fmt::format("a number up to a million is expected at '{}'", rest_.substr(0, 20)));
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
-        skip();
+        skip_separators();
         return value;
     }
-    Vector point() {
-        const double x = number();
-        return {x, number()};
+    Vector read_point() {
+        const double x = read_number();
+        return {x, read_number()};
     }
 
 private:
-    void skip() {
+    void skip_separators() {
         while (!rest_.empty() && (is_blank(rest_[0]) || rest_[0] == ',')) rest_.remove_prefix(1);
     }
     std::string_view rest_;
@@ -73,8 +73,9 @@ private:
 double length_of(std::string_view text) {
     if (text.ends_with("px")) text.remove_suffix(2);
     Coordinates numbers(text);
-    const double value = numbers.number();
-    if (!numbers.done()) throw BadDrawing(fmt::format("'{}' is no length in units of the drawing", text.substr(0, 20)));
+    const double value = numbers.read_number();
+    if (!numbers.is_at_end())
+        throw BadDrawing(fmt::format("'{}' is no length in units of the drawing", text.substr(0, 20)));
     return value;
 }
 
@@ -86,17 +87,17 @@ public:
     std::vector<Polygon> read(std::string_view text) {
         Coordinates in(text);
         char command = 0;
-        while (!in.done()) {
+        while (!in.is_at_end()) {
             if (in.at_letter())
-                command = in.letter();
+                command = in.read_letter();
             else if (command == 0)
                 throw BadDrawing("a path begins with a command");
             if (command == 'z' || command == 'Z') {
-                close();
+                close_polygon();
                 command = 0;
                 continue;
             }
-            step(command, in);
+            apply_command(command, in);
             // Further points after a move are lines.
             if (command == 'M') command = 'L';
             if (command == 'm') command = 'l';
@@ -106,26 +107,26 @@ public:
     }
 
 private:
-    void step(char command, Coordinates& in) {
+    void apply_command(char command, Coordinates& in) {
         const bool relative = command >= 'a';
         const Vector from = relative ? at_ : Vector{};
         switch (command) {
             case 'M':
             case 'm':
                 if (!corners_.empty()) throw BadDrawing("a path is not closed");
-                at_ = from + in.point();
+                at_ = from + in.read_point();
                 break;
             case 'L':
             case 'l':
-                at_ = from + in.point();
+                at_ = from + in.read_point();
                 break;
             case 'H':
             case 'h':
-                at_.x = from.x + in.number();
+                at_.x = from.x + in.read_number();
                 break;
             case 'V':
             case 'v':
-                at_.y = from.y + in.number();
+                at_.y = from.y + in.read_number();
                 break;
             default:
                 throw BadDrawing(
@@ -136,7 +137,7 @@ private:
         corners_.push_back(at_);
     }
 
-    void close() {
+    void close_polygon() {
         if (corners_.empty()) throw BadDrawing("a path is closed twice");
         at_ = corners_.front();
         polygons_.push_back(std::move(corners_));
@@ -172,12 +173,12 @@ public:
         if (element == "svg") {
             if (root_seen_) throw BadDrawing("a drawing inside the drawing is not read");
             root_seen_ = true;
-            view(needed("viewBox"));
+            set_view(needed("viewBox"));
         } else if (element == "polygon") {
             Coordinates in(needed("points"));
             Polygon corners;
-            while (!in.done()) {
-                corners.push_back(in.point());
+            while (!in.is_at_end()) {
+                corners.push_back(in.read_point());
                 if (corners.size() > most_drawn_corners) break;
             }
             add(std::move(corners));
@@ -215,11 +216,12 @@ private:
         return element == "g" || element == "title" || element == "desc" || element == "metadata";
     }
 
-    void view(std::string_view box) {
+    void set_view(std::string_view box) {
         Coordinates in(box);
-        const Vector corner = in.point();
-        const Vector size = in.point();
-        if (!in.done() || size.x <= 0 || size.y <= 0) throw BadDrawing("its viewBox is not four numbers with a size");
+        const Vector corner = in.read_point();
+        const Vector size = in.read_point();
+        if (!in.is_at_end() || size.x <= 0 || size.y <= 0)
+            throw BadDrawing("its viewBox is not four numbers with a size");
         middle_ = corner + 0.5 * size;
     }
 
@@ -246,7 +248,7 @@ struct DrawingReader {
     std::uint64_t line = 0;
 
     template <typename Do>
-    void guarded(Do what) {
+    void run_guarded(Do what) {
         if (thrown) return;
         try {
             what();
@@ -260,17 +262,17 @@ struct DrawingReader {
 
 void element_begins(void* reading, const XML_Char* name, const XML_Char** attributes) {
     auto& to = *static_cast<DrawingReader*>(reading);
-    to.guarded([&] { to.drawing.begin(name, attributes); });
+    to.run_guarded([&] { to.drawing.begin(name, attributes); });
 }
 
 void element_ends(void* reading, const XML_Char* name) {
     auto& to = *static_cast<DrawingReader*>(reading);
-    to.guarded([&] { to.drawing.end(name); });
+    to.run_guarded([&] { to.drawing.end(name); });
 }
 
 void doctype_begins(void* reading, const XML_Char*, const XML_Char*, const XML_Char*, int) {
     auto& to = *static_cast<DrawingReader*>(reading);
-    to.guarded([] { throw BadDrawing("document types are not read: remove the DOCTYPE"); });
+    to.run_guarded([] { throw BadDrawing("document types are not read: remove the DOCTYPE"); });
 }
 
 }  // namespace

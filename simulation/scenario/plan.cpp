@@ -42,7 +42,7 @@ std::string described(const Port& port) {
 
 /// True if a written name refers to this full name, which ends with it: `NEAR` and `Zone::NEAR` refer to
 /// `P::Zone::NEAR`.
-bool means(const std::string& written, const std::string& full) {
+bool refers_to(const std::string& written, const std::string& full) {
     return full == written || full.ends_with("::" + written);
 }
 
@@ -54,7 +54,7 @@ std::string described(const Feed& feed) {
     return fmt::format("a reading that is {}", what);
 }
 
-bool fits(Carries carries, const std::vector<Carried>& arguments) {
+bool accepts_value(Carries carries, const std::vector<Carried>& arguments) {
     if (carries == Carries::signal) return arguments.empty();
     const Carried wanted = carries == Carries::boolean ? Carried::boolean
                            : carries == Carries::whole ? Carried::whole
@@ -79,10 +79,10 @@ public:
     Plan bind(const RobotKind& kind, const Emissions& all) {
         for (const Sensor& sensor : scenario_.sensors)
             plan_.messages.push_back(
-                is_silent(sensor, all) ? no_slot : variable(sensor.message, Carries::whole).value_or(no_slot));
+                is_silent(sensor, all) ? no_slot : find_variable(sensor.message, Carries::whole).value_or(no_slot));
         for (const Feed& feed : kind.feeds) bind_feed(feed);
         for (const Stimulus& stimulus : kind.stimuli)
-            plan_.stimuli.push_back(raise(stimulus).value_or(BoundStimulus{}));
+            plan_.stimuli.push_back(bind_raised_event(stimulus).value_or(BoundStimulus{}));
         std::erase_if(plan_.stimuli, [](const BoundStimulus& bound) { return bound.stimulus == nullptr; });
         for (std::uint32_t d = 0; d < kind.drives.size(); ++d) bind_drive(kind.drives[d], d);
         if (scenario_.environment)
@@ -103,8 +103,8 @@ public:
     }
 
     /// Returns no value, and reports a finding, if the component has no such event.
-    std::optional<BoundStimulus> raise(const Stimulus& stimulus) {
-        const auto found = input(stimulus.event);
+    std::optional<BoundStimulus> bind_raised_event(const Stimulus& stimulus) {
+        const auto found = find_input(stimulus.event);
         if (!found) return std::nullopt;
         fed_[*found] = true;
         const Port& port = emission_.inputs[*found];
@@ -149,11 +149,11 @@ private:
             if (effects[i].empty() && emission_.outputs[i].kind == Port::Kind::call)
                 report(rules::not_done, emission_.outputs[i].name);
         for (const Name& each : ignored)
-            unknown(each, "event that nothing feeds, or operation without effect, named", {});
+            report_unknown(each, "event that nothing feeds, or operation without effect, named", {});
     }
 
     void bind_world_feed(const WorldFeed& feed, std::uint32_t number, WorldPlan& plan) {
-        const auto found = input(feed.target);
+        const auto found = find_input(feed.target);
         if (!found) return;
         fed_[*found] = true;
         const Port& port = emission_.inputs[*found];
@@ -166,7 +166,7 @@ private:
     }
 
     void bind_act(const WorldAct& act, const Emissions& all, WorldPlan& plan) {
-        const auto found = command(act.on);
+        const auto found = find_command(act.on);
         if (!found) return;
         const Port& port = emission_.outputs[*found];
         BoundAct bound{&act, {}};
@@ -179,11 +179,11 @@ private:
     }
 
     /// Finds an operation of the environment's platform, or an event that the environment sends.
-    std::optional<std::uint32_t> command(const Name& name) {
+    std::optional<std::uint32_t> find_command(const Name& name) {
         const auto commands = [](const Port& port) { return port.kind != Port::Kind::variable; };
         for (std::uint32_t i = 0; i < emission_.outputs.size(); ++i)
             if (commands(emission_.outputs[i]) && emission_.outputs[i].name == name.text) return i;
-        unknown(name, "operation or output named", names(emission_.outputs, commands));
+        report_unknown(name, "operation or output named", port_names(emission_.outputs, commands));
         return std::nullopt;
     }
 
@@ -204,64 +204,67 @@ private:
                                   to.arguments.front() != Carried::enumeration;
             bound.raised.back() = argument
                                       ? BoundStimulus{&stimulus, *found, to.arguments.front() == Carried::real, 0, true}
-                                      : robots.raise(stimulus);
+                                      : robots.bind_raised_event(stimulus);
         }
-        if (!some) (void)Binder(scenario_, scenario_.component, *all.kinds.front(), diagnostics_).input(stimulus.event);
+        if (!some)
+            (void)Binder(scenario_, scenario_.component, *all.kinds.front(), diagnostics_).find_input(stimulus.event);
     }
 
-    std::optional<std::uint32_t> input(const Name& name) {
+    std::optional<std::uint32_t> find_input(const Name& name) {
         if (const auto found = input_named(name.text)) return found;
-        unknown(name, "event or variable to feed named", names(emission_.inputs, [](const Port&) { return true; }));
+        report_unknown(name, "event or variable to feed named",
+                       port_names(emission_.inputs, [](const Port&) { return true; }));
         return std::nullopt;
     }
 
-    std::optional<std::uint32_t> output(const Name& name, Port::Kind kind, const char* what) {
+    std::optional<std::uint32_t> find_output(const Name& name, Port::Kind kind, const char* what) {
         for (std::uint32_t i = 0; i < emission_.outputs.size(); ++i)
             if (emission_.outputs[i].kind == kind && emission_.outputs[i].name == name.text) return i;
-        unknown(name, what, names(emission_.outputs, [kind](const Port& port) { return port.kind == kind; }));
+        report_unknown(name, what,
+                       port_names(emission_.outputs, [kind](const Port& port) { return port.kind == kind; }));
         return std::nullopt;
     }
 
     template <class Wanted>
-    static std::vector<std::string> names(const std::vector<Port>& ports, Wanted wanted) {
+    static std::vector<std::string> port_names(const std::vector<Port>& ports, Wanted wanted) {
         std::vector<std::string> result;
         for (const Port& port : ports)
             if (wanted(port)) result.push_back(port.name);
         return result;
     }
 
-    void unknown(const Name& name, const std::string& what, const std::vector<std::string>& known) {
+    void report_unknown(const Name& name, const std::string& what, const std::vector<std::string>& known) {
         auto& finding = diagnostics_.report(rules::unknown_name, name.span, {component_.text, what, name.text});
-        const std::string meant = diagnostics::nearest(name.text, known);
-        if (!meant.empty()) finding.fixes.push_back({name.span, meant, diagnostics::suggested(false)});
+        const std::string meant = diagnostics::nearest_spelling(name.text, known);
+        if (!meant.empty()) finding.fixes.push_back({name.span, meant, diagnostics::suggestion_verb(false)});
         if (!known.empty()) finding.notes.push_back({{}, fmt::format("there is {}", fmt::join(known, ", "))});
     }
 
     void bind_feed(const Feed& feed) {
         BoundFeed bound;
         bound.feed = &feed;
-        const auto found = input(feed.target);
+        const auto found = find_input(feed.target);
         if (!found) return;
         bound.input = *found;
         fed_[*found] = true;
         const Port& port = emission_.inputs[*found];
-        if (!fits(feed.carries, port.arguments))
+        if (!accepts_value(feed.carries, port.arguments))
             diagnostics_.report(rules::wrong_type, feed.target.span,
                                 {feed.target.text, described(port), described(feed), "feed"});
         for (std::uint32_t s = 0; s < scenario_.sensors.size(); ++s)
             if (scenario_.sensors[s].name.text == feed.part.text) bound.sensor = s;
         if (feed.argument && !feed.argument->variable.text.empty())
-            bound.variable = variable(feed.argument->variable).value_or(0);
-        if (feed.on) bound.request = request(*feed.on);
+            bound.variable = find_variable(feed.argument->variable).value_or(0);
+        if (feed.on) bound.request = request_bit(*feed.on);
         plan_.feeds.push_back(bound);
     }
 
     /// Returns the slot with the value that the controller last wrote to a shared variable.
-    std::optional<std::uint32_t> variable(const Name& name, Carries carries = Carries::real) {
-        const auto found = output(name, Port::Kind::variable, "shared variable that it writes named");
+    std::optional<std::uint32_t> find_variable(const Name& name, Carries carries = Carries::real) {
+        const auto found = find_output(name, Port::Kind::variable, "shared variable that it writes named");
         if (!found) return std::nullopt;
         const Port& port = emission_.outputs[*found];
-        if (!fits(carries, port.arguments)) {
+        if (!accepts_value(carries, port.arguments)) {
             diagnostics_.report(rules::wrong_type, name.span,
                                 {name.text, described(port), carries == Carries::whole ? "a message" : "a quantity",
                                  carries == Carries::whole ? "send" : "follow"});
@@ -275,8 +278,8 @@ private:
         return slots_[*found];
     }
 
-    std::uint32_t request(const Name& operation) {
-        const auto found = output(operation, Port::Kind::call, "operation of the platform named");
+    std::uint32_t request_bit(const Name& operation) {
+        const auto found = find_output(operation, Port::Kind::call, "operation of the platform named");
         if (!found) return no_slot;
         if (bits_[*found] == no_slot && plan_.requests < most_requests) {
             bits_[*found] = plan_.requests++;
@@ -289,10 +292,10 @@ private:
     static bool take_value(const Stimulus& stimulus, const Port& port, double& value) {
         value = stimulus.value ? stimulus.value->value : stimulus.truth.value_or(false) ? 1 : 0;
         if (stimulus.value && port.arguments == std::vector{Carried::whole}) return value == std::floor(value);
-        return fits(stimulus.truth   ? Carries::boolean
-                    : stimulus.value ? Carries::real
-                                     : Carries::signal,
-                    port.arguments);
+        return accepts_value(stimulus.truth   ? Carries::boolean
+                             : stimulus.value ? Carries::real
+                                              : Carries::signal,
+                             port.arguments);
     }
 
     /// A literal of the event's enumeration, or a constant of the model. Returns false if the type differs; a missing
@@ -302,11 +305,11 @@ private:
         const std::string& type = port.types.front();
         const std::vector<std::string>& literals = port.literals.front();
         for (std::size_t i = 0; i < literals.size(); ++i)
-            if (means(name.text, type + "::" + literals[i])) {
+            if (refers_to(name.text, type + "::" + literals[i])) {
                 value = static_cast<double>(i);
                 return true;
             }
-        const cpp_emit::DriveConstant* const found = constant(name, port);
+        const cpp_emit::DriveConstant* const found = find_constant(name, port);
         if (found == nullptr) return true;
         value = found->value;
         const Carried wanted = port.arguments.front();
@@ -315,12 +318,12 @@ private:
     }
 
     /// Returns null, and reports a finding, if there is no such constant, or if machines have different ones.
-    const cpp_emit::DriveConstant* constant(const Name& name, const Port& port) {
+    const cpp_emit::DriveConstant* find_constant(const Name& name, const Port& port) {
         const cpp_emit::DriveConstant* found = nullptr;
         std::vector<std::string> known = port.literals.front();
         for (const cpp_emit::DriveConstant& each : emission_.constants) {
             known.push_back(each.name);
-            if (!means(name.text, each.owner + "::" + each.name)) continue;
+            if (!refers_to(name.text, each.owner + "::" + each.name)) continue;
             if (found != nullptr && (found->value != each.value || found->type != each.type)) {
                 diagnostics_.report(rules::out_of_range, name.span,
                                     {fmt::format("'{}' has one value in {} and another in {}: write whose is meant",
@@ -331,21 +334,22 @@ private:
         }
         const bool literal = !port.literals.front().empty();
         if (found == nullptr)
-            unknown(name, literal ? fmt::format("constant or literal of {}", port.types.front()) : "constant", known);
+            report_unknown(name, literal ? fmt::format("constant or literal of {}", port.types.front()) : "constant",
+                           known);
         return found;
     }
 
     void bind_drive(const Drive& drive, std::uint32_t index) {
         if (drive.motion == Motion::speeds) {
-            const auto linear = variable(drive.linear);
-            const auto angular = variable(drive.angular);
+            const auto linear = find_variable(drive.linear);
+            const auto angular = find_variable(drive.angular);
             if (linear && angular) plan_.speeds = BoundSpeeds{&drive, *linear, *angular};
             return;
         }
-        const auto found = output(*drive.on, Port::Kind::call, "operation of the platform named");
+        const auto found = find_output(*drive.on, Port::Kind::call, "operation of the platform named");
         if (!found) return;
         const Port& port = emission_.outputs[*found];
-        if (drive.motion == Motion::turn && !fits(Carries::real, port.arguments)) {
+        if (drive.motion == Motion::turn && !accepts_value(Carries::real, port.arguments)) {
             diagnostics_.report(rules::wrong_type, drive.on->span,
                                 {drive.on->text, described(port), "'turn'", "take for an angle"});
             return;
@@ -365,9 +369,9 @@ private:
 
 }  // namespace
 
-Plan bind(const Scenario& scenario, const Emissions& emissions, diagnostics::Diagnostics& diagnostics) {
+Plan bind_scenario(const Scenario& scenario, const Emissions& emissions, diagnostics::Diagnostics& diagnostics) {
     std::vector<Plan> plans;
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) {
         const RobotKind& robots = scenario.kind_at(kind);
         plans.push_back(
             Binder(scenario, robots.component, *emissions.kinds.at(kind), diagnostics).bind(robots, emissions));
@@ -380,8 +384,9 @@ Plan bind(const Scenario& scenario, const Emissions& emissions, diagnostics::Dia
     return plan;
 }
 
-Plan bind(const Scenario& scenario, const cpp_emit::DriveEmission& emission, diagnostics::Diagnostics& diagnostics) {
-    return bind(scenario, Emissions{{&emission}, nullptr}, diagnostics);
+Plan bind_scenario(const Scenario& scenario, const cpp_emit::DriveEmission& emission,
+                   diagnostics::Diagnostics& diagnostics) {
+    return bind_scenario(scenario, Emissions{{&emission}, nullptr}, diagnostics);
 }
 
 }  // namespace robochart::simulation

@@ -89,8 +89,8 @@ struct Emissions {
 };
 
 /// Binds the scenario and reports mismatches. The plan refers to the scenario.
-[[nodiscard]] Plan bind(const Scenario&, const Emissions&, diagnostics::Diagnostics&);
+[[nodiscard]] Plan bind_scenario(const Scenario&, const Emissions&, diagnostics::Diagnostics&);
 /// For a scenario with one kind of robots and no environment.
-[[nodiscard]] Plan bind(const Scenario&, const cpp_emit::DriveEmission&, diagnostics::Diagnostics&);
+[[nodiscard]] Plan bind_scenario(const Scenario&, const cpp_emit::DriveEmission&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::simulation

@@ -36,7 +36,7 @@ constexpr std::array<Row, 15> units{{
 
 }  // namespace
 
-std::string_view described(Dimension dimension) {
+std::string_view describe_dimension(Dimension dimension) {
     switch (dimension) {
         case Dimension::number:
             return "a number without unit";

@@ -13,7 +13,7 @@ namespace robochart::simulation {
 enum class Dimension { number, share, length, area, time, angle, speed, turn_rate };
 
 /// "a length (mm, cm, m)".
-[[nodiscard]] std::string_view described(Dimension);
+[[nodiscard]] std::string_view describe_dimension(Dimension);
 
 /// The unit printed after a number in results: " s", " cm", " %"; "" for other dimensions.
 [[nodiscard]] std::string_view printed_unit(Dimension);

@@ -97,7 +97,7 @@ const Rule not_done{"RC-M19", Severity::warning, "the operation '{}' of '{}' doe
                     "no command of the "
                     "environment is `on` it. Add a `drive`, or write `ignore OPERATION`."};
 
-std::span<const Rule* const> all() {
+std::span<const Rule* const> all_rules() {
     static constexpr std::array table = {&syntax,        &wrong_unit,   &out_of_range, &missing,  &said_twice,
                                          &unknown_part,  &unknown_name, &wrong_type,   &no_space, &no_controller,
                                          &not_compiled,  &stopped,      &uneven_steps, &not_fed,  &not_there,

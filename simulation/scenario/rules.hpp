@@ -29,6 +29,6 @@ extern const diagnostics::Rule excluded;       ///< RC-M18
 extern const diagnostics::Rule not_done;       ///< RC-M19
 
 /// All rules, for `explain` and for tests.
-[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+[[nodiscard]] std::span<const diagnostics::Rule* const> all_rules();
 
 }  // namespace robochart::simulation::rules

@@ -36,11 +36,11 @@ Dimension dimension_of(MeasureKind kind) {
     }
 }
 
-std::uint64_t Scenario::steps() const {
+std::uint64_t Scenario::step_count() const {
     return static_cast<std::uint64_t>(std::llround(duration / world.control_step));
 }
 
-std::uint64_t Scenario::steps_apart() const {
+std::uint64_t Scenario::steps_between_samples() const {
     return static_cast<std::uint64_t>(std::llround(abstraction->every / world.control_step));
 }
 
@@ -59,7 +59,7 @@ std::vector<double*> shares_of(Sensor& sensor, std::string_view option) {
     return {};
 }
 
-Vector Light::position(double time) const {
+Vector Light::position_at(double time) const {
     const Vector way = to - at;
     const double far = length(way);
     if (speed <= 0 || far == 0) return at;
@@ -78,7 +78,7 @@ void Scenario::set_robots(std::uint32_t count) {
 }
 
 std::uint32_t Scenario::all_robots() const {
-    return first_robot(kinds());
+    return first_robot(kind_count());
 }
 
 std::uint32_t Scenario::first_robot(std::size_t number) const {
@@ -97,29 +97,29 @@ Body Scenario::body_of(std::size_t number) const {
 }
 
 std::string Scenario::controller_name(std::size_t number) const {
-    return number < kinds() ? kind_at(number).kind.text : "environment";
+    return number < kind_count() ? kind_at(number).kind.text : "environment";
 }
 
 std::optional<std::size_t> kind_named(const Scenario& scenario, std::string_view name) {
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind)
         if (!name.empty() && scenario.kind_at(kind).kind.text == name) return kind;
     return std::nullopt;
 }
 
 std::optional<std::size_t> controller_named(const Scenario& scenario, std::string_view name) {
-    for (std::size_t number = 0; number < scenario.controllers(); ++number)
+    for (std::size_t number = 0; number < scenario.controller_count(); ++number)
         if (!name.empty() && scenario.controller_name(number) == name) return number;
     return std::nullopt;
 }
 
 std::vector<std::string> controller_names(const Scenario& scenario) {
     std::vector<std::string> names;
-    for (std::size_t number = 0; number < scenario.controllers(); ++number)
+    for (std::size_t number = 0; number < scenario.controller_count(); ++number)
         if (!scenario.controller_name(number).empty()) names.push_back(scenario.controller_name(number));
     return names;
 }
 
-std::optional<AddressedConstant> addressed(const Scenario& scenario, const std::string& name) {
+std::optional<AddressedConstant> find_constant_address(const Scenario& scenario, const std::string& name) {
     const std::size_t point = name.find('.');
     if (point == std::string::npos) return AddressedConstant{0, name};
     const auto controller = controller_named(scenario, std::string_view(name).substr(0, point));

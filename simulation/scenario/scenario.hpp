@@ -104,7 +104,7 @@ struct Light {
     double speed = 0;  ///< cm/s; 0: it does not move
 
     /// `time`: seconds since the light was at `at`.
-    [[nodiscard]] Vector position(double time) const;
+    [[nodiscard]] Vector position_at(double time) const;
     diagnostics::Span span;
 };
 
@@ -337,25 +337,25 @@ struct Scenario : RobotKind {
     std::vector<double> pictures;       ///< times, s
     double record = 0.5;                ///< s between recorded positions
 
-    [[nodiscard]] std::uint64_t steps() const;
+    [[nodiscard]] std::uint64_t step_count() const;
     /// The number of control steps between two states of the chain.
-    [[nodiscard]] std::uint64_t steps_apart() const;
+    [[nodiscard]] std::uint64_t steps_between_samples() const;
     /// Sets the number of trials, for bands and estimates.
     void set_trials(std::uint32_t count);
     /// Sets the number of robots of the first kind, and adapts the arena.
     void set_robots(std::uint32_t count);
 
     /// The kinds of robots; the first is the scenario itself.
-    [[nodiscard]] std::size_t kinds() const { return 1 + others.size(); }
+    [[nodiscard]] std::size_t kind_count() const { return 1 + others.size(); }
     [[nodiscard]] const RobotKind& kind_at(std::size_t number) const {
         return number == 0 ? static_cast<const RobotKind&>(*this) : others[number - 1];
     }
     /// The body of robots of a kind.
     [[nodiscard]] Body body_of(std::size_t number) const;
     /// The number of controllers: one for each kind of robots, then that of the environment.
-    [[nodiscard]] std::size_t controllers() const { return kinds() + (environment ? 1 : 0); }
+    [[nodiscard]] std::size_t controller_count() const { return kind_count() + (environment ? 1 : 0); }
     [[nodiscard]] const Controlled& controller_at(std::size_t number) const {
-        return number < kinds() ? static_cast<const Controlled&>(kind_at(number)) : *environment;
+        return number < kind_count() ? static_cast<const Controlled&>(kind_at(number)) : *environment;
     }
     /// "leaders" for a kind with this name, "environment"; "" for a first kind without a name.
     [[nodiscard]] std::string controller_name(std::size_t number) const;
@@ -381,6 +381,6 @@ struct AddressedConstant {
     std::string constant;  ///< "pace", "Keep::pace"
 };
 /// No value if no controller has the name before the dot.
-[[nodiscard]] std::optional<AddressedConstant> addressed(const Scenario&, const std::string& name);
+[[nodiscard]] std::optional<AddressedConstant> find_constant_address(const Scenario&, const std::string& name);
 
 }  // namespace robochart::simulation

@@ -19,40 +19,40 @@ constexpr double most_steps = 10'000;
 }  // namespace
 
 /// `abstract by MEASURE in LEVEL, LEVEL, MEASURE every TIME`.
-void ScenarioReader::abstract() {
+void ScenarioReader::parse_abstraction() {
     const diagnostics::Span begin = in_.last_span();
     Abstraction abstraction;
-    in_.expect("by");
-    while (distinction(abstraction) && !in_.failed()) {
+    in_.expect_word("by");
+    while (parse_distinction(abstraction) && !in_.has_failed()) {
     }
-    in_.expect("every");
-    abstraction.every = in_.positive(Dimension::time, "the time between two states of the chain");
-    abstraction.span = diagnostics::join(begin, in_.last_span());
-    if (in_.failed()) return;
+    in_.expect_word("every");
+    abstraction.every = in_.read_positive(Dimension::time, "the time between two states of the chain");
+    abstraction.span = diagnostics::join_spans(begin, in_.last_span());
+    if (in_.has_failed()) return;
     if (abstraction.distinctions.size() > most_distinctions)
         in_.report(rules::out_of_range, abstraction.span,
                    {fmt::format("a chain tells at most {} measures apart", most_distinctions)});
     scenario_.abstraction = std::move(abstraction);
 }
 
-bool ScenarioReader::distinction(Abstraction& abstraction) {
-    const diagnostics::Span begin = in_.token().span;
+bool ScenarioReader::parse_distinction(Abstraction& abstraction) {
+    const diagnostics::Span begin = in_.current_token().span;
     Distinction each;
     each.measure = measure_named();
-    if (in_.failed() || each.measure >= scenario_.measures.size()) return false;
+    if (in_.has_failed() || each.measure >= scenario_.measures.size()) return false;
     const std::string name = scenario_.measures[each.measure].name.text;
     const Dimension dimension = dimension_of(each.measure);
     bool another = false;
-    if (in_.take("in")) {
+    if (in_.take_word("in")) {
         do {
-            each.levels.push_back(in_.quantity(dimension, "a level of this measure").value);
-            another = in_.take(",");
-        } while (!in_.failed() && another && in_.at_number());
+            each.levels.push_back(in_.read_quantity(dimension, "a level of this measure").value);
+            another = in_.take_word(",");
+        } while (!in_.has_failed() && another && in_.at_number());
     } else {
-        another = in_.take(",");
+        another = in_.take_word(",");
     }
-    if (in_.failed()) return false;
-    const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
+    if (in_.has_failed()) return false;
+    const diagnostics::Span span = diagnostics::join_spans(begin, in_.last_span());
     const bool again = std::ranges::any_of(abstraction.distinctions,
                                            [&](const Distinction& other) { return other.measure == each.measure; });
     if (again) in_.report(rules::said_twice, span, {fmt::format("'{}'", name)});
@@ -68,21 +68,21 @@ bool ScenarioReader::distinction(Abstraction& abstraction) {
 
 void ScenarioReader::chain_question(diagnostics::Span begin) {
     ChainQuestion question;
-    question.time = in_.take("time");
+    question.time = in_.take_word("time");
     if (question.time) {
-        in_.expect("until");
-        question.condition = either();
+        in_.expect_word("until");
+        question.condition = parse_disjunction();
         if (question.condition.of_trial())
             in_.report(rules::wrong_instant, in_.last_span(), {"'time until' takes a condition at an instant"});
     } else {
-        in_.expect("average");
+        in_.expect_word("average");
         question.measure = measure_named();
         if (question.measure < scenario_.measures.size() && dimension_of(question.measure) != Dimension::share)
             in_.report(rules::out_of_range, in_.last_span(), {"an average in the long run is one of a share"});
     }
-    question.confidence = confidence();
-    question.span = diagnostics::join(begin, in_.last_span());
-    if (in_.failed()) return;
+    question.confidence = parse_confidence();
+    question.span = diagnostics::join_spans(begin, in_.last_span());
+    if (in_.has_failed()) return;
     question.text = in_.text_since(begin);
     scenario_.chain_questions.push_back(std::move(question));
 }
@@ -102,8 +102,8 @@ void ScenarioReader::check_abstraction() {
     if (!scenario_.bands.empty())
         in_.report(rules::out_of_range, abstraction.span, {"a scenario has a chain, or bands"});
     if (scenario_.world.control_step > 0 && said_.contains("step"))
-        (void)divide(abstraction.every, "the time between two states of the chain", scenario_.world.control_step,
-                     "the control step", "abstract");
+        (void)divide_evenly(abstraction.every, "the time between two states of the chain", scenario_.world.control_step,
+                            "the control step", "abstract");
     if (scenario_.duration > 0 && abstraction.every > scenario_.duration)
         in_.report(rules::out_of_range, abstraction.span, {"the trials are shorter than a step of the chain"});
     if (scenario_.duration / abstraction.every > most_steps)

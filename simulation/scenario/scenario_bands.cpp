@@ -10,39 +10,39 @@
 
 namespace robochart::simulation {
 
-void ScenarioReader::measure() {
+void ScenarioReader::parse_measure() {
     Measure measure;
     measure.name = new_name("a name for the measure");
-    in_.expect("is");
+    in_.expect_word("is");
     const Name kind = in_.name("a kind of measure");
-    if (in_.failed()) return;
+    if (in_.has_failed()) return;
     if (kind.text == "cluster") {
         measure.kind = MeasureKind::cluster;
-        in_.expect("(");
-        measure.link = in_.positive(Dimension::length, "the length of a link");
-        in_.expect(")");
+        in_.expect_word("(");
+        measure.link = in_.read_positive(Dimension::length, "the length of a link");
+        in_.expect_word(")");
     } else if (kind.text == "distance") {
         measure.kind = MeasureKind::distance;
-        in_.expect("(");
+        in_.expect_word("(");
         measure.light = light_named(in_.name("the name of a light"));
-        in_.expect(")");
+        in_.expect_word(")");
     } else if (kind.text == "reached") {
         measure.kind = MeasureKind::reached;
-        in_.expect("(");
+        in_.expect_word("(");
         measure.light = light_named(in_.name("the name of a light"));
-        in_.expect(",");
-        measure.link = in_.positive(Dimension::length, "the distance from the light");
-        in_.expect(")");
+        in_.expect_word(",");
+        measure.link = in_.read_positive(Dimension::length, "the distance from the light");
+        in_.expect_word(")");
     } else if (kind.text == "inside") {
         measure.kind = MeasureKind::inside;
-        measure.region = region();
+        measure.region = parse_region();
     } else if (kind.text == "time") {
         measure.kind = MeasureKind::time;
     } else if (kind.text == "in_state") {
         measure.kind = MeasureKind::in_state;
-        in_.expect("(");
+        in_.expect_word("(");
         measure.state = in_.qualified_name("a state of the controller's first machine");
-        in_.expect(")");
+        in_.expect_word(")");
     } else if (kind.text == "working") {
         measure.kind = MeasureKind::working;
     } else if (kind.text == "spread") {
@@ -51,11 +51,11 @@ void ScenarioReader::measure() {
         measure.kind = MeasureKind::second_moment;
     } else {
         in_.report(rules::unknown_part, kind.span, {"kind of measure", kind.text});
-        return in_.fail(
+        return in_.fail_expecting(
             "'cluster', 'distance', 'in_state', 'inside', 'reached', 'second_moment', 'spread', 'time' or 'working'");
     }
-    if (in_.at("of") && measure.kind != MeasureKind::time) {
-        in_.take("of");
+    if (in_.at_word("of") && measure.kind != MeasureKind::time) {
+        in_.take_word("of");
         measure.of = kind_of_measure(in_.name("the name of robots"));
     }
     scenario_.measures.push_back(measure);
@@ -86,57 +86,58 @@ std::size_t ScenarioReader::measure_named() {
 }
 
 void ScenarioReader::accept() {
-    const diagnostics::Span word = in_.token().span;
-    if (in_.take("probability")) return claim(word, false);
+    const diagnostics::Span word = in_.current_token().span;
+    if (in_.take_word("probability")) return parse_claim(word, false);
     Band band;
-    band.each = in_.take("each");
-    if (!band.each && !in_.take("mean")) return in_.fail("'each', 'mean' or 'probability'");
-    const diagnostics::Span begin = in_.token().span;
-    range(statistic(band.statistic), band.low, band.high);
-    band.span = diagnostics::join(begin, in_.last_span());
-    band.text = fmt::format("{} {}", band.each ? "each" : "mean", in_.failed() ? "" : in_.text_since(begin));
+    band.each = in_.take_word("each");
+    if (!band.each && !in_.take_word("mean")) return in_.fail_expecting("'each', 'mean' or 'probability'");
+    const diagnostics::Span begin = in_.current_token().span;
+    parse_range(parse_statistic(band.statistic), band.low, band.high);
+    band.span = diagnostics::join_spans(begin, in_.last_span());
+    band.text = fmt::format("{} {}", band.each ? "each" : "mean", in_.has_failed() ? "" : in_.text_since(begin));
     const bool timed = band.statistic.kind == StatisticKind::first_time;
     if (timed || band.statistic.measure < scenario_.measures.size()) scenario_.bands.push_back(band);
 }
 
-void ScenarioReader::range(Dimension dimension, double& low, double& high) {
-    const diagnostics::Span begin = in_.token().span;
+void ScenarioReader::parse_range(Dimension dimension, double& low, double& high) {
+    const diagnostics::Span begin = in_.current_token().span;
     low = -INFINITY;
     high = INFINITY;
-    if (in_.take("<=")) {
-        high = in_.quantity(dimension, "this measure").value;
-    } else if (in_.take(">=")) {
-        low = in_.quantity(dimension, "this measure").value;
+    if (in_.take_word("<=")) {
+        high = in_.read_quantity(dimension, "this measure").value;
+    } else if (in_.take_word(">=")) {
+        low = in_.read_quantity(dimension, "this measure").value;
     } else {
-        in_.expect("in");
-        low = in_.quantity(dimension, "this measure").value;
-        in_.expect("to");
-        high = in_.quantity(dimension, "this measure").value;
+        in_.expect_word("in");
+        low = in_.read_quantity(dimension, "this measure").value;
+        in_.expect_word("to");
+        high = in_.read_quantity(dimension, "this measure").value;
     }
-    if (low > high) in_.report(rules::out_of_range, diagnostics::join(begin, in_.last_span()), {"the band is empty"});
+    if (low > high)
+        in_.report(rules::out_of_range, diagnostics::join_spans(begin, in_.last_span()), {"the band is empty"});
 }
 
-Dimension ScenarioReader::statistic(Statistic& statistic) {
-    if (in_.take("first")) {
+Dimension ScenarioReader::parse_statistic(Statistic& statistic) {
+    if (in_.take_word("first")) {
         statistic.kind = StatisticKind::first_time;
-        in_.expect("(");
-        const diagnostics::Span begin = in_.token().span;
-        statistic.condition = either();
+        in_.expect_word("(");
+        const diagnostics::Span begin = in_.current_token().span;
+        statistic.condition = parse_disjunction();
         if (statistic.condition.of_trial())
-            in_.report(rules::wrong_instant, diagnostics::join(begin, in_.last_span()),
+            in_.report(rules::wrong_instant, diagnostics::join_spans(begin, in_.last_span()),
                        {"'first' takes a condition at an instant"});
-        in_.expect(")");
+        in_.expect_word(")");
         return Dimension::time;
     }
-    if (in_.take("average")) {
+    if (in_.take_word("average")) {
         statistic.kind = StatisticKind::average;
-        in_.expect("(");
+        in_.expect_word("(");
         statistic.measure = measure_named();
-        in_.expect(")");
+        in_.expect_word(")");
         return dimension_of(statistic.measure);
     }
     statistic.measure = measure_named();
-    if (in_.take("at")) {
+    if (in_.take_word("at")) {
         statistic.kind = StatisticKind::at_time;
         statistic.time = in_.not_negative(Dimension::time, "the time of a measure");
         times_.push_back({statistic.time, in_.last_span()});

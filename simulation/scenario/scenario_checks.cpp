@@ -13,7 +13,7 @@
 
 namespace robochart::simulation {
 
-void ScenarioReader::check() {
+void ScenarioReader::check_scenario() {
     for (const auto& [word, what] :
          {std::pair("step", "the control step"), std::pair("physics", "the physics step"),
           std::pair("unit", "how long a time unit of the model is"), std::pair("duration", "the duration"),
@@ -56,22 +56,22 @@ void ScenarioReader::check_failures() {
     };
     if (varied(Varied::robots) == none && varied(Varied::failed) != none)
         refuse(varied(Varied::failed)->span, varied(Varied::failed)->values.back(), scenario_.robots);
-    for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind)
+    for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind)
         for (const Failure& each : scenario_.kind_at(kind).failures)
             if (kind > 0 || (varied(Varied::robots) == none && varied(Varied::failed) == none))
                 refuse(each.span, each.robots, scenario_.kind_at(kind).robots);
 }
 
-diagnostics::Span ScenarioReader::said(std::string_view word) const {
+diagnostics::Span ScenarioReader::span_of_item(std::string_view word) const {
     const auto found = said_.find(word);
     return found == said_.end() ? whole_ : found->second;
 }
 
-std::uint64_t ScenarioReader::divide(double whole, const char* whole_name, double part, const char* part_name,
-                                     std::string_view word) {
+std::uint64_t ScenarioReader::divide_evenly(double whole, const char* whole_name, double part, const char* part_name,
+                                            std::string_view word) {
     const double times = std::round(whole / part);
     if (times < 1 || std::abs(times * part - whole) > 1e-9 * whole || times > 1e6) {
-        in_.report(rules::uneven_steps, said(word), {whole_name, part_name});
+        in_.report(rules::uneven_steps, span_of_item(word), {whole_name, part_name});
         return 1;
     }
     return static_cast<std::uint64_t>(times);
@@ -81,15 +81,16 @@ void ScenarioReader::check_steps() {
     const double step = scenario_.world.control_step;
     if (!said_.contains("step") || step <= 0) return;
     if (physics_ > 0)
-        scenario_.world.physics_steps =
-            static_cast<std::uint32_t>(divide(step, "the control step", physics_, "the physics step", "physics"));
+        scenario_.world.physics_steps = static_cast<std::uint32_t>(
+            divide_evenly(step, "the control step", physics_, "the physics step", "physics"));
     if (scenario_.time_unit > 0)
-        scenario_.units_per_step =
-            static_cast<std::uint32_t>(divide(step, "the control step", scenario_.time_unit, "the time unit", "unit"));
+        scenario_.units_per_step = static_cast<std::uint32_t>(
+            divide_evenly(step, "the control step", scenario_.time_unit, "the time unit", "unit"));
     if (scenario_.duration > 0 && scenario_.duration < step)
-        in_.report(rules::out_of_range, said("duration"), {"the duration is shorter than a control step"});
+        in_.report(rules::out_of_range, span_of_item("duration"), {"the duration is shorter than a control step"});
     if (scenario_.duration / step > 1e8)
-        in_.report(rules::out_of_range, said("duration"), {"the duration is more than 100,000,000 control steps"});
+        in_.report(rules::out_of_range, span_of_item("duration"),
+                   {"the duration is more than 100,000,000 control steps"});
 }
 
 void ScenarioReader::check_places() {
@@ -111,7 +112,7 @@ void ScenarioReader::check_lights() {
 
 namespace {
 
-Region around(Vector centre, double width, double height) {
+Region region_around(Vector centre, double width, double height) {
     const Vector half{width / 2, height / 2};
     return {centre - half, centre + half};
 }
@@ -121,10 +122,10 @@ Region region_of(const Placement& placement, std::size_t robots, const Arena& ar
     switch (placement.kind) {
         case Placement::Kind::square: {
             const double side = std::sqrt(placement.area * static_cast<double>(robots));
-            return around(placement.pose.at, side, side);
+            return region_around(placement.pose.at, side, side);
         }
         case Placement::Kind::arena:
-            return around({}, arena.width, arena.height);
+            return region_around({}, arena.width, arena.height);
         default:
             return placement.region;
     }
@@ -164,7 +165,8 @@ namespace {
 
 /// Places the robots of a kind. If there are several regions, each gets an equal part; the first ones get one robot
 /// more. Returns false, with a finding, if they do not fit.
-bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagnostics::Diagnostics& diagnostics) {
+bool place_robots(World& world, const Scenario& scenario, const RobotKind& kind,
+                  diagnostics::Diagnostics& diagnostics) {
     const auto fixed = static_cast<std::size_t>(std::ranges::count_if(
         kind.placements, [](const Placement& placement) { return placement.kind == Placement::Kind::pose; }));
     std::size_t regions = kind.placements.size() - fixed;
@@ -179,7 +181,7 @@ bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagno
         return false;
     }
     for (const Placement& placement : kind.placements)
-        if (placement.kind == Placement::Kind::pose) world.place(placement.pose);
+        if (placement.kind == Placement::Kind::pose) world.add_robot(placement.pose);
     std::size_t left = kind.robots - fixed;
     for (const Placement& placement : kind.placements) {
         if (placement.kind == Placement::Kind::pose) continue;
@@ -218,9 +220,9 @@ bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagno
 std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
     World world(scenario.world, scenario.seed + trial);
     for (const Obstacle& obstacle : scenario.obstacles) world.add_obstacle(obstacle.corners, obstacle.there);
-    for (std::size_t kind = 0; kind < scenario.kinds(); ++kind) {
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) {
         world.set_body(scenario.body_of(kind));
-        if (!place(world, scenario, scenario.kind_at(kind), diagnostics)) return std::nullopt;
+        if (!place_robots(world, scenario, scenario.kind_at(kind), diagnostics)) return std::nullopt;
     }
     return world;
 }

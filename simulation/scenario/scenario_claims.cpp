@@ -17,67 +17,68 @@ constexpr std::size_t most_depth = 100;
 
 }  // namespace
 
-void ScenarioReader::estimate() {
-    const diagnostics::Span word = in_.token().span;
-    if (in_.at("time") || in_.at("average")) return chain_question(word);
-    if (!in_.take("probability")) return in_.fail("'probability', 'time' or 'average'");
-    claim(word, true);
+void ScenarioReader::parse_estimate() {
+    const diagnostics::Span word = in_.current_token().span;
+    if (in_.at_word("time") || in_.at_word("average")) return chain_question(word);
+    if (!in_.take_word("probability")) return in_.fail_expecting("'probability', 'time' or 'average'");
+    parse_claim(word, true);
 }
 
-double ScenarioReader::confidence() {
-    in_.expect("with");
-    in_.expect("confidence");
+double ScenarioReader::parse_confidence() {
+    in_.expect_word("with");
+    in_.expect_word("confidence");
     const double confidence = in_.not_negative(Dimension::share, "the confidence");
-    if (!in_.failed() && (confidence < 0.5 || confidence >= 1))
+    if (!in_.has_failed() && (confidence < 0.5 || confidence >= 1))
         in_.report(rules::out_of_range, in_.last_span(), {"the confidence is at least 50 % and less than 100 %"});
     return confidence;
 }
 
-void ScenarioReader::claim(diagnostics::Span begin, bool estimate) {
+void ScenarioReader::parse_claim(diagnostics::Span begin, bool estimate) {
     Claim claim;
     claim.estimate = estimate;
-    claim.property = either();
-    if (!claim.property.of_trial()) claim.property = over(Formula::Kind::at, "at", std::move(claim.property), INFINITY);
+    claim.property = parse_disjunction();
+    if (!claim.property.of_trial())
+        claim.property = lift_to_trial(Formula::Kind::at, "at", std::move(claim.property), INFINITY);
     if (!estimate) {
-        claim.at_least = in_.take(">=");
-        if (!claim.at_least) in_.expect("<=");
+        claim.at_least = in_.take_word(">=");
+        if (!claim.at_least) in_.expect_word("<=");
         claim.probability = in_.not_negative(Dimension::share, "a probability");
     }
-    claim.confidence = confidence();
-    while (!estimate && in_.take(",")) {
-        if (in_.take("indifference")) {
-            claim.indifference = in_.positive(Dimension::share, "the indifference");
+    claim.confidence = parse_confidence();
+    while (!estimate && in_.take_word(",")) {
+        if (in_.take_word("indifference")) {
+            claim.indifference = in_.read_positive(Dimension::share, "the indifference");
             if (claim.probability - claim.indifference <= 0 || claim.probability + claim.indifference >= 1)
                 in_.report(rules::out_of_range, in_.last_span(),
                            {"the probability, more or less the indifference, is not between 0 and 100 %"});
         } else {
-            in_.expect("at");
-            in_.expect("most");
-            claim.trials = static_cast<std::uint32_t>(in_.count(1, most_claim_trials, "the number of trials"));
-            in_.expect("trials");
+            in_.expect_word("at");
+            in_.expect_word("most");
+            claim.trials = static_cast<std::uint32_t>(in_.read_count(1, most_claim_trials, "the number of trials"));
+            in_.expect_word("trials");
             claim.limited = true;
         }
     }
-    claim.span = diagnostics::join(begin, in_.last_span());
-    if (in_.failed()) return;
+    claim.span = diagnostics::join_spans(begin, in_.last_span());
+    if (in_.has_failed()) return;
     claim.text = in_.text_since(begin);
     scenario_.claims.push_back(std::move(claim));
 }
 
-Formula ScenarioReader::either() {
-    Formula left = both();
-    while (in_.take("or")) left = joined(Formula::Kind::either, "or", std::move(left), both());
+Formula ScenarioReader::parse_disjunction() {
+    Formula left = parse_conjunction();
+    while (in_.take_word("or")) left = join_formulas(Formula::Kind::either, "or", std::move(left), parse_conjunction());
     return left;
 }
 
-Formula ScenarioReader::both() {
-    Formula left = timed();
-    while (in_.take("and")) left = joined(Formula::Kind::both, "and", std::move(left), timed());
+Formula ScenarioReader::parse_conjunction() {
+    Formula left = parse_timed();
+    while (in_.take_word("and")) left = join_formulas(Formula::Kind::both, "and", std::move(left), parse_timed());
     return left;
 }
 
-Formula ScenarioReader::joined(Formula::Kind kind, std::string_view word, Formula left, Formula right) {
-    if (left.of_trial() != right.of_trial() && !in_.failed()) {
+Formula ScenarioReader::join_formulas(Formula::Kind kind, std::string_view word, Formula left, Formula right) {
+    if (left.of_trial() != right.of_trial() && !in_.has_failed()) {
         in_.report(rules::wrong_instant, in_.last_span(),
                    {fmt::format("'{}' joins a condition at an instant and a property of a trial", word)});
         return left;
@@ -94,8 +95,8 @@ Formula ScenarioReader::joined(Formula::Kind kind, std::string_view word, Formul
     return formula;
 }
 
-Formula ScenarioReader::over(Formula::Kind kind, std::string_view word, Formula part, double time) {
-    if (part.of_trial() && !in_.failed()) {
+Formula ScenarioReader::lift_to_trial(Formula::Kind kind, std::string_view word, Formula part, double time) {
+    if (part.of_trial() && !in_.has_failed()) {
         in_.report(rules::wrong_instant, in_.last_span(), {fmt::format("'{}' takes a condition at an instant", word)});
         return part;
     }
@@ -107,7 +108,7 @@ Formula ScenarioReader::over(Formula::Kind kind, std::string_view word, Formula 
 }
 
 bool ScenarioReader::at_time_word() const {
-    return in_.at("stays") || in_.at("within") || in_.at("until") || in_.at("at");
+    return in_.at_word("stays") || in_.at_word("within") || in_.at_word("until") || in_.at_word("at");
 }
 
 double ScenarioReader::time_limit(std::string_view what) {
@@ -117,59 +118,60 @@ double ScenarioReader::time_limit(std::string_view what) {
 }
 
 /// The operators that bind more tightly than `and`.
-Formula ScenarioReader::timed() {
-    const bool negated = in_.at("not");
-    Formula formula = simple();
-    if (negated && at_time_word()) in_.fail("parentheses that show what 'not' is about");
-    while (!in_.failed() && at_time_word()) {
-        if (in_.take("stays")) {
-            in_.expect("for");
-            formula = over(Formula::Kind::stays, "stays for", std::move(formula), time_limit("how long it stays"));
-        } else if (in_.take("within")) {
-            formula = over(Formula::Kind::within, "within", std::move(formula), time_limit("the time"));
-        } else if (in_.take("at")) {
-            const double time = in_.take("end") ? INFINITY : time_limit("the time");
-            formula = over(Formula::Kind::at, "at", std::move(formula), time);
+Formula ScenarioReader::parse_timed() {
+    const bool negated = in_.at_word("not");
+    Formula formula = parse_simple();
+    if (negated && at_time_word()) in_.fail_expecting("parentheses that show what 'not' is about");
+    while (!in_.has_failed() && at_time_word()) {
+        if (in_.take_word("stays")) {
+            in_.expect_word("for");
+            formula =
+                lift_to_trial(Formula::Kind::stays, "stays for", std::move(formula), time_limit("how long it stays"));
+        } else if (in_.take_word("within")) {
+            formula = lift_to_trial(Formula::Kind::within, "within", std::move(formula), time_limit("the time"));
+        } else if (in_.take_word("at")) {
+            const double time = in_.take_word("end") ? INFINITY : time_limit("the time");
+            formula = lift_to_trial(Formula::Kind::at, "at", std::move(formula), time);
         } else {
-            in_.expect("until");
-            formula = over(Formula::Kind::until, "until", std::move(formula), INFINITY);
-            Formula end = simple();
+            in_.expect_word("until");
+            formula = lift_to_trial(Formula::Kind::until, "until", std::move(formula), INFINITY);
+            Formula end = parse_simple();
             if (end.of_trial())
                 in_.report(rules::wrong_instant, in_.last_span(), {"'until' takes conditions at an instant"});
-            if (in_.take("within")) formula.time = time_limit("the time");
+            if (in_.take_word("within")) formula.time = time_limit("the time");
             formula.parts.push_back(std::move(end));
         }
     }
     return formula;
 }
 
-Formula ScenarioReader::simple() {
+Formula ScenarioReader::parse_simple() {
     if (depth_ == most_depth)
-        in_.fail(fmt::format("at most {} words 'not', 'always' or '(' in each other", most_depth));
-    if (in_.failed()) return {};
+        in_.fail_expecting(fmt::format("at most {} words 'not', 'always' or '(' in each other", most_depth));
+    if (in_.has_failed()) return {};
     ++depth_;
     Formula formula;
-    if (in_.take("not")) {
+    if (in_.take_word("not")) {
         formula.kind = Formula::Kind::negation;
-        formula.parts.push_back(simple());
-    } else if (in_.take("always")) {
-        formula = over(Formula::Kind::always, "always", simple(), INFINITY);
-    } else if (in_.take("(")) {
-        formula = either();
-        in_.expect(")");
+        formula.parts.push_back(parse_simple());
+    } else if (in_.take_word("always")) {
+        formula = lift_to_trial(Formula::Kind::always, "always", parse_simple(), INFINITY);
+    } else if (in_.take_word("(")) {
+        formula = parse_disjunction();
+        in_.expect_word(")");
     } else {
-        formula = comparison();
+        formula = parse_comparison();
     }
     --depth_;
     return formula;
 }
 
-Formula ScenarioReader::comparison() {
+Formula ScenarioReader::parse_comparison() {
     Formula formula;
     formula.measure = measure_named();
-    const double time = in_.take("at") ? time_limit("the time of a measure") : NAN;
-    range(dimension_of(formula.measure), formula.low, formula.high);
-    return std::isnan(time) ? formula : over(Formula::Kind::at, "at", std::move(formula), time);
+    const double time = in_.take_word("at") ? time_limit("the time of a measure") : NAN;
+    parse_range(dimension_of(formula.measure), formula.low, formula.high);
+    return std::isnan(time) ? formula : lift_to_trial(Formula::Kind::at, "at", std::move(formula), time);
 }
 
 }  // namespace robochart::simulation

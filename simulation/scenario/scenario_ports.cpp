@@ -16,27 +16,27 @@ namespace robochart::simulation {
 void ScenarioReader::unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known) {
     diagnostics::Diagnostic* const finding = in_.report(rules::unknown_part, name.span, {what, name.text});
     if (finding == nullptr) return;
-    const std::string meant = diagnostics::nearest(name.text, known);
-    if (!meant.empty()) finding->fixes.push_back({name.span, meant, diagnostics::suggested(false)});
+    const std::string meant = diagnostics::nearest_spelling(name.text, known);
+    if (!meant.empty()) finding->fixes.push_back({name.span, meant, diagnostics::suggestion_verb(false)});
     if (!known.empty()) finding->notes.push_back({{}, fmt::format("there is {}", fmt::join(known, ", "))});
 }
 
-void ScenarioReader::sensor() {
+void ScenarioReader::parse_sensor() {
     Sensor sensor;
     sensor.name = new_name("a name for the sensor");
-    in_.expect("is");
+    in_.expect_word("is");
     const Name kind = in_.name("a kind of sensor");
     const auto known = sensor_kind(kind.text);
-    if (!known && !in_.failed()) {
+    if (!known && !in_.has_failed()) {
         std::vector<std::string> kinds;
         for (const SensorName& each : sensor_names()) kinds.emplace_back(each.name);
         unknown_part("kind of sensor", kind, kinds);
         unknown_sensors_.push_back(sensor.name.text);
     }
     sensor.kind = known.value_or(SensorKind::line_of_sight);
-    if (in_.take("{")) {
-        while (!in_.failed() && !in_.at("}")) option(sensor, known.has_value());
-        in_.expect("}");
+    if (in_.take_word("{")) {
+        while (!in_.has_failed() && !in_.at_word("}")) parse_option(sensor, known.has_value());
+        in_.expect_word("}");
     }
     if ((known == SensorKind::light || known == SensorKind::ground) && sensor.source.text.empty())
         in_.report(rules::missing, sensor.name.span,
@@ -44,21 +44,21 @@ void ScenarioReader::sensor() {
     if (known) scenario_.sensors.push_back(sensor);
 }
 
-void ScenarioReader::option(Sensor& sensor, bool known) {
+void ScenarioReader::parse_option(Sensor& sensor, bool known) {
     const auto is = [&](SensorKind kind, std::string_view word) {
-        return (!known || sensor.kind == kind) && in_.take(word);
+        return (!known || sensor.kind == kind) && in_.take_word(word);
     };
     const bool detects = !known || can_err(sensor.kind);
-    const auto sensors = [&] { return static_cast<std::uint32_t>(in_.count(1, 1024, "the number of sensors")); };
-    if (in_.at("range") && sensor.kind != SensorKind::light && sensor.kind != SensorKind::ground) {
-        in_.take("range");
-        const double range = in_.positive(Dimension::length, "the range");
+    const auto sensors = [&] { return static_cast<std::uint32_t>(in_.read_count(1, 1024, "the number of sensors")); };
+    if (in_.at_word("range") && sensor.kind != SensorKind::light && sensor.kind != SensorKind::ground) {
+        in_.take_word("range");
+        const double range = in_.read_positive(Dimension::length, "the range");
         sensor.sight_range = sensor.range_and_bearing.range = sensor.proximity.range = range;
-    } else if (detects && in_.take("false_negative"))
+    } else if (detects && in_.take_word("false_negative"))
         sensor.false_negative = in_.not_negative(Dimension::share, "how often something is missed");
-    else if (detects && in_.take("false_positive"))
+    else if (detects && in_.take_word("false_positive"))
         sensor.false_positive = in_.not_negative(Dimension::share, "how often something is seen that is not there");
-    else if (detects && in_.take("error"))
+    else if (detects && in_.take_word("error"))
         sensor.false_negative = sensor.false_positive = in_.not_negative(Dimension::share, "the error");
     else if (is(SensorKind::range_and_bearing, "message"))
         sensor.message = in_.name("a shared variable of the controller");
@@ -77,58 +77,58 @@ void ScenarioReader::option(Sensor& sensor, bool known) {
     else if (is(SensorKind::proximity, "sensors"))
         sensor.proximity.sensors = sensors();
     else
-        in_.fail("an option of the sensor or '}'");
+        in_.fail_expecting("an option of the sensor or '}'");
 }
 
-void ScenarioReader::actuator() {
+void ScenarioReader::parse_actuator() {
     Actuator actuator{new_name("a name for the actuator")};
-    in_.expect("is");
+    in_.expect_word("is");
     const Name kind = in_.name("a kind of actuator");
-    if (!in_.failed() && kind.text != "differential_drive")
+    if (!in_.has_failed() && kind.text != "differential_drive")
         unknown_part("kind of actuator", kind, {"differential_drive"});
     scenario_.actuators.push_back(actuator);
 }
 
-void ScenarioReader::feed() {
+void ScenarioReader::parse_feed() {
     Feed feed;
     feed.target = in_.qualified_name("the event or variable that is fed");
-    in_.expect("with");
+    in_.expect_word("with");
     feed.part = in_.name("a sensor or actuator");
-    in_.expect(".");
+    in_.expect_word(".");
     const Name reading = in_.name("a reading");
-    feed.span = diagnostics::join(feed.part.span, reading.span);
+    feed.span = diagnostics::join_spans(feed.part.span, reading.span);
     const ReadingRow* row = find_reading(feed, reading);
     if (row == nullptr) return skip_feed();
     feed.reading = row->reading;
     feed.carries = row->carries;
-    if (row->argument) argument(feed, *row);
+    if (row->argument) parse_argument(feed, *row);
     if (row->reading == Reading::message && in_sensor_without_message(feed))
         in_.report(rules::missing, feed.span, {fmt::format("what '{}' sends (message VARIABLE)", feed.part.text)});
     if (row->carries == Carries::real) {
-        in_.expect("in");
-        feed.factor = in_.unit(row->result, fmt::format("'{}'", reading.text));
+        in_.expect_word("in");
+        feed.factor = in_.read_unit(row->result, fmt::format("'{}'", reading.text));
     }
-    if (in_.take("on")) feed.on = in_.name("an operation");
+    if (in_.take_word("on")) feed.on = in_.name("an operation");
     kind_->feeds.push_back(feed);
 }
 
 void ScenarioReader::skip_feed() {
-    if (in_.take("(")) {
-        while (!in_.failed() && !in_.at(")") && !in_.at_end() && !in_.at("}")) skip_word();
-        in_.expect(")");
+    if (in_.take_word("(")) {
+        while (!in_.has_failed() && !in_.at_word(")") && !in_.at_end() && !in_.at_word("}")) skip_word();
+        in_.expect_word(")");
     }
-    if (in_.take("in")) (void)in_.name("a unit");
-    if (in_.take("/")) (void)in_.name("a unit");
-    if (in_.take("on")) (void)in_.name("an operation");
+    if (in_.take_word("in")) (void)in_.name("a unit");
+    if (in_.take_word("/")) (void)in_.name("a unit");
+    if (in_.take_word("on")) (void)in_.name("an operation");
 }
 
 void ScenarioReader::skip_word() {
-    const std::string word(in_.token().text);
-    in_.take(word);
+    const std::string word(in_.current_token().text);
+    in_.take_word(word);
 }
 
 const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& reading) {
-    if (in_.failed()) return nullptr;
+    if (in_.has_failed()) return nullptr;
     const auto sensor =
         std::ranges::find_if(scenario_.sensors, [&](const Sensor& s) { return s.name.text == feed.part.text; });
     const bool is_sensor = sensor != scenario_.sensors.end();
@@ -143,7 +143,7 @@ const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& rea
     const ReadingRow* row = is_sensor ? reading_of(sensor->kind, reading.text) : reading_of_actuator(reading.text);
     if (row == nullptr) {
         std::vector<std::string> known;
-        for (const ReadingRow& each : readings())
+        for (const ReadingRow& each : reading_table())
             if (is_sensor ? each.sensor == sensor->kind : !each.sensor) known.emplace_back(each.name);
         unknown_part(fmt::format("reading of '{}' named", feed.part.text), reading, known);
     }
@@ -160,115 +160,115 @@ bool ScenarioReader::is_actuator_name(const std::string& name) const {
     return std::ranges::any_of(scenario_.actuators, [&](const Actuator& a) { return a.name.text == name; });
 }
 
-void ScenarioReader::argument(Feed& feed, const ReadingRow& row) {
-    in_.expect("(");
+void ScenarioReader::parse_argument(Feed& feed, const ReadingRow& row) {
+    in_.expect_word("(");
     Argument argument;
     if (in_.at_number()) {
-        argument.literal = in_.quantity(*row.argument, fmt::format("'{}'", row.name));
+        argument.literal = in_.read_quantity(*row.argument, fmt::format("'{}'", row.name));
     } else {
         argument.variable = in_.name("a quantity or a variable");
         if (*row.argument != Dimension::number) {
-            in_.expect("in");
-            argument.factor = in_.unit(*row.argument, fmt::format("'{}'", row.name));
+            in_.expect_word("in");
+            argument.factor = in_.read_unit(*row.argument, fmt::format("'{}'", row.name));
         }
     }
-    in_.expect(")");
+    in_.expect_word(")");
     feed.argument = argument;
 }
 
-void ScenarioReader::drive() {
+void ScenarioReader::parse_drive() {
     Drive drive;
     drive.actuator = in_.name("an actuator");
-    if (!in_.failed() && !is_actuator_name(drive.actuator.text)) {
+    if (!in_.has_failed() && !is_actuator_name(drive.actuator.text)) {
         std::vector<std::string> known;
         for (const Actuator& each : scenario_.actuators) known.push_back(each.name.text);
         unknown_part("actuator", drive.actuator, known);
     }
-    in_.expect("by");
-    drive.span = in_.token().span;
-    if (in_.take("speeds"))
-        speeds(drive);
-    else if (in_.take("forward"))
-        forward(drive);
-    else if (in_.take("turn"))
-        turn(drive);
-    else if (in_.take("stop"))
+    in_.expect_word("by");
+    drive.span = in_.current_token().span;
+    if (in_.take_word("speeds"))
+        parse_speeds(drive);
+    else if (in_.take_word("forward"))
+        parse_forward(drive);
+    else if (in_.take_word("turn"))
+        parse_turn(drive);
+    else if (in_.take_word("stop"))
         drive.motion = Motion::stop;
-    else if (in_.take("wander"))
-        forward(drive), drive.motion = Motion::wander;
-    else if (in_.take("seek"))
-        seek(drive);
+    else if (in_.take_word("wander"))
+        parse_forward(drive), drive.motion = Motion::wander;
+    else if (in_.take_word("seek"))
+        parse_seek(drive);
     else
-        return in_.fail("'speeds', 'forward', 'turn', 'wander', 'seek' or 'stop'");
-    drive.span = diagnostics::join(drive.span, in_.last_span());
+        return in_.fail_expecting("'speeds', 'forward', 'turn', 'wander', 'seek' or 'stop'");
+    drive.span = diagnostics::join_spans(drive.span, in_.last_span());
     if (drive.motion != Motion::speeds) {
-        in_.expect("on");
+        in_.expect_word("on");
         drive.on = in_.name("an operation");
     }
     kind_->drives.push_back(drive);
 }
 
-void ScenarioReader::speeds(Drive& drive) {
+void ScenarioReader::parse_speeds(Drive& drive) {
     drive.motion = Motion::speeds;
-    in_.expect("(");
+    in_.expect_word("(");
     drive.linear = in_.name("the variable of the forward speed");
-    in_.expect("in");
-    drive.linear_factor = in_.unit(Dimension::speed, "a forward speed");
-    in_.expect(",");
+    in_.expect_word("in");
+    drive.linear_factor = in_.read_unit(Dimension::speed, "a forward speed");
+    in_.expect_word(",");
     drive.angular = in_.name("the variable of the rate of turning");
-    in_.expect("in");
-    drive.angular_factor = in_.unit(Dimension::turn_rate, "a rate of turning");
-    in_.expect(")");
+    in_.expect_word("in");
+    drive.angular_factor = in_.read_unit(Dimension::turn_rate, "a rate of turning");
+    in_.expect_word(")");
 }
 
-void ScenarioReader::forward(Drive& drive) {
+void ScenarioReader::parse_forward(Drive& drive) {
     drive.motion = Motion::forward;
-    in_.expect("(");
-    drive.speed = in_.quantity(Dimension::speed, "'forward'").value;
-    in_.expect(")");
+    in_.expect_word("(");
+    drive.speed = in_.read_quantity(Dimension::speed, "'forward'").value;
+    in_.expect_word(")");
 }
 
-void ScenarioReader::turn(Drive& drive) {
+void ScenarioReader::parse_turn(Drive& drive) {
     drive.motion = Motion::turn;
-    in_.expect("(");
-    drive.speed = in_.positive(Dimension::speed, "'turn'");
-    in_.expect(",");
-    drive.angular_factor = in_.unit(Dimension::angle, "'turn'");
-    in_.expect(")");
+    in_.expect_word("(");
+    drive.speed = in_.read_positive(Dimension::speed, "'turn'");
+    in_.expect_word(",");
+    drive.angular_factor = in_.read_unit(Dimension::angle, "'turn'");
+    in_.expect_word(")");
 }
 
-void ScenarioReader::seek(Drive& drive) {
+void ScenarioReader::parse_seek(Drive& drive) {
     drive.motion = Motion::seek;
-    in_.expect("(");
+    in_.expect_word("(");
     drive.light = light_named(in_.name("the name of a light"));
-    in_.expect(",");
-    drive.speed = in_.positive(Dimension::speed, "'seek'");
-    in_.expect(")");
+    in_.expect_word(",");
+    drive.speed = in_.read_positive(Dimension::speed, "'seek'");
+    in_.expect_word(")");
 }
 
-Stimulus ScenarioReader::raised() {
+Stimulus ScenarioReader::parse_raised_event() {
     Stimulus stimulus;
     stimulus.event = in_.qualified_name("an event");
-    if (in_.take("=")) {
-        if (in_.take("true"))
+    if (in_.take_word("=")) {
+        if (in_.take_word("true"))
             stimulus.truth = true;
-        else if (in_.take("false"))
+        else if (in_.take_word("false"))
             stimulus.truth = false;
         else if (!in_.at_number())
             stimulus.named =
                 in_.qualified_name("a value: a number, true, false, or a literal or constant of the model");
         else
-            stimulus.value = in_.quantity(Dimension::number, "the value of a stimulus");
+            stimulus.value = in_.read_quantity(Dimension::number, "the value of a stimulus");
     }
     return stimulus;
 }
 
-void ScenarioReader::stimulus() {
-    Stimulus stimulus = raised();
-    if (in_.take("every")) {
-        stimulus.every = stimulus.at = in_.positive(Dimension::time, "the time between stimuli");
+void ScenarioReader::parse_stimulus() {
+    Stimulus stimulus = parse_raised_event();
+    if (in_.take_word("every")) {
+        stimulus.every = stimulus.at = in_.read_positive(Dimension::time, "the time between stimuli");
     } else {
-        in_.expect("at");
+        in_.expect_word("at");
         stimulus.at = in_.not_negative(Dimension::time, "the time of a stimulus");
         times_.push_back({stimulus.at, in_.last_span()});
     }

@@ -41,38 +41,38 @@ private:
     };
 
     // scenario.cpp: times, the arena and its contents
-    static const std::array<ItemRow, 28>& items();
-    void item();
-    void model();
-    void step();
-    void physics();
+    static const std::array<ItemRow, 28>& item_table();
+    void parse_item();
+    void parse_model();
+    void parse_step();
+    void parse_physics();
     void time_unit();
-    void duration();
-    void trials();
-    void seed();
-    void record();
-    void arena();
+    void parse_duration();
+    void parse_trials();
+    void parse_seed();
+    void parse_record();
+    void parse_arena();
     /// `with AREA per robot`.
     double area_per_robot();
-    Region region();
-    void wall();
-    void light();
+    Region parse_region();
+    void parse_wall();
+    void parse_light();
     Name new_name(std::string_view what);
-    void place();
-    void pictures();
+    void parse_placement();
+    void parse_pictures();
 
     // scenario_kinds.cpp: kinds of robots and the environment
-    void robots();
+    void parse_robots();
     void robot_option();
     /// `axle`, `wheel` or `noise`; false if it is none of these.
     bool drive_option(OwnDrive&);
     void other_radius();
     /// `for COMPONENT { ... }`, after the name of a further kind.
     void other_kind(RobotKind kind, diagnostics::Span begin);
-    void constant(Controlled& controlled);
+    void parse_constant(Controlled& controlled);
     void ignore() { ignore_in(*kind_); }
     void ignore_in(Controlled& controlled);
-    void environment();
+    void parse_environment();
     void world_feed();
     void world_drive();
     void unknown_subject(const Name& name);
@@ -83,10 +83,10 @@ private:
     [[nodiscard]] std::size_t kind_of_measure(const Name& name);
 
     // scenario_ports.cpp: sensors, actuators, and their connections to the controller
-    void sensor();
-    void option(Sensor& sensor, bool known);
-    void actuator();
-    void feed();
+    void parse_sensor();
+    void parse_option(Sensor& sensor, bool known);
+    void parse_actuator();
+    void parse_feed();
     /// After an unknown sensor or reading, the rest of the item is skipped, because its form is unknown.
     void skip_feed();
     void skip_word();
@@ -94,77 +94,77 @@ private:
     /// True if the feed reads messages of a sensor that sends none.
     [[nodiscard]] bool in_sensor_without_message(const Feed& feed) const;
     [[nodiscard]] bool is_actuator_name(const std::string& name) const;
-    void argument(Feed& feed, const ReadingRow& row);
-    void drive();
+    void parse_argument(Feed& feed, const ReadingRow& row);
+    void parse_drive();
     void unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known);
-    void speeds(Drive& drive);
-    void forward(Drive& drive);
+    void parse_speeds(Drive& drive);
+    void parse_forward(Drive& drive);
     /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.
-    void turn(Drive& drive);
-    void stimulus();
+    void parse_turn(Drive& drive);
+    void parse_stimulus();
     /// Parses the event and its value, if it has one.
-    Stimulus raised();
+    Stimulus parse_raised_event();
     /// `seek(NAME, SPEED)`, `wander(SPEED)`.
-    void seek(Drive& drive);
+    void parse_seek(Drive& drive);
 
     // scenario_world.cpp: failures and obstacles
-    void failure();
-    void obstacle();
+    void parse_failure();
+    void parse_obstacle();
     /// `obstacles "FILE.svg" with LENGTH per unit`.
-    void obstacles();
+    void parse_drawn_obstacles();
     void add_obstacle(std::vector<Vector> corners, diagnostics::Span span);
     [[nodiscard]] std::optional<FailureKind> failure_kind();
 
     // scenario_bands.cpp: measures and bands
-    void measure();
+    void parse_measure();
     std::size_t light_named(const Name& name);
     [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
     std::size_t measure_named();
     void accept();
     /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; returns its dimension.
-    Dimension statistic(Statistic& statistic);
+    Dimension parse_statistic(Statistic& statistic);
     /// `<= Q`, `>= Q` or `in Q to Q`.
-    void range(Dimension dimension, double& low, double& high);
+    void parse_range(Dimension dimension, double& low, double& high);
 
     // scenario_claims.cpp: claims and formulas
-    void claim(diagnostics::Span begin, bool estimate);
-    double confidence();
+    void parse_claim(diagnostics::Span begin, bool estimate);
+    double parse_confidence();
     /// `estimate probability PROPERTY with confidence SHARE`.
-    void estimate();
-    Formula either();
-    Formula both();
-    Formula timed();
-    Formula simple();
-    Formula comparison();
-    Formula joined(Formula::Kind kind, std::string_view word, Formula left, Formula right);
+    void parse_estimate();
+    Formula parse_disjunction();
+    Formula parse_conjunction();
+    Formula parse_timed();
+    Formula parse_simple();
+    Formula parse_comparison();
+    Formula join_formulas(Formula::Kind kind, std::string_view word, Formula left, Formula right);
     /// Makes a formula of a trial from one of an instant.
-    Formula over(Formula::Kind kind, std::string_view word, Formula part, double time);
+    Formula lift_to_trial(Formula::Kind kind, std::string_view word, Formula part, double time);
     [[nodiscard]] bool at_time_word() const;
     double time_limit(std::string_view what);
 
     // scenario_variations.cpp: what a sweep varies
-    void vary();
+    void parse_variation();
     std::string constant_named();
-    void values(Variation& variation);
+    void parse_values(Variation& variation);
     double value_of(Varied what);
     /// `SENSOR.OPTION`.
     void sensor_option(Variation& variation);
 
     // scenario_abstraction.cpp: the states of a chain and the questions that only it answers
-    void abstract();
+    void parse_abstraction();
     /// Returns true if another one follows.
-    bool distinction(Abstraction& abstraction);
+    bool parse_distinction(Abstraction& abstraction);
     /// `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
     void chain_question(diagnostics::Span begin);
     void check_abstraction();
     void check_failures();
 
     // scenario_checks.cpp: consistency
-    void check();
-    [[nodiscard]] diagnostics::Span said(std::string_view word) const;
+    void check_scenario();
+    [[nodiscard]] diagnostics::Span span_of_item(std::string_view word) const;
     /// How many times `part` fits into `whole`; reported if it is not a whole number.
-    std::uint64_t divide(double whole, const char* whole_name, double part, const char* part_name,
-                         std::string_view word);
+    std::uint64_t divide_evenly(double whole, const char* whole_name, double part, const char* part_name,
+                                std::string_view word);
     void check_steps();
     void check_places();
     void check_lights();

@@ -18,34 +18,35 @@ constexpr std::size_t most_variations = 2;
 
 }  // namespace
 
-void ScenarioReader::vary() {
+void ScenarioReader::parse_variation() {
     Variation variation;
-    const diagnostics::Span begin = in_.token().span;
-    if (in_.take("const")) {
+    const diagnostics::Span begin = in_.current_token().span;
+    if (in_.take_word("const")) {
         variation.what = Varied::constant;
         variation.constant = constant_named();
-    } else if (in_.take("noise")) {
+    } else if (in_.take_word("noise")) {
         variation.what = Varied::noise;
-    } else if (in_.take("failures")) {
+    } else if (in_.take_word("failures")) {
         variation.what = Varied::failed;
-    } else if (in_.take("mean")) {
-        in_.expect("time");
+    } else if (in_.take_word("mean")) {
+        in_.expect_word("time");
         variation.what = Varied::mean_time;
-    } else if (!in_.take("robots")) {
+    } else if (!in_.take_word("robots")) {
         sensor_option(variation);
-        if (in_.failed()) return;
+        if (in_.has_failed()) return;
     }
-    in_.expect("in");
-    values(variation);
-    if (scenario_.variations.empty() && in_.take("until")) {
-        in_.expect("proved");
+    in_.expect_word("in");
+    parse_values(variation);
+    if (scenario_.variations.empty() && in_.take_word("until")) {
+        in_.expect_word("proved");
         variation.until_proved = true;
     }
-    variation.span = diagnostics::join(begin, in_.last_span());
-    if (in_.failed()) return;
+    variation.span = diagnostics::join_spans(begin, in_.last_span());
+    if (in_.has_failed()) return;
     // `pace` is the same as `leaders.pace` if the first kind of robots has this name.
     const auto subject = [&](const Variation& each) {
-        const auto address = each.what == Varied::constant ? addressed(scenario_, each.constant) : std::nullopt;
+        const auto address =
+            each.what == Varied::constant ? find_constant_address(scenario_, each.constant) : std::nullopt;
         return address ? std::pair(address->controller, address->constant) : std::pair(std::size_t{0}, each.constant);
     };
     const auto same = [&](const Variation& other) {
@@ -62,7 +63,7 @@ void ScenarioReader::vary() {
 /// Reads the name of a constant: `pace` of the scenario's own component, `leaders.pace`, `environment.pace`.
 std::string ScenarioReader::constant_named() {
     const Name first = in_.qualified_name("a constant of the model");
-    if (!in_.take(".")) return first.text;
+    if (!in_.take_word(".")) return first.text;
     if (!controller_named(scenario_, first.text)) unknown_part("kind of robots", first, controller_names(scenario_));
     return first.text + "." + in_.qualified_name("a constant of the model of these robots").text;
 }
@@ -70,10 +71,10 @@ std::string ScenarioReader::constant_named() {
 void ScenarioReader::sensor_option(Variation& variation) {
     variation.what = Varied::sensor;
     const bool known =
-        std::ranges::any_of(scenario_.sensors, [&](const Sensor& sensor) { return in_.at(sensor.name.text); });
-    if (!known) return in_.fail("'robots', 'noise', 'failures', 'mean time', 'const' or a sensor");
+        std::ranges::any_of(scenario_.sensors, [&](const Sensor& sensor) { return in_.at_word(sensor.name.text); });
+    if (!known) return in_.fail_expecting("'robots', 'noise', 'failures', 'mean time', 'const' or a sensor");
     variation.constant = in_.name("a sensor").text;
-    in_.expect(".");
+    in_.expect_word(".");
     const Name option = in_.name("an option of the sensor");
     variation.option = option.text;
     for (Sensor& sensor : scenario_.sensors)
@@ -83,25 +84,25 @@ void ScenarioReader::sensor_option(Variation& variation) {
 }
 
 /// `LOW to HIGH by STEP`, or values separated by commas.
-void ScenarioReader::values(Variation& variation) {
-    const diagnostics::Span begin = in_.token().span;
+void ScenarioReader::parse_values(Variation& variation) {
+    const diagnostics::Span begin = in_.current_token().span;
     std::vector<double>& values = variation.values;
     values.push_back(value_of(variation.what));
-    if (in_.take("to")) {
+    if (in_.take_word("to")) {
         const double high = value_of(variation.what);
         double step = 1;
-        if (variation.what == Varied::robots || variation.what == Varied::failed ? in_.take("by")
-                                                                                 : (in_.expect("by"), true))
+        if (variation.what == Varied::robots || variation.what == Varied::failed ? in_.take_word("by")
+                                                                                 : (in_.expect_word("by"), true))
             step = value_of(variation.what);
         const double count = step > 0 ? std::floor((high - values[0]) / step + 1e-9) : -1;
-        if (!in_.failed() && (count < 0 || count >= static_cast<double>(most_values)))
-            in_.report(rules::out_of_range, diagnostics::join(begin, in_.last_span()),
+        if (!in_.has_failed() && (count < 0 || count >= static_cast<double>(most_values)))
+            in_.report(rules::out_of_range, diagnostics::join_spans(begin, in_.last_span()),
                        {fmt::format("a variation has from 1 to {} values, from the lowest on", most_values)});
         else
             for (double i = 1; i <= count; ++i) values.push_back(values[0] + i * step);
         return;
     }
-    while (in_.take(",") && values.size() < most_values) values.push_back(value_of(variation.what));
+    while (in_.take_word(",") && values.size() < most_values) values.push_back(value_of(variation.what));
     std::ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
@@ -109,11 +110,11 @@ void ScenarioReader::values(Variation& variation) {
 double ScenarioReader::value_of(Varied what) {
     switch (what) {
         case Varied::robots:
-            return static_cast<double>(in_.count(1, most_robots_, "a number of robots"));
+            return static_cast<double>(in_.read_count(1, most_robots_, "a number of robots"));
         case Varied::failed:
-            return static_cast<double>(in_.count(0, most_robots_, "a number of robots that fail"));
+            return static_cast<double>(in_.read_count(0, most_robots_, "a number of robots that fail"));
         case Varied::mean_time:
-            return in_.positive(Dimension::time, "a mean time to a failure");
+            return in_.read_positive(Dimension::time, "a mean time to a failure");
         case Varied::sensor: {
             const double share = in_.not_negative(Dimension::share, "an option of a sensor");
             if (share > 1) in_.report(rules::out_of_range, in_.last_span(), {"it is more than 100 %"});
@@ -122,7 +123,7 @@ double ScenarioReader::value_of(Varied what) {
         case Varied::noise:
             return in_.not_negative(Dimension::share, "the noise of the wheels");
         default:
-            return in_.quantity(Dimension::number, "the value of a constant").value;
+            return in_.read_quantity(Dimension::number, "the value of a constant").value;
     }
 }
 

@@ -76,14 +76,14 @@ std::span<const diagnostics::Advice> scenario_advice() {
     return advice;
 }
 
-double Reader::number() {
-    const bool negative = take("-");
-    const Token next = token();
-    if (next.kind != TokenKind::integer && next.kind != TokenKind::real) fail("a number");
-    if (failed()) return 0;
+double Reader::read_number() {
+    const bool negative = take_word("-");
+    const Token next = current_token();
+    if (next.kind != TokenKind::integer && next.kind != TokenKind::real) fail_expecting("a number");
+    if (has_failed()) return 0;
     double value = 0;
     std::from_chars(next.text.data(), next.text.data() + next.text.size(), value);
-    advance();
+    advance_token();
     if (std::abs(value) > largest) {
         report(rules::out_of_range, last_span(), {fmt::format("{} is beyond {}", next.text, largest)});
         return 0;
@@ -94,48 +94,48 @@ double Reader::number() {
 /// Reads the unit directly after a number; "" if there is none. A word that is not a unit is not read: `5 s` has a
 /// unit, `trials 10 seed 1` has none.
 std::string Reader::unit_text() {
-    if (take("%")) return "%";
-    const Token next = token();
+    if (take_word("%")) return "%";
+    const Token next = current_token();
     if (next.kind != TokenKind::identifier || !unit_named(next.text)) return "";
     std::string text(next.text);
-    advance();
-    const Token slash = token();
+    advance_token();
+    const Token slash = current_token();
     const Token below = token_behind();
-    if (slash.is("/") && unit_named(text + "/" + std::string(below.text))) {
-        advance();
-        advance();
+    if (slash.is_word("/") && unit_named(text + "/" + std::string(below.text))) {
+        advance_token();
+        advance_token();
         text += "/" + std::string(below.text);
     }
     return text;
 }
 
-Quantity Reader::quantity(Dimension dimension, std::string_view what) {
-    const diagnostics::Span begin = token().span;
-    const double value = number();
-    const std::string unit = failed() ? "" : unit_text();
+Quantity Reader::read_quantity(Dimension dimension, std::string_view what) {
+    const diagnostics::Span begin = current_token().span;
+    const double value = read_number();
+    const std::string unit = has_failed() ? "" : unit_text();
     const Unit meant = unit_named(unit).value_or(Unit{});
-    const diagnostics::Span span = diagnostics::join(begin, last_span());
+    const diagnostics::Span span = diagnostics::join_spans(begin, last_span());
     if (meant.dimension != dimension)
-        report(rules::wrong_unit, span, {std::string(what), std::string(described(dimension))});
+        report(rules::wrong_unit, span, {std::string(what), std::string(describe_dimension(dimension))});
     return {value * meant.factor, meant.dimension, span};
 }
 
-double Reader::positive(Dimension dimension, std::string_view what) {
-    const Quantity q = quantity(dimension, what);
+double Reader::read_positive(Dimension dimension, std::string_view what) {
+    const Quantity q = read_quantity(dimension, what);
     if (q.value <= 0) report(rules::out_of_range, q.span, {fmt::format("{} must be greater than 0", what)});
     return q.value;
 }
 
 double Reader::not_negative(Dimension dimension, std::string_view what) {
-    const Quantity q = quantity(dimension, what);
+    const Quantity q = read_quantity(dimension, what);
     if (q.value < 0) report(rules::out_of_range, q.span, {fmt::format("{} must not be negative", what)});
     const bool beyond = dimension == Dimension::share && q.dimension == dimension && q.value > 1;
     if (beyond) report(rules::out_of_range, q.span, {fmt::format("{} is more than 100 %", what)});
     return q.value;
 }
 
-std::uint64_t Reader::count(std::uint64_t low, std::uint64_t high, std::string_view what) {
-    const Quantity q = quantity(Dimension::number, what);
+std::uint64_t Reader::read_count(std::uint64_t low, std::uint64_t high, std::string_view what) {
+    const Quantity q = read_quantity(Dimension::number, what);
     if (q.dimension != Dimension::number) return low;
     const bool whole = q.value == std::floor(q.value);
     if (!whole || q.value < static_cast<double>(low) || q.value > static_cast<double>(high)) {
@@ -145,26 +145,26 @@ std::uint64_t Reader::count(std::uint64_t low, std::uint64_t high, std::string_v
     return static_cast<std::uint64_t>(q.value);
 }
 
-double Reader::unit(Dimension dimension, std::string_view what) {
-    const diagnostics::Span begin = token().span;
-    const std::string text = failed() ? "" : unit_text();
+double Reader::read_unit(Dimension dimension, std::string_view what) {
+    const diagnostics::Span begin = current_token().span;
+    const std::string text = has_failed() ? "" : unit_text();
     if (text.empty()) {
-        fail("a unit");
+        fail_expecting("a unit");
         return 1;
     }
     const Unit meant = *unit_named(text);
     if (meant.dimension != dimension)
-        report(rules::wrong_unit, diagnostics::join(begin, last_span()),
-               {std::string(what), std::string(described(dimension))});
+        report(rules::wrong_unit, diagnostics::join_spans(begin, last_span()),
+               {std::string(what), std::string(describe_dimension(dimension))});
     return meant.factor;
 }
 
-Vector Reader::point(std::string_view what) {
-    expect("(");
-    const double x = quantity(Dimension::length, what).value;
-    expect(",");
-    const double y = quantity(Dimension::length, what).value;
-    expect(")");
+Vector Reader::read_point(std::string_view what) {
+    expect_word("(");
+    const double x = read_quantity(Dimension::length, what).value;
+    expect_word(",");
+    const double y = read_quantity(Dimension::length, what).value;
+    expect_word(")");
     return {x, y};
 }
 

@@ -20,19 +20,19 @@ public:
     Reader(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
     /// A quantity of one dimension; `what` names the item in messages.
-    Quantity quantity(Dimension, std::string_view what);
+    Quantity read_quantity(Dimension, std::string_view what);
     /// A quantity that must be positive, or at least zero.
-    double positive(Dimension, std::string_view what);
+    double read_positive(Dimension, std::string_view what);
     double not_negative(Dimension, std::string_view what);
     /// A whole number in a range.
-    std::uint64_t count(std::uint64_t low, std::uint64_t high, std::string_view what);
+    std::uint64_t read_count(std::uint64_t low, std::uint64_t high, std::string_view what);
     /// A unit without a number, of this dimension; returns its factor.
-    double unit(Dimension, std::string_view what);
+    double read_unit(Dimension, std::string_view what);
     /// `(x, y)`, lengths.
-    Vector point(std::string_view what);
+    Vector read_point(std::string_view what);
 
 private:
-    double number();
+    double read_number();
     /// The unit after a number; "" if there is none.
     std::string unit_text();
 };

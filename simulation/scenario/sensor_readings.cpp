@@ -6,7 +6,7 @@
 
 namespace robochart::simulation {
 
-std::span<const ReadingRow> readings() {
+std::span<const ReadingRow> reading_table() {
     using Kind = SensorKind;
     static constexpr std::array<ReadingRow, 13> table{{
         {"robot", Kind::line_of_sight, Reading::robot, Carries::signal, std::nullopt},
@@ -44,7 +44,7 @@ std::optional<SensorKind> sensor_kind(std::string_view name) {
 namespace {
 
 const ReadingRow* find(std::optional<SensorKind> kind, std::string_view name) {
-    const auto rows = readings();
+    const auto rows = reading_table();
     const auto row =
         std::ranges::find_if(rows, [&](const ReadingRow& r) { return r.sensor == kind && r.name == name; });
     return row == rows.end() ? nullptr : &*row;

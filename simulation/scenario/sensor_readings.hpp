@@ -19,7 +19,7 @@ struct ReadingRow {
     Dimension result = Dimension::number;  ///< the dimension of a real reading
 };
 
-[[nodiscard]] std::span<const ReadingRow> readings();
+[[nodiscard]] std::span<const ReadingRow> reading_table();
 /// A kind of sensor and its keyword.
 struct SensorName {
     std::string_view name;

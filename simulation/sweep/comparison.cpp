@@ -35,7 +35,7 @@ Fields fields_of(std::string_view line) {
 }
 
 template <class Number>
-std::optional<Number> number(const std::string& text) {
+std::optional<Number> parse_number(const std::string& text) {
     Number value{};
     const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (wrong != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -54,7 +54,7 @@ public:
             const Fields fields = fields_of(text.substr(0, end));
             text.remove_prefix(std::min(end + 1, text.size()));
             if (line == 1) {
-                error = heading(fields);
+                error = read_heading(fields);
             } else if (fields.size() > 1 || !fields[0].empty()) {
                 const auto row = row_of(fields);
                 if (row)
@@ -70,7 +70,7 @@ public:
 
 private:
     /// Finds the columns; returns the message about a missing one.
-    std::string heading(const Fields& names) {
+    std::string read_heading(const Fields& names) {
         const auto find = [&](const std::string& name) {
             return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
         };
@@ -89,12 +89,12 @@ private:
         const auto field = [&](std::size_t column) { return column < fields.size() ? fields[column] : ""; };
         TableRow row;
         for (const std::size_t column : point_) {
-            const auto value = number<double>(field(column));
+            const auto value = parse_number<double>(field(column));
             if (!value) return std::nullopt;
             row.point.push_back(*value);
         }
-        const auto trials = number<std::uint32_t>(field(trials_));
-        const auto successes = number<std::uint32_t>(field(successes_));
+        const auto trials = parse_number<std::uint32_t>(field(trials_));
+        const auto successes = parse_number<std::uint32_t>(field(successes_));
         if (!trials || !successes || *successes > *trials) return std::nullopt;
         row.sample = {*successes, *trials};
         row.claim = claim_of(field(claim_));
@@ -103,7 +103,7 @@ private:
 
     /// The index of the claim; the number of claims if the text names none.
     [[nodiscard]] std::size_t claim_of(const std::string& text) const {
-        const auto count = number<std::size_t>(text);
+        const auto count = parse_number<std::size_t>(text);
         if (count && *count > 0) return *count - 1;
         if (text.empty() && scenario_.claims.size() == 1) return 0;
         const auto same = [&](const Claim& each) { return each.text == text; };
@@ -131,28 +131,29 @@ std::optional<std::vector<TableRow>> read_table(std::string_view text, const Sce
     return TableReader(scenario).read(text, error);
 }
 
-std::vector<Compared> compare(const Scenario& scenario, const SweepResult& result, const std::vector<TableRow>& table) {
+std::vector<Compared> compare_tables(const Scenario& scenario, const SweepResult& result,
+                                     const std::vector<TableRow>& table) {
     std::vector<Compared> all;
     for (std::size_t c = 0; c < scenario.claims.size(); ++c) {
         std::vector<Compared> some;
         std::vector<double> chances;
         for (const PointResult& point : result.points) {
             if (point.claims.empty() || point.claims[c].verdict != ClaimVerdict::estimated) continue;
-            const statistics::Sample here{point.claims[c].successes, point.claims[c].trials()};
+            const statistics::Sample here{point.claims[c].successes, point.claims[c].trial_count()};
             for (const TableRow& row : table) {
                 if (row.claim != c || !same_point(row.point, point.point)) continue;
                 chances.push_back(statistics::fisher_exact(here, row.sample));
                 some.push_back({point.point, c, here, row.sample, chances.back(), 1});
             }
         }
-        const std::vector<double> adjusted = statistics::holm(chances);
+        const std::vector<double> adjusted = statistics::holm_correction(chances);
         for (std::size_t i = 0; i < some.size(); ++i) some[i].adjusted = adjusted[i];
         all.insert(all.end(), some.begin(), some.end());
     }
     return all;
 }
 
-bool rejected(const Scenario& scenario, const Compared& compared) {
+bool is_rejected(const Scenario& scenario, const Compared& compared) {
     return compared.adjusted <= 1 - scenario.claims[compared.claim].confidence;
 }
 
@@ -169,7 +170,7 @@ std::string comparison_text(const Scenario& scenario, const std::vector<Compared
             for (std::size_t v = 0; v < each.point.size(); ++v)
                 out += fmt::format("{:<9} ", value_text(scenario.variations[v], each.point[v]));
             out += fmt::format("{:<13} {:<13} {:<9.3g} {:.3g}{}\n", sample_text(each.here), sample_text(each.there),
-                               each.chance, each.adjusted, rejected(scenario, each) ? "  DIFFERS" : "");
+                               each.chance, each.adjusted, is_rejected(scenario, each) ? "  DIFFERS" : "");
         }
     }
     return out;
@@ -186,13 +187,13 @@ diagnostics::Json comparison_json(const Scenario& scenario, const std::vector<Co
                         {"there", {each.there.successes, each.there.trials}},
                         {"chance", each.chance},
                         {"adjusted", each.adjusted},
-                        {"differs", rejected(scenario, each)}});
+                        {"differs", is_rejected(scenario, each)}});
     }
     return list;
 }
 
 std::string comparison_summary(const Scenario& scenario, const std::vector<Compared>& all) {
-    const auto count = std::ranges::count_if(all, [&](const Compared& each) { return rejected(scenario, each); });
+    const auto count = std::ranges::count_if(all, [&](const Compared& each) { return is_rejected(scenario, each); });
     return count == 0 ? fmt::format("none of {} estimates differs from the table", all.size())
                       : fmt::format("{} of {} estimates differ from the table", count, all.size());
 }

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "simulation/sweep/sweep_report.hpp"
 #include "base/statistics/two_samples.hpp"
+#include "simulation/sweep/sweep_report.hpp"
 
 namespace robochart::simulation {
 
@@ -36,9 +36,9 @@ struct Compared {
 };
 
 /// The estimates in both tables; each claim is tested jointly at all its points.
-[[nodiscard]] std::vector<Compared> compare(const Scenario&, const SweepResult&, const std::vector<TableRow>&);
+[[nodiscard]] std::vector<Compared> compare_tables(const Scenario&, const SweepResult&, const std::vector<TableRow>&);
 /// True if the estimates differ at the joint confidence of the claim.
-[[nodiscard]] bool rejected(const Scenario&, const Compared&);
+[[nodiscard]] bool is_rejected(const Scenario&, const Compared&);
 /// The comparisons as a table.
 [[nodiscard]] std::string comparison_text(const Scenario&, const std::vector<Compared>&);
 /// A list of objects: `values`, `claim`, `here` and `there` (successes, trials), `chance`, `adjusted`, `differs`.

@@ -90,7 +90,7 @@ std::string name_of(const Variation& variation) {
 }
 
 std::string value_text(const Variation& variation, double value) {
-    if (is_share(variation)) return percent(value);
+    if (is_share(variation)) return percent_text(value);
     const std::string text = fmt::format("{:.12f}", value);
     const std::size_t last = text.find_last_not_of('0');
     return text.substr(0, text[last] == '.' ? last : last + 1);
@@ -103,7 +103,7 @@ std::string point_text(const Scenario& scenario, const Point& point) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Least least(const std::vector<PointResult>& results, std::size_t claim, std::optional<double> second) {
+Least least_value(const std::vector<PointResult>& results, std::size_t claim, std::optional<double> second) {
     Least found;
     bool all_fail = true;
     for (const PointResult& each : results) {
@@ -124,10 +124,10 @@ Least least(const std::vector<PointResult>& results, std::size_t claim, std::opt
     return found;
 }
 
-std::optional<statistics::Interval> pointwise(const Claim& claim, const ClaimResult& found) {
-    if (claim.indifference > 0 || found.looked == 0 || found.looked != found.trials()) return std::nullopt;
+std::optional<statistics::Interval> pointwise_interval(const Claim& claim, const ClaimResult& found) {
+    if (claim.indifference > 0 || found.looked == 0 || found.looked != found.trial_count()) return std::nullopt;
     if (claim.estimate) return statistics::clopper_pearson(found.successes, found.looked, 1 - claim.confidence);
-    return statistics::Looks(claim.trials, 1 - claim.confidence).at(found.successes, found.looked);
+    return statistics::Looks(claim.trials, 1 - claim.confidence).interval_after(found.successes, found.looked);
 }
 
 std::vector<statistics::Duration> durations_of(const ClaimResult& found) {
@@ -136,7 +136,7 @@ std::vector<statistics::Duration> durations_of(const ClaimResult& found) {
     return durations;
 }
 
-std::string stored(const std::vector<ClaimResult>& claims) {
+std::string claims_to_text(const std::vector<ClaimResult>& claims) {
     Json list = Json::array();
     for (const ClaimResult& claim : claims) {
         Json outcomes = Json::array();
@@ -162,7 +162,7 @@ bool is_stored(const Json& claim) {
 
 }  // namespace
 
-std::optional<std::vector<ClaimResult>> restored(std::string_view text, std::size_t claims) {
+std::optional<std::vector<ClaimResult>> claims_from_text(std::string_view text, std::size_t claims) {
     const Json list = Json::parse(text, nullptr, false);
     if (!list.is_array() || list.size() != claims) return std::nullopt;
     std::vector<ClaimResult> results;

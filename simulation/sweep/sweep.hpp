@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/statistics/survival.hpp"
 #include "simulation/report/claims.hpp"
 #include "simulation/scenario/scenario.hpp"
-#include "base/statistics/survival.hpp"
 
 namespace robochart::simulation {
 
@@ -44,16 +44,16 @@ struct Least {
     bool ended = false;           ///< further points are unnecessary or cannot help
 };
 /// `second` is the value of the second variation, if there is one.
-[[nodiscard]] Least least(const std::vector<PointResult>&, std::size_t claim, std::optional<double> second);
+[[nodiscard]] Least least_value(const std::vector<PointResult>&, std::size_t claim, std::optional<double> second);
 
 /// The interval of a single point, with the whole error of the claim; no value for tests, and between looks.
-[[nodiscard]] std::optional<statistics::Interval> pointwise(const Claim&, const ClaimResult&);
+[[nodiscard]] std::optional<statistics::Interval> pointwise_interval(const Claim&, const ClaimResult&);
 
 /// The time to success in each trial. If a trial stopped, or had no success, its time is a lower bound.
 [[nodiscard]] std::vector<statistics::Duration> durations_of(const ClaimResult&);
 
 /// Converts the claims of a point to text, exactly, and back; no value if the text was not written by this function.
-[[nodiscard]] std::string stored(const std::vector<ClaimResult>&);
-[[nodiscard]] std::optional<std::vector<ClaimResult>> restored(std::string_view text, std::size_t claims);
+[[nodiscard]] std::string claims_to_text(const std::vector<ClaimResult>&);
+[[nodiscard]] std::optional<std::vector<ClaimResult>> claims_from_text(std::string_view text, std::size_t claims);
 
 }  // namespace robochart::simulation

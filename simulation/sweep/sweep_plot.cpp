@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "base/diagnostics/escape.hpp"
+#include "base/statistics/survival.hpp"
 #include "simulation/report/drawing.hpp"
 #include "simulation/report/percent.hpp"
-#include "base/statistics/survival.hpp"
 
 namespace robochart::simulation {
 
@@ -47,11 +47,11 @@ public:
             "<text class=\"sim-text\" x=\"12\" y=\"20\" font-size=\"{4:.3g}\" font-weight=\"bold\">{2}</text>\n",
             plot_width, height, xml_text(title_), picture_style(), title_size());
         out += legend_.svg(left_edge, 30);
-        for (const double share : ticks(0, 1, 6))
+        for (const double share : axis_ticks(0, 1, 6))
             out += fmt::format(
                 "<path class=\"sim-grid\" d=\"M{:g} {:.1f}h{:g}\"/><text class=\"sim-soft\" x=\"{:g}\" y=\"{:.1f}\" "
                 "text-anchor=\"end\">{}</text>\n",
-                left_edge, y(share), area_width, left_edge - 6, y(share) + 4, percent(share));
+                left_edge, y(share), area_width, left_edge - 6, y(share) + 4, percent_text(share));
         for (const auto& [value, name] : names)
             out += fmt::format(
                 "<path class=\"sim-axis\" d=\"M{0:.1f} {1:g}v5\"/><text class=\"sim-soft\" x=\"{0:.1f}\" y=\"{2:g}\" "
@@ -103,22 +103,23 @@ std::vector<LegendEntry> verdict_entries(const Claim& claim) {
 }
 
 double share_of(const ClaimResult& found) {
-    return found.trials() == 0 ? 0 : static_cast<double>(found.successes) / static_cast<double>(found.trials());
+    return found.trial_count() == 0 ? 0
+                                    : static_cast<double>(found.successes) / static_cast<double>(found.trial_count());
 }
 
 class SweepPlotter {
 public:
     SweepPlotter(const Scenario& scenario, const SweepResult& result) : scenario_(scenario), result_(result) {}
 
-    [[nodiscard]] std::string success(std::size_t claim) const {
+    [[nodiscard]] std::string draw_success(std::size_t claim) const {
         const Variation& first = scenario_.variations.front();
         const double low = first.values.front();
         const double edge = std::max(1e-9, 0.04 * (first.values.back() - low));
         std::vector<LegendEntry> entries = verdict_entries(scenario_.claims[claim]);
-        for (std::size_t s = 0; scenario_.variations.size() > 1 && s < seconds().size() && s < most_curves; ++s)
+        for (std::size_t s = 0; scenario_.variations.size() > 1 && s < second_values().size() && s < most_curves; ++s)
             entries.push_back(
-                {fmt::format("<rect x=\"-6\" y=\"-5\" width=\"12\" height=\"10\" fill=\"{}\"/>", colour(s)),
-                 name_of(scenario_.variations[1]) + " " + value_text(scenario_.variations[1], seconds()[s])});
+                {fmt::format("<rect x=\"-6\" y=\"-5\" width=\"12\" height=\"10\" fill=\"{}\"/>", series_colour(s)),
+                 name_of(scenario_.variations[1]) + " " + value_text(scenario_.variations[1], second_values()[s])});
         ShareFrame frame(scenario_.claims[claim].text, entries, low - edge, first.values.back() + edge);
         if (!scenario_.claims[claim].estimate)
             frame.add(fmt::format(
@@ -129,22 +130,22 @@ public:
     }
 
     /// The fraction of trials without success so far, over time.
-    [[nodiscard]] std::string times(std::size_t claim) const {
-        const std::vector<const PointResult*> points = chosen();
+    [[nodiscard]] std::string draw_survival(std::size_t claim) const {
+        const std::vector<const PointResult*> points = drawn_points();
         std::vector<LegendEntry> entries;
         for (std::size_t p = 0; p < points.size(); ++p)
-            entries.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"/>", colour(p)),
+            entries.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"/>", series_colour(p)),
                                point_text(scenario_, points[p]->point)});
         ShareFrame frame("trials in which it has not come: " + scenario_.claims[claim].text, entries, 0,
                          scenario_.duration);
-        for (std::size_t p = 0; p < points.size(); ++p) curve(frame, points[p]->claims[claim], colour(p));
+        for (std::size_t p = 0; p < points.size(); ++p) draw_curve(frame, points[p]->claims[claim], series_colour(p));
         std::vector<std::pair<double, std::string>> names;
-        for (const double time : ticks(0, scenario_.duration, 8)) names.emplace_back(time, number_text(time));
+        for (const double time : axis_ticks(0, scenario_.duration, 8)) names.emplace_back(time, number_text(time));
         return frame.svg(names, "time [s]");
     }
 
     /// A cell for each point, with darkness by the fraction of trials; the tooltip shows the interval.
-    [[nodiscard]] std::string map(std::size_t claim) const {
+    [[nodiscard]] std::string draw_map(std::size_t claim) const {
         const Variation& first = scenario_.variations[0];
         const Variation& second = scenario_.variations[1];
         const auto columns = static_cast<double>(first.values.size());
@@ -177,7 +178,7 @@ public:
     }
 
 private:
-    [[nodiscard]] const std::vector<double>& seconds() const { return scenario_.variations[1].values; }
+    [[nodiscard]] const std::vector<double>& second_values() const { return scenario_.variations[1].values; }
 
     static std::vector<std::pair<double, std::string>> axis_names(const Variation& variation) {
         std::vector<std::pair<double, std::string>> names;
@@ -192,26 +193,26 @@ private:
         const ClaimResult& found = point.claims[claim];
         std::size_t hue = 0;
         if (point.point.size() > 1)
-            hue = static_cast<std::size_t>(std::find(seconds().begin(), seconds().end(), point.point[1]) -
-                                           seconds().begin());
+            hue = static_cast<std::size_t>(std::find(second_values().begin(), second_values().end(), point.point[1]) -
+                                           second_values().begin());
         const double x =
             frame.x(point.point[0]) + (point.point.size() > 1 ? 3.0 * static_cast<double>(hue % most_curves) : 0);
         std::string bars;
-        if (const auto alone = pointwise(scenario_.claims[claim], found))
+        if (const auto alone = pointwise_interval(scenario_.claims[claim], found))
             bars += fmt::format(
                 "<path stroke=\"{}\" stroke-width=\"4\" stroke-opacity=\"0.5\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>",
-                colour(hue), x, frame.y(alone->low), frame.y(alone->high));
+                series_colour(hue), x, frame.y(alone->low), frame.y(alone->high));
         if (found.looked > 0)
             bars += fmt::format(
                 "<path class=\"sim-target\" d=\"M{0:.1f} {1:.1f}V{2:.1f}M{3:.1f} {1:.1f}h6M{3:.1f} {2:.1f}h6\"/>", x,
                 frame.y(found.interval.low), frame.y(found.interval.high), x - 3);
         frame.add(fmt::format("<g><title>{}: {}</title>{}{}</g>\n", xml_text(point_text(scenario_, point.point)),
                               xml_text(evidence_text(scenario_.claims[claim], found)), bars,
-                              verdict_mark(point_word(point, claim), x, frame.y(share_of(found)), colour(hue))));
+                              verdict_mark(point_word(point, claim), x, frame.y(share_of(found)), series_colour(hue))));
     }
 
     /// Selects at most eight of the computed points, spread evenly.
-    [[nodiscard]] std::vector<const PointResult*> chosen() const {
+    [[nodiscard]] std::vector<const PointResult*> drawn_points() const {
         std::vector<const PointResult*> known;
         for (const PointResult& point : result_.points)
             if (!point.claims.empty()) known.push_back(&point);
@@ -221,8 +222,8 @@ private:
         return some;
     }
 
-    void curve(ShareFrame& frame, const ClaimResult& found, const char* hue) const {
-        const auto steps = statistics::survival(durations_of(found), 0.05);
+    void draw_curve(ShareFrame& frame, const ClaimResult& found, const char* hue) const {
+        const auto steps = statistics::survival_curve(durations_of(found), 0.05);
         std::string line = fmt::format("M{:.1f} {:.1f}", frame.x(0), frame.y(1));
         std::string above = line;
         std::string below;
@@ -261,10 +262,10 @@ std::vector<SweepPlot> sweep_plots(const Scenario& scenario, const SweepResult& 
     std::vector<SweepPlot> plots;
     for (std::size_t c = 0; c < scenario.claims.size(); ++c) {
         const std::string number = scenario.claims.size() > 1 ? fmt::format("-{}", c + 1) : "";
-        plots.push_back({"success" + number, plotter.success(c)});
+        plots.push_back({"success" + number, plotter.draw_success(c)});
         if (scenario.claims[c].property.kind == Formula::Kind::within)
-            plots.push_back({"times" + number, plotter.times(c)});
-        if (scenario.variations.size() > 1) plots.push_back({"map" + number, plotter.map(c)});
+            plots.push_back({"times" + number, plotter.draw_survival(c)});
+        if (scenario.variations.size() > 1) plots.push_back({"map" + number, plotter.draw_map(c)});
     }
     return plots;
 }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "simulation/report/percent.hpp"
 #include "base/statistics/survival.hpp"
+#include "simulation/report/percent.hpp"
 
 namespace robochart::simulation {
 
@@ -23,7 +23,7 @@ std::uint32_t robots_at(const Scenario& scenario, const Point& point) {
 }
 
 template <class Count>
-std::uint64_t sum(const Scenario& scenario, const SweepResult& result, Count count) {
+std::uint64_t sum_over_claims(const Scenario& scenario, const SweepResult& result, Count count) {
     std::uint64_t total = 0;
     for (const PointResult& point : result.points)
         for (const ClaimResult& claim : point.claims) total += count(claim) * robots_at(scenario, point.point);
@@ -97,9 +97,9 @@ std::string table_text(const Scenario& scenario, const SweepResult& result, std:
         for (std::size_t v = 0; v < each.point.size(); ++v)
             out += fmt::format("{:<9} ", value_text(scenario.variations[v], each.point[v]));
         std::string line =
-            fmt::format("{:<9} {:>7} {:>9}  {:<22} {}", point_word(each, claim), found.trials(), found.successes,
+            fmt::format("{:<9} {:>7} {:>9}  {:<22} {}", point_word(each, claim), found.trial_count(), found.successes,
                         interval_text(scenario.claims[claim], found), median_text(scenario.claims[claim], found));
-        if (found.stopped() > 0) line += fmt::format(" ({} stopped)", found.stopped());
+        if (found.stopped_count() > 0) line += fmt::format(" ({} stopped)", found.stopped_count());
         out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
     return out;
@@ -129,11 +129,12 @@ std::string csv_names(const Scenario& scenario) {
 }  // namespace
 
 std::uint64_t SweepResult::robot_steps(const Scenario& scenario) const {
-    return sum(scenario, *this, [](const ClaimResult& claim) { return claim.steps; });
+    return sum_over_claims(scenario, *this, [](const ClaimResult& claim) { return claim.steps; });
 }
 
 std::uint64_t SweepResult::whole_robot_steps(const Scenario& scenario) const {
-    return sum(scenario, *this, [&](const ClaimResult& claim) { return claim.trials() * scenario.steps(); });
+    return sum_over_claims(scenario, *this,
+                           [&](const ClaimResult& claim) { return claim.trial_count() * scenario.step_count(); });
 }
 
 std::string point_word(const PointResult& point, std::size_t claim) {
@@ -152,7 +153,7 @@ std::string point_word(const PointResult& point, std::size_t claim) {
 
 std::string median_text(const Claim& claim, const ClaimResult& found) {
     if (claim.property.kind != Formula::Kind::within || found.outcomes.empty()) return "";
-    const auto half = statistics::median(statistics::survival(durations_of(found), 0.05));
+    const auto half = statistics::median_time(statistics::survival_curve(durations_of(found), 0.05));
     return half ? fmt::format("{:.1f} s", *half) : "never";
 }
 
@@ -161,7 +162,7 @@ std::vector<std::string> least_lines(const Scenario& scenario, const SweepResult
     const Variation& first = scenario.variations.front();
     for (std::size_t c = 0; c < scenario.claims.size(); ++c)
         for (const auto& second : scenario.claims[c].estimate ? Seconds{} : seconds_of(scenario)) {
-            const Least found = least(result.points, c, second);
+            const Least found = least_value(result.points, c, second);
             const std::string name = "least " + name_of(first);
             std::string line = !found.value    ? fmt::format("{}: none is proved", name)
                                : found.certain ? fmt::format("{}: {}", name, value_text(first, *found.value))
@@ -196,13 +197,14 @@ std::string sweep_csv(const Scenario& scenario, const SweepResult& result) {
     for (const PointResult& point : result.points)
         for (std::size_t c = 0; c < point.claims.size(); ++c) {
             const ClaimResult& found = point.claims[c];
-            const auto alone = pointwise(scenario.claims[c], found);
+            const auto alone = pointwise_interval(scenario.claims[c], found);
             const std::string median = median_text(scenario.claims[c], found);
             out += fmt::format("{}{},{},{},{},{},{},{},{},{},{},{}\n", csv_point(scenario, point.point),
-                               csv_text(scenario.claims[c].text), point_word(point, c), found.trials(), found.successes,
-                               found.interval.low, found.interval.high, alone ? fmt::format("{}", alone->low) : "",
-                               alone ? fmt::format("{}", alone->high) : "", found.stopped(),
-                               found.steps * robots_at(scenario, point.point), median.substr(0, median.find(' ')));
+                               csv_text(scenario.claims[c].text), point_word(point, c), found.trial_count(),
+                               found.successes, found.interval.low, found.interval.high,
+                               alone ? fmt::format("{}", alone->low) : "", alone ? fmt::format("{}", alone->high) : "",
+                               found.stopped_count(), found.steps * robots_at(scenario, point.point),
+                               median.substr(0, median.find(' ')));
         }
     return out;
 }
@@ -229,11 +231,11 @@ std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json
         for (std::size_t c = 0; c < point.claims.size(); ++c) {
             const ClaimResult& found = point.claims[c];
             claims.push_back({{"answer", point_word(point, c)},
-                              {"trials", found.trials()},
+                              {"trials", found.trial_count()},
                               {"successes", found.successes},
                               {"low", found.interval.low},
                               {"high", found.interval.high},
-                              {"stopped", found.stopped()},
+                              {"stopped", found.stopped_count()},
                               {"steps", found.steps}});
         }
         points.push_back({{"values", std::move(values)}, {"claims", std::move(claims)}});
@@ -255,8 +257,8 @@ std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json
                     {"wholeRobotSteps", result.whole_robot_steps(scenario)},
                     {"earlier", result.earlier},
                     {"interrupted", result.interrupted},
-                    {"seconds", diagnostics::rounded(result.seconds, 3)},
-                    {"cpuSeconds", diagnostics::rounded(result.cpu_seconds, 3)},
+                    {"seconds", diagnostics::round_to_places(result.seconds, 3)},
+                    {"cpuSeconds", diagnostics::round_to_places(result.cpu_seconds, 3)},
                     {"files", files},
                     {"exit", exit}};
     return diagnostics::json_text(json) + "\n";

@@ -13,7 +13,7 @@ namespace robochart::simulation {
 namespace {
 
 /// Compares the description in the loaded object with what was emitted.
-std::string fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission) {
+std::string find_fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission) {
     if (drive == nullptr) return "its interface is null";
     if (drive->abi_version != ROBOCHART_DRIVE_ABI_VERSION)
         return fmt::format("interface version {} where {} is needed", drive->abi_version, ROBOCHART_DRIVE_ABI_VERSION);
@@ -72,7 +72,7 @@ StateNumbers::StateNumbers(const Drives& drives) : drives_(drives) {
     }
 }
 
-std::uint16_t StateNumbers::of(std::size_t kind, std::uint32_t machine, const void* controller) const {
+std::uint16_t StateNumbers::state_number(std::size_t kind, std::uint32_t machine, const void* controller) const {
     const rc_drive& drive = *drives_.kinds[kind];
     const std::uint32_t state = machine < drive.machines ? drive.state_of(controller, machine) : 0;
     const bool known = machine < drive.machines && state < drive.machine[machine].states;
@@ -91,9 +91,9 @@ std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emi
     auto controller = std::make_unique<Controller>();
     controller->library_ = cpp_emit::SharedLibrary::build(emission.files, emission.sources, options, error);
     if (controller->library_ == nullptr) return nullptr;
-    void* const symbol = controller->library_->symbol("robochart_drive");
+    void* const symbol = controller->library_->find_symbol("robochart_drive");
     if (symbol != nullptr) controller->drive_ = reinterpret_cast<const rc_drive* (*)()>(symbol)();
-    error = fault(controller->drive_, emission);
+    error = find_fault(controller->drive_, emission);
     if (!error.empty()) return nullptr;
     return controller;
 }

@@ -21,7 +21,9 @@ struct MachineStates {
     std::vector<std::string> states;
 
     /// The name of a state by its number; "" between states.
-    [[nodiscard]] std::string state(std::size_t number) const { return number < states.size() ? states[number] : ""; }
+    [[nodiscard]] std::string state_name(std::size_t number) const {
+        return number < states.size() ? states[number] : "";
+    }
 };
 /// The machines of the controllers. If only one is shown, it is the first.
 using Machines = std::vector<MachineStates>;
@@ -46,10 +48,10 @@ struct Drives {
 class StateNumbers {
 public:
     explicit StateNumbers(const Drives&);
-    [[nodiscard]] std::uint32_t machines() const { return static_cast<std::uint32_t>(total_.size()); }
+    [[nodiscard]] std::uint32_t machine_count() const { return static_cast<std::uint32_t>(total_.size()); }
     /// The state of a machine of a controller of this kind. The result is the number of states if the machine is
     /// between states, or if there is no such machine.
-    [[nodiscard]] std::uint16_t of(std::size_t kind, std::uint32_t machine, const void* controller) const;
+    [[nodiscard]] std::uint16_t state_number(std::size_t kind, std::uint32_t machine, const void* controller) const;
 
 private:
     const Drives& drives_;

@@ -24,12 +24,12 @@ public:
         return {world_.position(robot), world_.heading(robot)};
     }
 
-    void sense() override { sensing_.update(); }
+    void sense() override { sensing_.update_positions(); }
     [[nodiscard]] Sight line_of_sight(std::size_t robot, const Sensor& sensor) override {
         const Sight sight = sensing_.line_of_sight(robot, sensor.sight_range);
         if (sight.what == Seen::robot)
-            return world_.random().chance(sensor.false_negative) ? Sight{Seen::nothing, 0} : sight;
-        return world_.random().chance(sensor.false_positive) ? Sight{Seen::robot, sight.distance} : sight;
+            return world_.random().draw_chance(sensor.false_negative) ? Sight{Seen::nothing, 0} : sight;
+        return world_.random().draw_chance(sensor.false_positive) ? Sight{Seen::robot, sight.distance} : sight;
     }
     [[nodiscard]] std::vector<std::uint32_t> robots_within(std::size_t robot, const Sensor& sensor,
                                                            double distance) override {
@@ -60,7 +60,7 @@ public:
         return 0;
     }
     [[nodiscard]] bool close_within(std::size_t robot, const Sensor& sensor, double distance) override {
-        const auto nearest = sensing_.nearest(robot, sensor.proximity);
+        const auto nearest = sensing_.nearest_distance(robot, sensor.proximity);
         return nearest && *nearest <= distance;
     }
 

@@ -27,13 +27,13 @@ std::uint64_t step_at(double time, double control_step, std::uint64_t end) {
 Condition::Condition(const Formula& formula, double control_step)
     : formula_(formula), control_step_(control_step), since_(count_stays(formula), never) {}
 
-bool Condition::holds(std::uint64_t step, const MeasureNow& now) {
+bool Condition::holds_after(std::uint64_t step, const MeasureNow& now) {
     std::size_t stay = 0;
-    return holds(formula_, step, now, stay);
+    return holds_after(formula_, step, now, stay);
 }
 
 /// All parts are evaluated, because a `stays` in them must be updated in every step.
-bool Condition::holds(const Formula& formula, std::uint64_t step, const MeasureNow& now, std::size_t& stay) {
+bool Condition::holds_after(const Formula& formula, std::uint64_t step, const MeasureNow& now, std::size_t& stay) {
     if (formula.kind == Kind::compare) {
         const double value = now(formula.measure);
         return formula.low <= value && value <= formula.high;
@@ -42,7 +42,7 @@ bool Condition::holds(const Formula& formula, std::uint64_t step, const MeasureN
     bool all = true;
     bool any = false;
     for (const Formula& part : formula.parts) {
-        const bool one = holds(part, step, now, stay);
+        const bool one = holds_after(part, step, now, stay);
         all = all && one;
         any = any || one;
     }
@@ -63,12 +63,12 @@ bool Condition::holds(const Formula& formula, std::uint64_t step, const MeasureN
 }
 
 Property::Property(const Formula& formula, double control_step, std::uint64_t end) : formula_(formula) {
-    collect(formula, control_step, end);
+    collect_timed(formula, control_step, end);
 }
 
-void Property::collect(const Formula& formula, double control_step, std::uint64_t end) {
+void Property::collect_timed(const Formula& formula, double control_step, std::uint64_t end) {
     if (formula.kind == Kind::negation || formula.kind == Kind::both || formula.kind == Kind::either) {
-        for (const Formula& part : formula.parts) collect(part, control_step, end);
+        for (const Formula& part : formula.parts) collect_timed(part, control_step, end);
         return;
     }
     Timed& timed = timed_.emplace_back();
@@ -77,7 +77,7 @@ void Property::collect(const Formula& formula, double control_step, std::uint64_
     for (const Formula& part : formula.parts) timed.parts.emplace_back(part, control_step);
 }
 
-bool Property::due(std::uint64_t step) const {
+bool Property::is_due(std::uint64_t step) const {
     if (answer_.holds) return false;
     return std::ranges::any_of(timed_, [&](const Timed& timed) {
         if (timed.holds) return false;
@@ -86,19 +86,19 @@ bool Property::due(std::uint64_t step) const {
     });
 }
 
-void Property::look(std::uint64_t step, const MeasureNow& now) {
+void Property::evaluate_at(std::uint64_t step, const MeasureNow& now) {
     if (answer_.holds) return;
     for (Timed& timed : timed_)
-        if (!timed.holds) look(timed, step, now);
+        if (!timed.holds) evaluate_at(timed, step, now);
     std::size_t timed = 0;
-    answer_.holds = value(formula_, timed);
+    answer_.holds = known_value(formula_, timed);
     if (answer_.holds) answer_.step = step;
 }
 
 /// Evaluates a part that is not decided yet.
-void Property::look(Timed& timed, std::uint64_t step, const MeasureNow& now) {
+void Property::evaluate_at(Timed& timed, std::uint64_t step, const MeasureNow& now) {
     if (timed.formula->kind == Kind::at && step != timed.last && count_stays(*timed.formula) == 0) return;
-    const bool first = timed.parts.front().holds(step, now);
+    const bool first = timed.parts.front().holds_after(step, now);
     const bool last = step >= timed.last;
     switch (timed.formula->kind) {
         case Kind::within:
@@ -108,7 +108,7 @@ void Property::look(Timed& timed, std::uint64_t step, const MeasureNow& now) {
             if (!first || last) timed.holds = first;
             return;
         case Kind::until: {
-            const bool reached = timed.parts.back().holds(step, now);
+            const bool reached = timed.parts.back().holds_after(step, now);
             if (reached || !first || last) timed.holds = reached;
             return;
         }
@@ -118,7 +118,7 @@ void Property::look(Timed& timed, std::uint64_t step, const MeasureNow& now) {
 }
 
 /// Three-valued logic (Kleene).
-std::optional<bool> Property::value(const Formula& formula, std::size_t& timed) const {
+std::optional<bool> Property::known_value(const Formula& formula, std::size_t& timed) const {
     if (formula.kind != Kind::negation && formula.kind != Kind::both && formula.kind != Kind::either)
         return timed_[timed++].holds;
     const bool decisive = formula.kind == Kind::either;  // one false part decides `both`
@@ -126,7 +126,7 @@ std::optional<bool> Property::value(const Formula& formula, std::size_t& timed) 
     bool decided = false;
     std::optional<bool> only;
     for (const Formula& part : formula.parts) {
-        only = value(part, timed);
+        only = known_value(part, timed);
         open = open || !only;
         decided = decided || only == decisive;
     }

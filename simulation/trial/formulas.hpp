@@ -23,10 +23,10 @@ public:
     Condition(const Formula&, double control_step);
 
     /// Returns true if the formula is true after this number of steps. Must be called for each step, in order.
-    [[nodiscard]] bool holds(std::uint64_t step, const MeasureNow&);
+    [[nodiscard]] bool holds_after(std::uint64_t step, const MeasureNow&);
 
 private:
-    [[nodiscard]] bool holds(const Formula&, std::uint64_t step, const MeasureNow&, std::size_t& stay);
+    [[nodiscard]] bool holds_after(const Formula&, std::uint64_t step, const MeasureNow&, std::size_t& stay);
 
     static constexpr std::uint64_t never = ~std::uint64_t{0};
     const Formula& formula_;
@@ -51,8 +51,8 @@ public:
     Property(const Formula&, double control_step, std::uint64_t end);
 
     /// True if the instant after this number of steps must be evaluated.
-    [[nodiscard]] bool due(std::uint64_t step) const;
-    void look(std::uint64_t step, const MeasureNow&);
+    [[nodiscard]] bool is_due(std::uint64_t step) const;
+    void evaluate_at(std::uint64_t step, const MeasureNow&);
     [[nodiscard]] const Answer& answer() const { return answer_; }
     /// Must be called when the trial ends after this number of steps; `holds` is assumed if the formula is not decided.
     void end(std::uint64_t step, bool holds);
@@ -65,9 +65,9 @@ private:
         std::vector<Condition> parts;
         std::optional<bool> holds;
     };
-    void collect(const Formula&, double control_step, std::uint64_t end);
-    static void look(Timed&, std::uint64_t step, const MeasureNow&);
-    [[nodiscard]] std::optional<bool> value(const Formula&, std::size_t& timed) const;
+    void collect_timed(const Formula&, double control_step, std::uint64_t end);
+    static void evaluate_at(Timed&, std::uint64_t step, const MeasureNow&);
+    [[nodiscard]] std::optional<bool> known_value(const Formula&, std::size_t& timed) const;
 
     const Formula& formula_;
     std::vector<Timed> timed_;  ///< in textual order

@@ -14,11 +14,11 @@ public:
     /// `parts` contains an observer, or null, for each kind of the scenario. `whole` observes all robots, with their
     /// numbers in the scenario, and may be null.
     KindTraces(const Scenario&, std::vector<std::unique_ptr<Trace>> parts, std::unique_ptr<Trace> whole = nullptr);
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-               rc_drive_result result) override;
+    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) override;
     /// The objection about the robot of the last cycle.
-    [[nodiscard]] const Objection* objection() const override;
-    [[nodiscard]] bool decided() const override;
+    [[nodiscard]] const Objection* current_objection() const override;
+    [[nodiscard]] bool is_conclusive() const override;
 
 private:
     std::vector<std::size_t> first_;  ///< index of the first robot of each kind

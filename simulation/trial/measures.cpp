@@ -21,9 +21,9 @@ public:
     explicit Groups(std::size_t count) : parent_(count), size_(count, 1), count_(count) {
         std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
+    void join_groups(std::uint32_t a, std::uint32_t b) {
+        a = find_root(a);
+        b = find_root(b);
         if (a == b) return;
         if (size_[a] < size_[b]) std::swap(a, b);
         parent_[b] = a;
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] Clusters result() const { return {count_, *std::ranges::max_element(size_)}; }
 
 private:
-    std::uint32_t root(std::uint32_t a) {
+    std::uint32_t find_root(std::uint32_t a) {
         while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
         return a;
     }
@@ -44,7 +44,7 @@ private:
 
 }  // namespace
 
-Clusters clusters(const std::vector<Pose>& poses, double link) {
+Clusters count_clusters(const std::vector<Pose>& poses, double link) {
     if (poses.empty()) return {};
     // Sorted by x: only robots whose x differs by less than a link can be linked.
     std::vector<std::uint32_t> order(poses.size());
@@ -55,14 +55,14 @@ Clusters clusters(const std::vector<Pose>& poses, double link) {
         for (std::size_t j = i + 1; j < order.size(); ++j) {
             const Vector way = poses[order[j]].at - poses[order[i]].at;
             if (way.x > link) break;
-            if (dot(way, way) <= link * link) groups.join(order[i], order[j]);
+            if (dot(way, way) <= link * link) groups.join_groups(order[i], order[j]);
         }
     return groups.result();
 }
 
 double largest_cluster(const std::vector<Pose>& poses, double link) {
     if (poses.empty()) return 0;
-    return static_cast<double>(clusters(poses, link).largest) / static_cast<double>(poses.size());
+    return static_cast<double>(count_clusters(poses, link).largest) / static_cast<double>(poses.size());
 }
 
 double mean_distance(const std::vector<Pose>& poses) {
@@ -80,7 +80,7 @@ Vector centroid(const std::vector<Pose>& poses) {
     return poses.empty() ? sum : (1 / static_cast<double>(poses.size())) * sum;
 }
 
-double spread(const std::vector<Pose>& poses) {
+double mean_spread(const std::vector<Pose>& poses) {
     const Vector centre = centroid(poses);
     double sum = 0;
     for (const Pose& pose : poses) sum += length(pose.at - centre);
@@ -109,7 +109,7 @@ double share_inside(const std::vector<Pose>& poses, const Region& region) {
 }
 
 LightNow light_at(const Scenario& scenario, const Frame& frame, std::size_t light) {
-    return frame.lights.empty() ? LightNow{scenario.lights.at(light).position(frame.time)} : frame.lights.at(light);
+    return frame.lights.empty() ? LightNow{scenario.lights.at(light).position_at(frame.time)} : frame.lights.at(light);
 }
 
 Frame of_kind(const Scenario& scenario, std::size_t kind, const Frame& frame) {
@@ -130,11 +130,11 @@ double share_in(const Measure& measure, const Frame& frame) {
     if (frame.states.empty()) return 0;
     std::size_t there = 0;
     for (std::size_t robot = 0; robot < frame.poses.size(); ++robot)
-        if (std::ranges::find(measure.states, frame.state(robot)) != measure.states.end()) ++there;
+        if (std::ranges::find(measure.states, frame.robot_state(robot)) != measure.states.end()) ++there;
     return static_cast<double>(there) / static_cast<double>(frame.poses.size());
 }
 
-double measured(const Scenario& scenario, const Measure& measure, const Frame& all) {
+double measure_value(const Scenario& scenario, const Measure& measure, const Frame& all) {
     const Frame part = measure.of ? of_kind(scenario, *measure.of, all) : Frame{};
     const Frame& frame = measure.of ? part : all;
     const std::vector<Pose>& poses = frame.poses;
@@ -142,7 +142,7 @@ double measured(const Scenario& scenario, const Measure& measure, const Frame& a
         case MeasureKind::cluster:
             return largest_cluster(poses, measure.link);
         case MeasureKind::spread:
-            return spread(poses);
+            return mean_spread(poses);
         case MeasureKind::second_moment:
             return second_moment(poses, scenario.world.body.radius);
         case MeasureKind::distance:
@@ -172,7 +172,7 @@ std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& me
         return states_named(machines,
                             fmt::format("{}::{}", scenario.kind_at(*measure.of).kind.text, measure.state.text));
     std::vector<std::uint16_t> states = states_named(machines, measure.state.text);
-    for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind) {
+    for (std::size_t kind = 0; kind < scenario.kind_count() && !scenario.others.empty(); ++kind) {
         const std::string& name = scenario.kind_at(kind).kind.text;
         if (name.empty()) continue;
         const auto more = states_named(machines, fmt::format("{}::{}", name, measure.state.text));
@@ -184,7 +184,7 @@ std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& me
 /// True if the name may refer to states of several kinds, or if a kind has the same name.
 bool is_ambiguous(const Scenario& scenario, const Measure& measure, const Machines& machines) {
     if (measure.of) return false;
-    for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind)
+    for (std::size_t kind = 0; kind < scenario.kind_count() && !scenario.others.empty(); ++kind)
         if (scenario.kind_at(kind).kind.text == measure.state.text) return true;
     std::set<std::string> names;
     return std::ranges::any_of(measure.states, [&](std::uint16_t state) {
@@ -211,7 +211,7 @@ MeasureNow measures_now(const Scenario& scenario, const Frame& frame) {
     std::vector<double> known(scenario.measures.size(), std::numeric_limits<double>::quiet_NaN());
     return [&scenario, &frame, known = std::move(known)](std::size_t measure) mutable {
         double& value = known[measure];
-        if (std::isnan(value)) value = measured(scenario, scenario.measures[measure], frame);
+        if (std::isnan(value)) value = measure_value(scenario, scenario.measures[measure], frame);
         return value;
     };
 }
@@ -222,7 +222,7 @@ Statistics::Statistics(const Scenario& scenario) : scenario_(scenario), entries_
             entries_[band].condition.emplace(scenario.bands[band].statistic.condition, scenario.world.control_step);
 }
 
-bool Statistics::due(std::size_t band, std::uint64_t step) const {
+bool Statistics::is_due(std::size_t band, std::uint64_t step) const {
     const Statistic& statistic = scenario_.bands[band].statistic;
     const double seconds = static_cast<double>(step) * scenario_.world.control_step;
     const auto at = [&](double time) {
@@ -236,24 +236,24 @@ bool Statistics::due(std::size_t band, std::uint64_t step) const {
         case StatisticKind::average:
             return at(std::round(seconds));
         case StatisticKind::final:
-            return step == scenario_.steps();
+            return step == scenario_.step_count();
     }
     return false;
 }
 
-bool Statistics::due(std::uint64_t step) const {
+bool Statistics::is_due(std::uint64_t step) const {
     for (std::size_t band = 0; band < entries_.size(); ++band)
-        if (due(band, step)) return true;
+        if (is_due(band, step)) return true;
     return false;
 }
 
-void Statistics::look(std::uint64_t step, const MeasureNow& now) {
+void Statistics::take_samples(std::uint64_t step, const MeasureNow& now) {
     for (std::size_t band = 0; band < entries_.size(); ++band) {
-        if (!due(band, step)) continue;
+        if (!is_due(band, step)) continue;
         const Statistic& statistic = scenario_.bands[band].statistic;
         Entry& entry = entries_[band];
         if (entry.condition) {
-            entry.done = entry.condition->holds(step, now);
+            entry.done = entry.condition->holds_after(step, now);
             entry.value = static_cast<double>(step) * scenario_.world.control_step;
         } else {
             entry.value += now(statistic.measure);
@@ -263,7 +263,7 @@ void Statistics::look(std::uint64_t step, const MeasureNow& now) {
     }
 }
 
-std::vector<double> Statistics::values() const {
+std::vector<double> Statistics::band_values() const {
     std::vector<double> result;
     for (const Entry& entry : entries_) {
         const double looks = entry.looks > 0 ? static_cast<double>(entry.looks) : 1;

@@ -24,7 +24,7 @@ struct Frame {
     std::vector<bool> obstacles = {};   ///< for Scenario::obstacles: present or not; empty: as at the start
 
     /// The state of a robot's machine.
-    [[nodiscard]] std::uint16_t state(std::size_t robot, std::size_t machine = 0) const {
+    [[nodiscard]] std::uint16_t robot_state(std::size_t robot, std::size_t machine = 0) const {
         return states[robot * (states.size() / poses.size()) + machine];
     }
 };
@@ -35,13 +35,13 @@ struct Clusters {
     std::size_t count = 0;
     std::size_t largest = 0;  ///< number of robots in the largest group
 };
-[[nodiscard]] Clusters clusters(const std::vector<Pose>&, double link);
+[[nodiscard]] Clusters count_clusters(const std::vector<Pose>&, double link);
 /// The fraction of robots in the largest group.
 [[nodiscard]] double largest_cluster(const std::vector<Pose>&, double link);
 /// The mean distance between the centres of all pairs of robots, in cm; 0 if there is no pair.
 [[nodiscard]] double mean_distance(const std::vector<Pose>&);
 /// The mean distance to the centroid, in cm.
-[[nodiscard]] double spread(const std::vector<Pose>&);
+[[nodiscard]] double mean_spread(const std::vector<Pose>&);
 /// The sum of squared distances to the centroid, in units of the squared diameter.
 [[nodiscard]] double second_moment(const std::vector<Pose>&, double radius);
 [[nodiscard]] Vector centroid(const std::vector<Pose>&);
@@ -55,7 +55,7 @@ struct Clusters {
 [[nodiscard]] Frame of_kind(const Scenario&, std::size_t kind, const Frame&);
 /// The fraction of robots that are in the states of the measure.
 [[nodiscard]] double share_in(const Measure&, const Frame&);
-[[nodiscard]] double measured(const Scenario&, const Measure&, const Frame&);
+[[nodiscard]] double measure_value(const Scenario&, const Measure&, const Frame&);
 /// Finds the states of measures by name; reports unknown names.
 void find_states(Scenario&, const Machines&, diagnostics::Diagnostics&);
 /// The measures at one instant; each is computed at most once. Keeps references.
@@ -67,10 +67,10 @@ public:
     explicit Statistics(const Scenario&);
 
     /// True if some band needs the positions after this number of steps.
-    [[nodiscard]] bool due(std::uint64_t step) const;
-    void look(std::uint64_t step, const MeasureNow&);
+    [[nodiscard]] bool is_due(std::uint64_t step) const;
+    void take_samples(std::uint64_t step, const MeasureNow&);
     /// Returns one value per band; NaN if a time was never reached. Averages are over all full seconds.
-    [[nodiscard]] std::vector<double> values() const;
+    [[nodiscard]] std::vector<double> band_values() const;
 
 private:
     struct Entry {
@@ -79,7 +79,7 @@ private:
         bool done = false;
         std::optional<Condition> condition;  ///< the condition of first_time
     };
-    [[nodiscard]] bool due(std::size_t band, std::uint64_t step) const;
+    [[nodiscard]] bool is_due(std::size_t band, std::uint64_t step) const;
 
     const Scenario& scenario_;
     std::vector<Entry> entries_;

@@ -6,8 +6,8 @@
 
 #include <iterator>
 
-#include "cpp_emit/files/trace_names.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "cpp_emit/files/trace_names.hpp"
 
 namespace robochart::simulation {
 
@@ -16,7 +16,7 @@ namespace {
 /// The largest amount of text of one robot that is buffered.
 constexpr std::size_t most_kept = 1U << 16U;
 
-std::vector<std::string> names(const std::vector<cpp_emit::Port>& ports) {
+std::vector<std::string> exported_names(const std::vector<cpp_emit::Port>& ports) {
     std::vector<std::string> exported;
     for (const cpp_emit::Port& port : ports) exported.push_back(port.exported);
     return cpp_emit::trace_names(exported);
@@ -30,8 +30,8 @@ TraceLog::TraceLog(TraceLogOptions options, const Scenario& scenario, const cpp_
       scenario_(scenario),
       emission_(emission),
       trial_(trial),
-      inputs_(names(emission.inputs)),
-      outputs_(names(emission.outputs)) {}
+      inputs_(exported_names(emission.inputs)),
+      outputs_(exported_names(emission.outputs)) {}
 
 TraceLog::~TraceLog() {
     for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
@@ -41,18 +41,19 @@ TraceLog::~TraceLog() {
     if (!error_.empty() && options_.failed) options_.failed(error_);
 }
 
-std::string TraceLog::path(std::size_t robot) const {
+std::string TraceLog::log_path(std::size_t robot) const {
     return fmt::format("trial-{:02}/robot-{:02}.trace", trial_ + 1, options_.first + robot);
 }
 
 void TraceLog::begin(std::size_t robot) {
     std::string& text = robots_[robot].text;
     text = fmt::format("robochart-trace {}\n", cpp_emit::trace_version);
-    if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::shown(options_.model));
-    for (const std::string& each : options_.constants) text += fmt::format("const {}\n", diagnostics::shown(each));
+    if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::escape_for_display(options_.model));
+    for (const std::string& each : options_.constants)
+        text += fmt::format("const {}\n", diagnostics::escape_for_display(each));
     text += fmt::format("component {}\ncycle {}\nunit {} s\nrobot {}\nscenario {} seed {} trial {}\n",
                         options_.component, scenario_.units_per_step, scenario_.time_unit, options_.first + robot,
-                        diagnostics::shown(options_.scenario), scenario_.seed, trial_ + 1);
+                        diagnostics::escape_for_display(options_.scenario), scenario_.seed, trial_ + 1);
     text += fmt::format("run trial {} robot {}\n", trial_ + 1, options_.first + robot);
 }
 
@@ -96,8 +97,8 @@ void TraceLog::add_action(std::string& text, const rc_action& action) const {
     text += ' ';
 }
 
-void TraceLog::cycle(std::size_t robot, std::uint64_t /*step*/, const rc_signal* inputs, const rc_actions& outputs,
-                     rc_drive_result result) {
+void TraceLog::observe_cycle(std::size_t robot, std::uint64_t /*step*/, const rc_signal* inputs,
+                             const rc_actions& outputs, rc_drive_result result) {
     while (robots_.size() <= robot) {
         robots_.emplace_back();
         begin(robots_.size() - 1);
@@ -121,7 +122,7 @@ void TraceLog::flush(std::size_t robot) {
     Robot& log = robots_[robot];
     if (log.text.empty() || !error_.empty()) return;
     if (log.file == nullptr)
-        log.file = std::make_unique<diagnostics::GrowingFile>(options_.folder, path(robot), options_.budget);
+        log.file = std::make_unique<diagnostics::GrowingFile>(options_.folder, log_path(robot), options_.budget);
     error_ = log.file->append(log.text);
     log.text.clear();
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/simulator_api.hpp"
 #include "base/diagnostics/files.hpp"
+#include "cpp_emit/simulator_api.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {
@@ -31,8 +31,8 @@ public:
     /// Keeps references to the emission and the scenario.
     TraceLog(TraceLogOptions, const Scenario&, const cpp_emit::DriveEmission&, std::uint32_t trial);
     ~TraceLog() override;
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-               rc_drive_result result) override;
+    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) override;
 
 private:
     struct Robot {
@@ -45,7 +45,7 @@ private:
     void add_inputs(std::string& text, const rc_signal* inputs) const;
     void add_action(std::string& text, const rc_action& action) const;
     void flush(std::size_t robot);
-    [[nodiscard]] std::string path(std::size_t robot) const;
+    [[nodiscard]] std::string log_path(std::size_t robot) const;
 
     TraceLogOptions options_;
     const Scenario& scenario_;

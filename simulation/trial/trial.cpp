@@ -66,7 +66,7 @@ struct MovingLight {
     double since = 0;  ///< the time of this position, in s
     bool on = true;
 
-    [[nodiscard]] Vector position(double time) const { return light.position(time - since); }
+    [[nodiscard]] Vector position_at(double time) const { return light.position_at(time - since); }
 };
 
 /// The seed of each controller array; the first kind uses the trial's own seed.
@@ -76,7 +76,7 @@ std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
 
 }  // namespace
 
-std::string Stop::whose() const {
+std::string Stop::owner_text() const {
     return environment ? "the environment" : "robot " + std::to_string(robot);
 }
 
@@ -96,10 +96,10 @@ public:
           failed_(stage.size()),
           draws_(~options.seed),
           sights_(scenario_.sensors.size()),
-          raised_(scenario_.kinds()),
+          raised_(scenario_.kind_count()),
           statistics_(scenario_) {
         bool can_fail = scenario_.environment.has_value();
-        for (std::size_t kind = 0; kind < scenario_.kinds(); ++kind) {
+        for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind) {
             const RobotKind& robots = scenario_.kind_at(kind);
             const std::size_t first = kind_of_.size();
             controllers_.emplace_back(*drives_.kinds.at(kind), robots.robots, seed_of(options.seed, kind));
@@ -120,18 +120,18 @@ public:
         for (const Obstacle& obstacle : scenario_.obstacles) obstacles_.push_back(obstacle.there);
         if (plan_.environment) begin_environment();
         for (const Claim& claim : scenario_.claims)
-            properties_.emplace_back(claim.property, scenario_.world.control_step, scenario_.steps());
+            properties_.emplace_back(claim.property, scenario_.world.control_step, scenario_.step_count());
     }
 
     bool run(std::uint64_t steps) {
         if (result_.steps == 0) begin();
-        for (; steps > 0 && goes_on(); --steps) step();
-        return goes_on();
+        for (; steps > 0 && is_running(); --steps) run_step();
+        return is_running();
     }
 
     TrialResult result() {
-        result_.complete = !result_.stop && (result_.steps == scenario_.steps() || answered());
-        result_.statistics = statistics_.values();
+        result_.complete = !result_.stop && (result_.steps == scenario_.step_count() || all_answered());
+        result_.statistics = statistics_.band_values();
         for (std::size_t c = 0; c < properties_.size(); ++c) {
             if (result_.stop) properties_[c].end(result_.steps, !scenario_.claims[c].at_least);
             result_.answers.push_back(properties_[c].answer());
@@ -141,74 +141,75 @@ public:
 
 private:
     [[nodiscard]] double time() const { return static_cast<double>(result_.steps) * scenario_.world.control_step; }
-    [[nodiscard]] bool interrupted() const {
+    [[nodiscard]] bool is_interrupted() const {
         return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
     }
 
-    [[nodiscard]] bool goes_on() const {
-        return result_.steps < scenario_.steps() && !result_.stop && !answered() && !interrupted();
+    [[nodiscard]] bool is_running() const {
+        return result_.steps < scenario_.step_count() && !result_.stop && !all_answered() && !is_interrupted();
     }
     /// True if all awaited answers are known.
-    [[nodiscard]] bool answered() const {
+    [[nodiscard]] bool all_answered() const {
         if (options_.awaited == nullptr) return false;
         for (std::size_t c = 0; c < properties_.size(); ++c)
             if ((*options_.awaited)[c] && !properties_[c].answer().holds) return false;
         return true;
     }
 
-    void step() {
+    void run_step() {
         stage_.set_lights(lights_now());
         stage_.sense();
         sent_ = variables_;
         const Frame sensed = plan_.environment ? frame_now(states_are_measured()) : Frame{};
         for (std::size_t robot = 0; robot < stage_.size() && !result_.stop; ++robot)
-            if (!failed_[robot].whole) cycle(robot);
+            if (!failed_[robot].whole) run_cycle(robot);
         for (auto& raised : raised_) raised.clear();
         if (!result_.stop && plan_.environment) environment_cycle(sensed);
         if (result_.stop) return;
         stage_.advance();
         ++result_.steps;
         if (options_.steps_done != nullptr) options_.steps_done->fetch_add(1, std::memory_order_relaxed);
-        fail();
-        observe();
+        apply_failure();
+        observe_world();
     }
 
     void begin() {
-        fail();
-        observe();
+        apply_failure();
+        observe_world();
     }
 
     /// One cycle of a robot: its inputs, its controller, its effects.
-    void cycle(std::size_t robot) {
+    void run_cycle(std::size_t robot) {
         for (rc_signal& signal : signals_) signal.present = 0;
         for (auto& sight : sights_) sight.reset();
-        const Plan& bound = plan(robot);
-        for (const BoundFeed& feed : bound.feeds) fill(robot, feed);
-        for (const BoundStimulus& stimulus : bound.stimuli) fill(stimulus);
-        for (const BoundStimulus& stimulus : raised_[kind_of_[robot]]) raise(stimulus);
+        const Plan& bound = plan_of(robot);
+        for (const BoundFeed& feed : bound.feeds) fill_input(robot, feed);
+        for (const BoundStimulus& stimulus : bound.stimuli) fill_input(stimulus);
+        for (const BoundStimulus& stimulus : raised_[kind_of_[robot]]) raise_input(stimulus);
         requests_[robot] = 0;
-        const rc_drive_result result = drive(robot).step(controller(robot), signals_.data(), &actions_);
-        if (options_.trace != nullptr) options_.trace->cycle(robot, result_.steps, signals_.data(), actions_, result);
-        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop(robot, cause_of(result));
-        const Objection* const objection = options_.trace == nullptr ? nullptr : options_.trace->objection();
+        const rc_drive_result result = drive_of(robot).step(controller_of(robot), signals_.data(), &actions_);
+        if (options_.trace != nullptr)
+            options_.trace->observe_cycle(robot, result_.steps, signals_.data(), actions_, result);
+        if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop_trial(robot, cause_of(result));
+        const Objection* const objection = options_.trace == nullptr ? nullptr : options_.trace->current_objection();
         if (objection != nullptr) {
             result_.stop = Stop{robot, time(), objection->cause, objection->place};
             return;
         }
-        for (std::uint32_t a = 0; a < actions_.count && !result_.stop; ++a) act(robot, actions_.action[a]);
-        if (!result_.stop) move(robot);
+        for (std::uint32_t a = 0; a < actions_.count && !result_.stop; ++a) apply_action(robot, actions_.action[a]);
+        if (!result_.stop) continue_motion(robot);
     }
 
-    void stop(std::size_t robot, const char* cause) {
-        result_.stop = Stop{robot, time(), cause, drive(robot).place_of(controller(robot))};
+    void stop_trial(std::size_t robot, const char* cause) {
+        result_.stop = Stop{robot, time(), cause, drive_of(robot).place_of(controller_of(robot))};
     }
 
     // ------------------------------------------------------------ kinds of robots
 
-    [[nodiscard]] const Plan& plan(std::size_t robot) const { return plan_.of_kind(kind_of_[robot]); }
-    [[nodiscard]] const rc_drive& drive(std::size_t robot) const { return *drives_.kinds[kind_of_[robot]]; }
-    [[nodiscard]] double axle(std::size_t robot) const { return axles_[kind_of_[robot]]; }
-    [[nodiscard]] void* controller(std::size_t robot) {
+    [[nodiscard]] const Plan& plan_of(std::size_t robot) const { return plan_.of_kind(kind_of_[robot]); }
+    [[nodiscard]] const rc_drive& drive_of(std::size_t robot) const { return *drives_.kinds[kind_of_[robot]]; }
+    [[nodiscard]] double axle_of(std::size_t robot) const { return axles_[kind_of_[robot]]; }
+    [[nodiscard]] void* controller_of(std::size_t robot) {
         const std::size_t kind = kind_of_[robot];
         return controllers_[kind][robot - first_robot_[kind]];
     }
@@ -216,7 +217,7 @@ private:
     // ------------------------------------------------------------ the environment
 
     void begin_environment() {
-        environment_.emplace(*drives_.environment, 1, seed_of(options_.seed, scenario_.kinds()));
+        environment_.emplace(*drives_.environment, 1, seed_of(options_.seed, scenario_.kind_count()));
         signals_.resize(std::max<std::size_t>(signals_.size(), plan_.environment->inputs + 1));
         for (const WorldFeed& feed : scenario_.environment->feeds)
             conditions_.push_back(
@@ -229,7 +230,7 @@ private:
     void environment_cycle(const Frame& sensed) {
         for (rc_signal& signal : signals_) signal.present = 0;
         const MeasureNow now = measures_now(scenario_, sensed);
-        for (const BoundWorldFeed& feed : plan_.environment->feeds) fill(feed, now);
+        for (const BoundWorldFeed& feed : plan_.environment->feeds) fill_input(feed, now);
         void* const controller = (*environment_)[0];
         const rc_drive_result result = drives_.environment->step(controller, signals_.data(), &actions_);
         if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop_environment(cause_of(result));
@@ -242,14 +243,14 @@ private:
         result_.stop = Stop{stage_.size(), time(), cause, drives_.environment->place_of((*environment_)[0]), true};
     }
 
-    void fill(const BoundWorldFeed& bound, const MeasureNow& now) {
+    void fill_input(const BoundWorldFeed& bound, const MeasureNow& now) {
         rc_signal& signal = signals_[bound.input];
         if (!bound.feed->condition) {
             signal.present = 1;
             signal.value.real = now(bound.feed->measure) / bound.feed->factor;
             return;
         }
-        const bool holds = conditions_[bound.number]->holds(result_.steps, now);
+        const bool holds = conditions_[bound.number]->holds_after(result_.steps, now);
         signal.present = bound.boolean || holds ? 1 : 0;
         signal.value.whole = holds ? 1 : 0;
     }
@@ -280,7 +281,7 @@ private:
     }
 
     void move_light(MovingLight& moving, const WorldAct& act, Vector to) {
-        moving.light.at = moving.position(time());
+        moving.light.at = moving.position_at(time());
         moving.light.to = to;
         moving.light.speed = act.speed;
         moving.since = time();
@@ -300,14 +301,14 @@ private:
             if (working_[robot]) working.push_back(robot);
         for (std::uint32_t n = 0; n < failure.robots && !working.empty(); ++n) {
             const auto which = static_cast<std::ptrdiff_t>(draws_.uniform() * static_cast<double>(working.size()));
-            fail(working[static_cast<std::size_t>(which)], failure.kind);
+            apply_failure(working[static_cast<std::size_t>(which)], failure.kind);
             working.erase(working.begin() + which);
         }
     }
 
     [[nodiscard]] std::vector<LightNow> lights_now() const {
         std::vector<LightNow> now;
-        for (const MovingLight& each : lights_) now.push_back({each.position(time()), each.on});
+        for (const MovingLight& each : lights_) now.push_back({each.position_at(time()), each.on});
         return now;
     }
 
@@ -324,12 +325,12 @@ private:
         }
     }
 
-    void fail() {
+    void apply_failure() {
         for (const Failing& failing : failing_)
-            if (failing.step == result_.steps) fail(failing.robot, failing.kind);
+            if (failing.step == result_.steps) apply_failure(failing.robot, failing.kind);
     }
 
-    void fail(std::size_t robot, FailureKind kind) {
+    void apply_failure(std::size_t robot, FailureKind kind) {
         const bool whole = kind == FailureKind::whole;
         Failed& failed = failed_[robot];
         failed.whole = failed.whole || whole;
@@ -345,7 +346,7 @@ private:
     /// Sets the wheels; those of a robot with failed motors stand still. A speed that is not finite stops the trial,
     /// because the world cannot compute with it.
     void set_wheels(std::size_t robot, Wheels wheels) {
-        if (!std::isfinite(wheels.left) || !std::isfinite(wheels.right)) return stop(robot, no_finite_number);
+        if (!std::isfinite(wheels.left) || !std::isfinite(wheels.right)) return stop_trial(robot, no_finite_number);
         stage_.set_wheels(robot, failed_[robot].motors ? Wheels{} : wheels);
     }
 
@@ -353,7 +354,8 @@ private:
 
     /// A failed sensor reports no event, false or 0. A failed radio is handled separately.
     [[nodiscard]] bool is_blind(std::size_t robot, const BoundFeed& bound) const {
-        return failed_[robot].sensors && bound.sensor != no_slot && sensor(bound).kind != SensorKind::range_and_bearing;
+        return failed_[robot].sensors && bound.sensor != no_slot &&
+               sensor_of_feed(bound).kind != SensorKind::range_and_bearing;
     }
 
     void fill_blind(const BoundFeed& bound) {
@@ -362,7 +364,7 @@ private:
         signal.value = {};
     }
 
-    void fill(std::size_t robot, const BoundFeed& bound) {
+    void fill_input(std::size_t robot, const BoundFeed& bound) {
         const bool asked = bound.request == no_slot || (requests_[robot] >> bound.request & 1U) != 0;
         if (!asked) return;
         if (is_blind(robot, bound)) return fill_blind(bound);
@@ -376,28 +378,28 @@ private:
                 signal.value.whole = is_true(robot, bound) ? 1 : 0;
                 break;
             case Carries::whole:
-                if (const auto value = counted(robot, bound)) {
+                if (const auto value = whole_reading(robot, bound)) {
                     signal.present = 1;
                     signal.value.whole = *value;
                 }
                 break;
             case Carries::real:
                 signal.present = 1;
-                signal.value.real = measured(robot, bound) / bound.feed->factor;
+                signal.value.real = real_reading(robot, bound) / bound.feed->factor;
                 break;
         }
     }
 
-    void fill(const BoundStimulus& bound) {
+    void fill_input(const BoundStimulus& bound) {
         const Stimulus& stimulus = *bound.stimulus;
         const double step = scenario_.world.control_step;
         const auto due = static_cast<std::uint64_t>(std::llround(stimulus.at / step));
         const auto gap = static_cast<std::uint64_t>(std::llround(stimulus.every / step));
         const bool now = gap == 0 ? result_.steps == due : result_.steps > 0 && result_.steps % gap == 0;
-        if (now) raise(bound);
+        if (now) raise_input(bound);
     }
 
-    void raise(const BoundStimulus& bound) {
+    void raise_input(const BoundStimulus& bound) {
         rc_signal& signal = signals_[bound.input];
         signal.present = 1;
         if (bound.real)
@@ -406,61 +408,63 @@ private:
             signal.value.whole = std::llround(bound.value);
     }
 
-    [[nodiscard]] const Sensor& sensor(const BoundFeed& bound) const { return scenario_.sensors[bound.sensor]; }
+    [[nodiscard]] const Sensor& sensor_of_feed(const BoundFeed& bound) const { return scenario_.sensors[bound.sensor]; }
 
     /// The argument in the internal unit.
-    [[nodiscard]] double argument(std::size_t robot, const BoundFeed& bound) const {
+    [[nodiscard]] double argument_value(std::size_t robot, const BoundFeed& bound) const {
         const Argument& argument = *bound.feed->argument;
         if (bound.variable == no_slot) return argument.literal.value;
         return variables_[first_variable_[robot] + bound.variable] * argument.factor;
     }
 
-    [[nodiscard]] const Sight& sight(std::size_t robot, const BoundFeed& bound) {
+    [[nodiscard]] const Sight& sight_of(std::size_t robot, const BoundFeed& bound) {
         auto& seen = sights_[bound.sensor];
-        if (!seen) seen = stage_.line_of_sight(robot, sensor(bound));
+        if (!seen) seen = stage_.line_of_sight(robot, sensor_of_feed(bound));
         return *seen;
     }
 
     bool is_there(std::size_t robot, const BoundFeed& bound) {
         switch (bound.feed->reading) {
             case Reading::robot:
-                return sight(robot, bound).what == Seen::robot;
+                return sight_of(robot, bound).what == Seen::robot;
             case Reading::clear:
-                return sight(robot, bound).what != Seen::robot;
+                return sight_of(robot, bound).what != Seen::robot;
             case Reading::wall:
-                return sight(robot, bound).what == Seen::wall;
+                return sight_of(robot, bound).what == Seen::wall;
             case Reading::turned:
                 return turns_[robot].left == 0;
             case Reading::on:
-                return seen(sensor(bound), is_at_light(robot, bound));
+                return draw_detection(sensor_of_feed(bound), is_at_light(robot, bound));
             default:
                 break;
         }
-        const double distance = argument(robot, bound);
-        return sensor(bound).kind == SensorKind::proximity
-                   ? seen(sensor(bound), stage_.close_within(robot, sensor(bound), distance))
-                   : stage_.somebody_within(robot, sensor(bound), distance);
+        const double distance = argument_value(robot, bound);
+        return sensor_of_feed(bound).kind == SensorKind::proximity
+                   ? draw_detection(sensor_of_feed(bound), stage_.close_within(robot, sensor_of_feed(bound), distance))
+                   : stage_.somebody_within(robot, sensor_of_feed(bound), distance);
     }
 
     /// The reading of an unreliable sensor about an object. Errors of a line of sight are simulated in the world.
-    bool seen(const Sensor& sensor, bool there) {
-        return there ? !draws_.chance(sensor.false_negative) : draws_.chance(sensor.false_positive);
+    bool draw_detection(const Sensor& sensor, bool there) {
+        return there ? !draws_.draw_chance(sensor.false_negative) : draws_.draw_chance(sensor.false_positive);
     }
 
     [[nodiscard]] bool is_at_light(std::size_t robot, const BoundFeed& bound) const {
         for (const MovingLight& each : lights_)
-            if (each.light.name.text == sensor(bound).source.text)
-                return each.on && length(stage_.pose(robot).at - each.position(time())) <= argument(robot, bound);
+            if (each.light.name.text == sensor_of_feed(bound).source.text)
+                return each.on &&
+                       length(stage_.pose(robot).at - each.position_at(time())) <= argument_value(robot, bound);
         return false;
     }
 
     /// Returns the number of robots that are heard, or the message of one of them; no value if no robot sends a
     /// message.
-    std::optional<std::int64_t> counted(std::size_t robot, const BoundFeed& bound) {
-        std::vector<std::uint32_t> heard = stage_.robots_within(robot, sensor(bound), argument(robot, bound));
+    std::optional<std::int64_t> whole_reading(std::size_t robot, const BoundFeed& bound) {
+        std::vector<std::uint32_t> heard =
+            stage_.robots_within(robot, sensor_of_feed(bound), argument_value(robot, bound));
         if (bound.feed->reading == Reading::count) return static_cast<std::int64_t>(heard.size());
         const auto sent = [&](std::uint32_t other) {
-            const std::uint32_t slot = plan(other).messages[bound.sensor];
+            const std::uint32_t slot = plan_of(other).messages[bound.sensor];
             return slot == no_slot ? 0 : sent_[first_variable_[other] + slot];
         };
         std::erase_if(heard, [&](std::uint32_t other) { return sent(other) == 0; });
@@ -470,12 +474,12 @@ private:
     }
 
     bool is_true(std::size_t robot, const BoundFeed& bound) {
-        return stage_.lit_sensors(robot, sensor(bound)) >= argument(robot, bound);
+        return stage_.lit_sensors(robot, sensor_of_feed(bound)) >= argument_value(robot, bound);
     }
 
-    double measured(std::size_t robot, const BoundFeed& bound) {
-        if (bound.feed->reading == Reading::distance) return sight(robot, bound).distance;
-        const auto others = stage_.direction_of_others(robot, sensor(bound), argument(robot, bound));
+    double real_reading(std::size_t robot, const BoundFeed& bound) {
+        if (bound.feed->reading == Reading::distance) return sight_of(robot, bound).distance;
+        const auto others = stage_.direction_of_others(robot, sensor_of_feed(bound), argument_value(robot, bound));
         // If no robot is heard, `away` is straight ahead, and the direction of others is backwards, so that a lone
         // robot turns around.
         if (bound.feed->reading == Reading::away) return others ? normal_angle(*others + std::numbers::pi) : 0;
@@ -484,34 +488,35 @@ private:
 
     // ------------------------------------------------------------ acting
 
-    void act(std::size_t robot, const rc_action& action) {
-        for (const Effect& effect : plan(robot).effects[action.output]) {
+    void apply_action(std::size_t robot, const rc_action& action) {
+        for (const Effect& effect : plan_of(robot).effects[action.output]) {
             switch (effect.kind) {
                 case Effect::Kind::store:
-                    store(robot, effect.slot,
-                          effect.whole ? static_cast<double>(action.argument[0].whole) : action.argument[0].real);
+                    store_variable(
+                        robot, effect.slot,
+                        effect.whole ? static_cast<double>(action.argument[0].whole) : action.argument[0].real);
                     break;
                 case Effect::Kind::request:
                     requests_[robot] |= std::uint64_t{1} << effect.slot;
                     break;
                 case Effect::Kind::drive:
-                    steer(robot, scenario_.kind_at(kind_of_[robot]).drives[effect.slot], action);
+                    start_motion(robot, scenario_.kind_at(kind_of_[robot]).drives[effect.slot], action);
                     break;
             }
         }
     }
 
-    void store(std::size_t robot, std::uint32_t slot, double value) {
+    void store_variable(std::size_t robot, std::uint32_t slot, double value) {
         double* const variables = variables_.data() + first_variable_[robot];
         variables[slot] = value;
-        const auto& speeds = plan(robot).speeds;
+        const auto& speeds = plan_of(robot).speeds;
         if (!speeds || (slot != speeds->linear && slot != speeds->angular)) return;
         const Drive& drive = *speeds->drive;
         set_wheels(robot, wheels_for(variables[speeds->linear] * drive.linear_factor,
-                                     variables[speeds->angular] * drive.angular_factor, axle(robot)));
+                                     variables[speeds->angular] * drive.angular_factor, axle_of(robot)));
     }
 
-    void steer(std::size_t robot, const Drive& drive, const rc_action& action) {
+    void start_motion(std::size_t robot, const Drive& drive, const rc_action& action) {
         turns_[robot] = {};
         courses_[robot] = {};
         switch (drive.motion) {
@@ -529,14 +534,14 @@ private:
     }
 
     void begin_turn(std::size_t robot, const Drive& drive, double angle) {
-        if (!std::isfinite(angle)) return stop(robot, no_finite_number);
+        if (!std::isfinite(angle)) return stop_trial(robot, no_finite_number);
         set_wheels(robot, {});
-        turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle(robot)};
+        turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle_of(robot)};
     }
 
     /// Continues a turn by dead reckoning: at the full rate while a whole step remains, then by the rest.
-    void move(std::size_t robot) {
-        if (courses_[robot].drive != nullptr) return follow(robot, courses_[robot]);
+    void continue_motion(std::size_t robot) {
+        if (courses_[robot].drive != nullptr) return follow_course(robot, courses_[robot]);
         Turn& turn = turns_[robot];
         if (turn.left == 0) {
             if (turn.rate != 0) set_wheels(robot, {});
@@ -546,14 +551,14 @@ private:
         const double step = scenario_.world.control_step;
         const double most = turn.rate * step;
         const double now = std::clamp(turn.left, -most, most);
-        set_wheels(robot, wheels_for(0, now / step, axle(robot)));
+        set_wheels(robot, wheels_for(0, now / step, axle_of(robot)));
         turn.left = std::abs(turn.left) <= most ? 0 : turn.left - now;
     }
 
     /// Follows a course. Wandering is a correlated random walk: the turning rate is drawn every second. A seeking robot
     /// turns faster the more it deviates, and moves forward in proportion to its alignment with the light.
-    void follow(std::size_t robot, Course& course) {
-        const double between = axle(robot);
+    void follow_course(std::size_t robot, Course& course) {
+        const double between = axle_of(robot);
         const double speed = course.drive->speed;
         if (course.drive->motion == Motion::wander) {
             const auto second = static_cast<std::uint64_t>(std::llround(1 / scenario_.world.control_step));
@@ -564,7 +569,7 @@ private:
         const Pose pose = stage_.pose(robot);
         const MovingLight& light = lights_[course.drive->light];
         if (!light.on) return set_wheels(robot, {});
-        const Vector way = light.position(time()) - pose.at;
+        const Vector way = light.position_at(time()) - pose.at;
         const double step = scenario_.world.control_step;
         const double off = normal_angle(std::atan2(way.y, way.x) - pose.heading);
         set_wheels(robot, wheels_for(speed * std::max(0.0, std::cos(off)), off * std::min(seeking, 1 / step), between));
@@ -572,21 +577,21 @@ private:
 
     // ------------------------------------------------------------ observing
 
-    void observe() {
-        const bool keep = options_.record && due();
+    void observe_world() {
+        const bool keep = options_.record && is_record_due();
         const bool asked =
-            std::ranges::any_of(properties_, [&](const Property& property) { return property.due(result_.steps); });
-        const bool sampled = scenario_.abstraction && result_.steps % scenario_.steps_apart() == 0;
-        if (!keep && !asked && !sampled && !statistics_.due(result_.steps)) return;
+            std::ranges::any_of(properties_, [&](const Property& property) { return property.is_due(result_.steps); });
+        const bool sampled = scenario_.abstraction && result_.steps % scenario_.steps_between_samples() == 0;
+        if (!keep && !asked && !sampled && !statistics_.is_due(result_.steps)) return;
         Frame frame = frame_now(keep || states_are_measured());
         const MeasureNow now = measures_now(scenario_, frame);
-        statistics_.look(result_.steps, now);
-        for (Property& property : properties_) property.look(result_.steps, now);
-        if (sampled) sample(now);
+        statistics_.take_samples(result_.steps, now);
+        for (Property& property : properties_) property.evaluate_at(result_.steps, now);
+        if (sampled) add_sample(now);
         if (keep) result_.frames.push_back(std::move(frame));
     }
 
-    void sample(const MeasureNow& now) {
+    void add_sample(const MeasureNow& now) {
         std::vector<double>& values = result_.samples.emplace_back();
         for (const Distinction& each : scenario_.abstraction->distinctions) values.push_back(now(each.measure));
     }
@@ -609,14 +614,14 @@ private:
 
     void add_states(Frame& frame) {
         for (std::size_t robot = 0; robot < stage_.size(); ++robot)
-            for (std::uint32_t machine = 0; machine < states_.machines(); ++machine)
-                frame.states.push_back(states_.of(kind_of_[robot], machine, controller(robot)));
+            for (std::uint32_t machine = 0; machine < states_.machine_count(); ++machine)
+                frame.states.push_back(states_.state_number(kind_of_[robot], machine, controller_of(robot)));
     }
 
-    [[nodiscard]] bool due() const {
+    [[nodiscard]] bool is_record_due() const {
         const double step = scenario_.world.control_step;
         const auto gap = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(scenario_.record / step)));
-        if (result_.steps % gap == 0 || result_.steps == scenario_.steps()) return true;
+        if (result_.steps % gap == 0 || result_.steps == scenario_.step_count()) return true;
         return std::ranges::any_of(scenario_.pictures, [&](double at) {
             return result_.steps == static_cast<std::uint64_t>(std::llround(at / step));
         });

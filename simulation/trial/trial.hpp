@@ -27,13 +27,13 @@ struct Objection {
 class Trace {
 public:
     virtual ~Trace() = default;
-    virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-                       rc_drive_result result) = 0;
+    virtual void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs,
+                               const rc_actions& outputs, rc_drive_result result) = 0;
     /// Called after each cycle; null: continue.
-    [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
+    [[nodiscard]] virtual const Objection* current_objection() const { return nullptr; }
     /// Called at the end of the trial: true if everything relevant for objections was observed. If the result is false,
     /// the absence of an objection proves less.
-    [[nodiscard]] virtual bool decided() const { return true; }
+    [[nodiscard]] virtual bool is_conclusive() const { return true; }
 };
 
 /// Observes all trials of a run.
@@ -42,9 +42,9 @@ public:
     using Maker = std::function<std::unique_ptr<Trace>(std::uint32_t trial)>;
     virtual ~Guard() = default;
     /// Makes the observer of a trial, which passes everything on to the observer made by `other`, if any.
-    [[nodiscard]] virtual Maker beside(Maker other) = 0;
+    [[nodiscard]] virtual Maker make_observer(Maker other) = 0;
     /// How much was observed, in lines.
-    [[nodiscard]] virtual std::string note() const = 0;
+    [[nodiscard]] virtual std::string summary_lines() const = 0;
 };
 
 /// A controller that could not continue.
@@ -56,7 +56,7 @@ struct Stop {
     bool environment = false;  ///< the controller of the environment, not of a robot
 
     /// "robot 3", "the environment".
-    [[nodiscard]] std::string whose() const;
+    [[nodiscard]] std::string owner_text() const;
 };
 
 struct TrialResult {

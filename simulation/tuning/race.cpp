@@ -27,16 +27,16 @@ std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, 
 }
 
 /// For each candidate, the sum of its ranks or of its costs.
-std::vector<double> totals(const std::vector<statistics::Block>& blocks, bool by_ranks) {
+std::vector<double> sum_by_candidate(const std::vector<statistics::Block>& blocks, bool by_ranks) {
     std::vector<double> sums(blocks.front().size());
     for (const statistics::Block& block : blocks) {
-        const std::vector<double> values = by_ranks ? statistics::ranks(block) : block;
+        const std::vector<double> values = by_ranks ? statistics::mean_ranks(block) : block;
         for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += values[c];
     }
     return sums;
 }
 
-std::vector<double> differences(const std::vector<statistics::Block>& blocks, std::size_t one, std::size_t other) {
+std::vector<double> cost_differences(const std::vector<statistics::Block>& blocks, std::size_t one, std::size_t other) {
     std::vector<double> result;
     for (const statistics::Block& block : blocks) result.push_back(block[one] - block[other]);
     return result;
@@ -45,38 +45,38 @@ std::vector<double> differences(const std::vector<statistics::Block>& blocks, st
 /// True for each candidate that the test cannot distinguish from the best.
 std::vector<bool> kept_by_ranks(const std::vector<statistics::Block>& blocks) {
     const std::size_t candidates = blocks.front().size();
-    const statistics::Friedman found = statistics::friedman(blocks);
+    const statistics::Friedman found = statistics::friedman_test(blocks);
     std::vector<bool> kept(candidates, true);
     const auto best = static_cast<std::size_t>(std::ranges::min_element(found.sums) - found.sums.begin());
     if (candidates == 2) {
-        kept[1 - best] = statistics::signed_rank(differences(blocks, 1 - best, best)) >= elimination_error;
+        kept[1 - best] = statistics::signed_rank(cost_differences(blocks, 1 - best, best)) >= elimination_error;
         return kept;
     }
     if (found.chance >= elimination_error) return kept;
-    const double most = found.difference(elimination_error);
+    const double most = found.critical_difference(elimination_error);
     for (std::size_t c = 0; c < candidates; ++c) kept[c] = found.sums[c] - found.sums[best] <= most;
     return kept;
 }
 
 std::vector<bool> kept_by_means(const std::vector<statistics::Block>& blocks) {
-    const std::vector<double> sums = totals(blocks, false);
+    const std::vector<double> sums = sum_by_candidate(blocks, false);
     const auto best = static_cast<std::size_t>(std::ranges::min_element(sums) - sums.begin());
     std::vector<bool> kept(sums.size(), true);
     for (std::size_t c = 0; c < sums.size(); ++c)
-        kept[c] = c == best || statistics::paired_t(differences(blocks, c, best)) >= elimination_error;
+        kept[c] = c == best || statistics::paired_t(cost_differences(blocks, c, best)) >= elimination_error;
     return kept;
 }
 
 }  // namespace
 
-std::uint64_t RaceEntry::trials() const {
+std::uint64_t RaceEntry::trial_count() const {
     return static_cast<std::uint64_t>(std::ranges::count_if(costs, [](const auto& cost) { return cost.has_value(); }));
 }
 
-double RaceEntry::mean() const {
+double RaceEntry::mean_cost() const {
     double sum = 0;
     for (const auto& cost : costs) sum += cost.value_or(0);
-    return sum / static_cast<double>(std::max<std::uint64_t>(1, trials()));
+    return sum / static_cast<double>(std::max<std::uint64_t>(1, trial_count()));
 }
 
 Race::Race(const std::vector<Parameter>& parameters, const RaceOptions& options, RaceSubject& subject)
@@ -86,17 +86,17 @@ std::uint64_t Race::planned_iterations() const {
     return 2 + static_cast<std::uint64_t>(std::bit_width(parameters_.size()) - 1);
 }
 
-std::uint64_t Race::survivors() const {
+std::uint64_t Race::survivor_count() const {
     return planned_iterations();  // both are 2 + log2 of the number of parameters
 }
 
 void Race::run(const std::function<void(const Race&)>& watch) {
-    while (iterate())
+    while (run_iteration())
         if (watch) watch(*this);
 }
 
 /// Runs one iteration; returns false if there is none.
-bool Race::iterate() {
+bool Race::run_iteration() {
     const std::uint64_t left = options_.budget - std::min(trials_, options_.budget);
     const std::uint64_t number = iterations_.size() + 1;
     const std::uint64_t planned = planned_iterations();
@@ -104,15 +104,15 @@ bool Race::iterate() {
     const std::uint64_t wanted = share / (first_test + std::min<std::uint64_t>(first_test, number));
     const std::uint64_t elites = elites_.size();
     // A race is useless if it starts with at most as many candidates as may survive.
-    if (wanted <= std::max(elites, number == 1 ? std::uint64_t{1} : survivors())) return false;
+    if (wanted <= std::max(elites, number == 1 ? std::uint64_t{1} : survivor_count())) return false;
     const double progress = std::min(1.0, static_cast<double>(number - 1) / static_cast<double>(planned));
     RaceIteration now;
-    const std::vector<std::size_t> fresh = sample(wanted - elites, progress);
+    const std::vector<std::size_t> fresh = sample_candidates(wanted - elites, progress);
     now.fresh = fresh.size();
     iterations_.push_back(now);
     std::vector<std::size_t> alive = elites_;
     for (const std::size_t each : fresh) {
-        entries_[each].usable = subject_.usable(entries_[each].candidate);
+        entries_[each].usable = subject_.is_usable(entries_[each].candidate);
         if (entries_[each].usable)
             alive.push_back(each);
         else
@@ -120,28 +120,29 @@ bool Race::iterate() {
     }
     if (fresh.empty()) iterations_.pop_back();
     if (alive.size() == elites_.size()) return false;
-    compete(std::move(alive), share);
+    run_competition(std::move(alive), share);
     return true;
 }
 
 /// Draws new candidates, without duplicates: arbitrary ones in the first iteration, later ones near the best. If no new
 /// candidate is found near the best, the neighbourhood grows. The result is smaller if the space contains no more
 /// candidates.
-std::vector<std::size_t> Race::sample(std::uint64_t fresh, double progress) {
+std::vector<std::size_t> Race::sample_candidates(std::uint64_t fresh, double progress) {
     for (const std::size_t elite : elites_)
-        narrow(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
+        narrow_neighbourhood(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
     constexpr int most_repeats = 100;
     constexpr int most_widenings = 20;
     std::vector<std::size_t> result;
     int repeats = 0;
     int widenings = 0;
     while (result.size() < fresh) {
-        RaceEntry entry = elites_.empty() ? RaceEntry{drawn(parameters_, random_), whole_space(parameters_), true, {}}
-                                          : near_an_elite();
+        RaceEntry entry = elites_.empty()
+                              ? RaceEntry{draw_candidate(parameters_, random_), whole_space(parameters_), true, {}}
+                              : near_an_elite();
         if (!drawn_.insert(entry.candidate).second) {
             if (++repeats < most_repeats) continue;
             repeats = 0;
-            for (const std::size_t elite : elites_) widen(entries_[elite].near, parameters_);
+            for (const std::size_t elite : elites_) widen_neighbourhood(entries_[elite].near, parameters_);
             if (++widenings == most_widenings) break;
             continue;
         }
@@ -162,7 +163,7 @@ RaceEntry Race::near_an_elite() {
     return {drawn_near(parameters_, parent.candidate, parent.near, random_), parent.near, true, {}};
 }
 
-std::uint64_t Race::missing(const std::vector<std::size_t>& alive, std::uint64_t seed) const {
+std::uint64_t Race::missing_trials(const std::vector<std::size_t>& alive, std::uint64_t seed) const {
     return static_cast<std::uint64_t>(std::ranges::count_if(alive, [&](std::size_t each) {
         const auto& costs = entries_[each].costs;
         return seed >= costs.size() || !costs[seed];
@@ -170,7 +171,7 @@ std::uint64_t Race::missing(const std::vector<std::size_t>& alive, std::uint64_t
 }
 
 /// Runs the trials that have not run yet.
-void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
+void Race::run_missing_trials(const std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
     std::vector<RaceTrial> trials;
     for (const std::uint64_t seed : seeds) {
         seeds_ = std::max(seeds_, seed + 1);
@@ -179,7 +180,7 @@ void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::ui
             if (!entries_[each].costs[seed]) trials.push_back({each, seed});
         }
     }
-    const std::vector<double> costs = subject_.costs(trials);
+    const std::vector<double> costs = subject_.trial_costs(trials);
     for (std::size_t t = 0; t < trials.size(); ++t) entries_[trials[t].candidate].costs[trials[t].seed] = costs.at(t);
     trials_ += trials.size();
     iterations_.back().trials += trials.size();
@@ -187,7 +188,7 @@ void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::ui
 
 /// Runs the race of one iteration, within its share of the budget. The first seed is new, so that elites and other
 /// candidates are tested on it alike. The seeds that elites have seen come next, then further new ones.
-void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
+void Race::run_competition(std::vector<std::size_t> alive, std::uint64_t share) {
     const std::uint64_t known = elites_.empty() ? 0 : seeds_;
     const std::uint64_t begin = trials_;
     std::vector<std::uint64_t> done;
@@ -201,32 +202,33 @@ void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
         std::uint64_t trials = 0;
         for (std::uint64_t i = 0; i < step; ++i) {
             next.push_back(seed_at(done.size() + i));
-            trials += missing(alive, next.back());
+            trials += missing_trials(alive, next.back());
         }
         if (trials_ - begin + trials > share) break;
-        look(alive, next);
+        run_missing_trials(alive, next);
         done.insert(done.end(), next.begin(), next.end());
-        if (!lead(alive, done)) break;
+        if (!find_admitted_leader(alive, done)) break;
         const std::vector<std::size_t> kept = not_worse(alive, done);
         std::erase_if(alive, [&](std::size_t each) {
             const bool elite = std::ranges::find(elites_, each) != elites_.end();
             const bool shielded = elite && done.size() <= known;
             return !shielded && std::ranges::find(kept, each) == kept.end();
         });
-        if (alive.size() <= survivors()) break;
+        if (alive.size() <= survivor_count()) break;
     }
     iterations_.back().seeds = done.size();
     iterations_.back().left = alive.size();
     if (alive.empty())
         elites_.clear();
     else if (!done.empty())
-        choose(ranked(std::move(alive), done));
+        choose_elites(rank_candidates(std::move(alive), done));
 }
 
-std::vector<std::size_t> Race::ranked(std::vector<std::size_t> alive, const std::vector<std::uint64_t>& seeds) const {
+std::vector<std::size_t> Race::rank_candidates(std::vector<std::size_t> alive,
+                                               const std::vector<std::uint64_t>& seeds) const {
     const std::vector<statistics::Block> blocks = blocks_of(entries_, alive, seeds);
-    const std::vector<double> by_rank = totals(blocks, options_.elimination == Elimination::friedman);
-    const std::vector<double> by_cost = totals(blocks, false);
+    const std::vector<double> by_rank = sum_by_candidate(blocks, options_.elimination == Elimination::friedman);
+    const std::vector<double> by_cost = sum_by_candidate(blocks, false);
     std::vector<std::size_t> order(alive.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
@@ -251,8 +253,8 @@ std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
 
 /// Candidates are eliminated because they are worse than the best one, so the best one must be admitted. This function
 /// first removes candidates that rank higher but are not admitted. Returns false if no candidate is left.
-bool Race::lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
-    for (const std::size_t each : ranked(alive, seeds)) {
+bool Race::find_admitted_leader(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
+    for (const std::size_t each : rank_candidates(alive, seeds)) {
         if (is_admitted(each)) return true;
         std::erase(alive, each);
     }
@@ -261,7 +263,7 @@ bool Race::lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t
 
 bool Race::is_admitted(std::size_t candidate) {
     if (!admitted_.contains(candidate) && !refused_.contains(candidate)) {
-        const bool good = subject_.admitted(entries_[candidate].candidate);
+        const bool good = subject_.admits_candidate(entries_[candidate].candidate);
         (good ? admitted_ : refused_).insert(candidate);
         if (!good) ++iterations_.back().refused;
     }
@@ -269,10 +271,10 @@ bool Race::is_admitted(std::size_t candidate) {
 }
 
 /// Selects the best candidates that are admitted.
-void Race::choose(const std::vector<std::size_t>& best) {
+void Race::choose_elites(const std::vector<std::size_t>& best) {
     std::vector<std::size_t> chosen;
     for (const std::size_t each : best) {
-        if (chosen.size() == survivors()) break;
+        if (chosen.size() == survivor_count()) break;
         if (is_admitted(each)) chosen.push_back(each);
     }
     elites_ = std::move(chosen);

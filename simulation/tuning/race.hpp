@@ -41,12 +41,12 @@ class RaceSubject {
 public:
     virtual ~RaceSubject() = default;
     /// True if trials of the candidate can be run. Called once for each candidate, in order of index.
-    virtual bool usable(const Candidate&) = 0;
+    virtual bool is_usable(const Candidate&) = 0;
     /// True if the candidate may be among the best. Called at most once for each candidate: when it leads, or when it
     /// would become one of the best.
-    virtual bool admitted(const Candidate&) = 0;
+    virtual bool admits_candidate(const Candidate&) = 0;
     /// The costs of the trials, in order. Lower is better.
-    virtual std::vector<double> costs(const std::vector<RaceTrial>&) = 0;
+    virtual std::vector<double> trial_costs(const std::vector<RaceTrial>&) = 0;
 };
 
 /// The data about a candidate.
@@ -56,9 +56,9 @@ struct RaceEntry {
     bool usable = true;
     std::vector<std::optional<double>> costs;  ///< the cost of each seed; no value: no trial ran
 
-    [[nodiscard]] std::uint64_t trials() const;
+    [[nodiscard]] std::uint64_t trial_count() const;
     /// The mean cost of its trials.
-    [[nodiscard]] double mean() const;
+    [[nodiscard]] double mean_cost() const;
 };
 
 /// A record of one iteration.
@@ -84,27 +84,27 @@ public:
     /// Indices of the best candidates, best first; at most 2 + log2(parameters).
     [[nodiscard]] const std::vector<std::size_t>& elites() const { return elites_; }
     [[nodiscard]] const std::vector<RaceIteration>& iterations() const { return iterations_; }
-    [[nodiscard]] std::uint64_t trials() const { return trials_; }
-    [[nodiscard]] std::uint64_t seeds() const { return seeds_; }
+    [[nodiscard]] std::uint64_t trial_count() const { return trials_; }
+    [[nodiscard]] std::uint64_t seed_count() const { return seeds_; }
 
 private:
     static constexpr std::uint64_t first_test = 5;
 
-    [[nodiscard]] std::uint64_t survivors() const;
+    [[nodiscard]] std::uint64_t survivor_count() const;
     [[nodiscard]] std::uint64_t planned_iterations() const;
-    bool iterate();
-    std::vector<std::size_t> sample(std::uint64_t fresh, double progress);
+    bool run_iteration();
+    std::vector<std::size_t> sample_candidates(std::uint64_t fresh, double progress);
     RaceEntry near_an_elite();
-    void compete(std::vector<std::size_t> alive, std::uint64_t share);
-    [[nodiscard]] std::uint64_t missing(const std::vector<std::size_t>& alive, std::uint64_t seed) const;
-    void look(const std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds);
-    [[nodiscard]] std::vector<std::size_t> ranked(std::vector<std::size_t> alive,
-                                                  const std::vector<std::uint64_t>& seeds) const;
+    void run_competition(std::vector<std::size_t> alive, std::uint64_t share);
+    [[nodiscard]] std::uint64_t missing_trials(const std::vector<std::size_t>& alive, std::uint64_t seed) const;
+    void run_missing_trials(const std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds);
+    [[nodiscard]] std::vector<std::size_t> rank_candidates(std::vector<std::size_t> alive,
+                                                           const std::vector<std::uint64_t>& seeds) const;
     [[nodiscard]] std::vector<std::size_t> not_worse(const std::vector<std::size_t>& alive,
                                                      const std::vector<std::uint64_t>& seeds) const;
-    bool lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds);
+    bool find_admitted_leader(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds);
     bool is_admitted(std::size_t candidate);
-    void choose(const std::vector<std::size_t>& best);
+    void choose_elites(const std::vector<std::size_t>& best);
 
     const std::vector<Parameter>& parameters_;
     const RaceOptions& options_;

@@ -107,8 +107,8 @@ double start_deviation(const Parameter& parameter) {
 
 }  // namespace
 
-std::string Parameter::value(std::uint64_t number) const {
-    if (!ordered()) return listed.at(number);
+std::string Parameter::value_text(std::uint64_t number) const {
+    if (!is_ordered()) return listed.at(number);
     const std::int64_t steps = low + static_cast<std::int64_t>(number);
     if (decimals == 0) return fmt::format("{}", steps);
     const std::int64_t unit = power_of_ten(decimals);
@@ -152,7 +152,7 @@ std::optional<Parameter> read_parameter(const std::string& name, const std::stri
 std::vector<std::string> constants_of(const std::vector<Parameter>& parameters, const Candidate& candidate) {
     std::vector<std::string> result;
     for (std::size_t p = 0; p < parameters.size(); ++p)
-        result.push_back(fmt::format("{}={}", parameters[p].name, parameters[p].value(candidate.at(p))));
+        result.push_back(fmt::format("{}={}", parameters[p].name, parameters[p].value_text(candidate.at(p))));
     return result;
 }
 
@@ -163,14 +163,14 @@ std::string candidate_text(const std::vector<Parameter>& parameters, const Candi
 Neighbourhood whole_space(const std::vector<Parameter>& parameters) {
     Neighbourhood result;
     for (const Parameter& each : parameters) {
-        result.deviations.push_back(each.ordered() ? start_deviation(each) : 0);
+        result.deviations.push_back(each.is_ordered() ? start_deviation(each) : 0);
         result.probabilities.emplace_back(each.listed.size(), 1 / static_cast<double>(each.listed.size()));
     }
     return result;
 }
 
-void narrow(Neighbourhood& near, const std::vector<Parameter>& parameters, const Candidate& candidate,
-            std::uint64_t fresh, double progress) {
+void narrow_neighbourhood(Neighbourhood& near, const std::vector<Parameter>& parameters, const Candidate& candidate,
+                          std::uint64_t fresh, double progress) {
     const double factor = std::pow(1 / static_cast<double>(std::max<std::uint64_t>(1, fresh)),
                                    1 / static_cast<double>(parameters.size()));
     for (std::size_t p = 0; p < parameters.size(); ++p) {
@@ -180,16 +180,16 @@ void narrow(Neighbourhood& near, const std::vector<Parameter>& parameters, const
     }
 }
 
-void widen(Neighbourhood& near, const std::vector<Parameter>& parameters) {
+void widen_neighbourhood(Neighbourhood& near, const std::vector<Parameter>& parameters) {
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-        if (parameters[p].ordered())
+        if (parameters[p].is_ordered())
             near.deviations[p] = std::min(start_deviation(parameters[p]), std::max(0.5, 2 * near.deviations[p]));
         for (double& each : near.probabilities[p])
             each = (each + 1 / static_cast<double>(near.probabilities[p].size())) / 2;
     }
 }
 
-Candidate drawn(const std::vector<Parameter>& parameters, Random& random) {
+Candidate draw_candidate(const std::vector<Parameter>& parameters, Random& random) {
     Candidate result;
     for (const Parameter& each : parameters) {
         const double size = static_cast<double>(each.size());
@@ -202,8 +202,8 @@ Candidate drawn_near(const std::vector<Parameter>& parameters, const Candidate& 
                      Random& random) {
     Candidate result;
     for (std::size_t p = 0; p < parameters.size(); ++p)
-        result.push_back(parameters[p].ordered() ? drawn_around(parameters[p], middle[p], near.deviations[p], random)
-                                                 : drawn_of(near.probabilities[p], random));
+        result.push_back(parameters[p].is_ordered() ? drawn_around(parameters[p], middle[p], near.deviations[p], random)
+                                                    : drawn_of(near.probabilities[p], random));
     return result;
 }
 

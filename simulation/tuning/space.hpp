@@ -21,10 +21,10 @@ struct Parameter {
     std::uint64_t count = 0;          ///< number of values of the range, at most 1,000,000
     int decimals = 0;                 ///< a step is 10^-decimals
 
-    [[nodiscard]] bool ordered() const { return listed.empty(); }
-    [[nodiscard]] std::uint64_t size() const { return ordered() ? count : listed.size(); }
+    [[nodiscard]] bool is_ordered() const { return listed.empty(); }
+    [[nodiscard]] std::uint64_t size() const { return is_ordered() ? count : listed.size(); }
     /// The text of a value by its index: "0.187".
-    [[nodiscard]] std::string value(std::uint64_t number) const;
+    [[nodiscard]] std::string value_text(std::uint64_t number) const;
 };
 
 /// The type of a constant.
@@ -60,12 +60,13 @@ struct Neighbourhood {
 /// Narrows the neighbourhood after an iteration with `fresh` new candidates. Deviations shrink by (1 / fresh)^(1 /
 /// parameters). Probabilities move towards the candidate's values in proportion to `progress` (0 at the beginning, 1 at
 /// the end).
-void narrow(Neighbourhood&, const std::vector<Parameter>&, const Candidate&, std::uint64_t fresh, double progress);
+void narrow_neighbourhood(Neighbourhood&, const std::vector<Parameter>&, const Candidate&, std::uint64_t fresh,
+                          double progress);
 /// Doubles the deviations, up to the initial ones, and moves probabilities half-way towards equal ones.
-void widen(Neighbourhood&, const std::vector<Parameter>&);
+void widen_neighbourhood(Neighbourhood&, const std::vector<Parameter>&);
 
 /// Draws a candidate from the whole space, or near another candidate.
-[[nodiscard]] Candidate drawn(const std::vector<Parameter>&, Random&);
+[[nodiscard]] Candidate draw_candidate(const std::vector<Parameter>&, Random&);
 [[nodiscard]] Candidate drawn_near(const std::vector<Parameter>&, const Candidate&, const Neighbourhood&, Random&);
 
 }  // namespace robochart::simulation

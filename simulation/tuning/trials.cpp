@@ -20,16 +20,16 @@ public:
 
     std::vector<double> run(const std::function<void()>& interrupted) {
         diagnostics::in_parallel_watched(
-            count_, [this] { work(); }, [this] { stop_ = true; }, interrupted);
+            count_, [this] { run_worker(); }, [this] { stop_ = true; }, interrupted);
         return std::move(costs_);
     }
 
 private:
-    void work() {
-        for (std::size_t t = next_++; t < trials_.size() && !stop_; t = next_++) costs_[t] = cost(trials_[t]);
+    void run_worker() {
+        for (std::size_t t = next_++; t < trials_.size() && !stop_; t = next_++) costs_[t] = run_for_cost(trials_[t]);
     }
 
-    [[nodiscard]] double cost(const TuningTrial& trial) const {
+    [[nodiscard]] double run_for_cost(const TuningTrial& trial) const {
         Scenario scenario = *trial.plan->scenario;
         scenario.seed = trial.seed;
         Plan plan = *trial.plan;

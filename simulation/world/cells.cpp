@@ -6,7 +6,7 @@
 
 namespace robochart::simulation {
 
-void Cells::sort(std::span<const double> x, std::span<const double> y, double size) {
+void Cells::sort_disks(std::span<const double> x, std::span<const double> y, double size) {
     const auto [left, right] = std::minmax_element(x.begin(), x.end());
     const auto [low, high] = std::minmax_element(y.begin(), y.end());
     corner_ = x.empty() ? Vector{} : Vector{*left, *low};
@@ -21,7 +21,7 @@ void Cells::sort(std::span<const double> x, std::span<const double> y, double si
     cell_of_.resize(x.size());
     disks_.resize(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const Cell at = cell({x[i], y[i]});
+        const Cell at = cell_of({x[i], y[i]});
         cell_of_[i] = static_cast<std::uint32_t>(at.row * columns_ + at.column);
         ++begin_[cell_of_[i] + 1];
     }
@@ -32,14 +32,14 @@ void Cells::sort(std::span<const double> x, std::span<const double> y, double si
     begin_.back() = static_cast<std::uint32_t>(x.size());
 }
 
-Cells::Cell Cells::cell(Vector point) const {
+Cells::Cell Cells::cell_of(Vector point) const {
     const auto index = [this](double offset) {
         return static_cast<std::int32_t>(std::floor(std::clamp(offset * per_size_, -1e9, 1e9)));
     };
     return {index(point.x - corner_.x), index(point.y - corner_.y)};
 }
 
-std::span<const std::uint32_t> Cells::disks(Cell at) const {
+std::span<const std::uint32_t> Cells::disks_in(Cell at) const {
     if (at.column < 0 || at.row < 0 || at.column >= columns_ || at.row >= rows_) return {};
     const auto index =
         static_cast<std::size_t>(at.row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(at.column);

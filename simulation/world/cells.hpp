@@ -14,16 +14,16 @@ namespace robochart::simulation {
 class Cells {
 public:
     /// Sorts the centres again. Cells are at least `size` wide, and there are not many more cells than disks.
-    void sort(std::span<const double> x, std::span<const double> y, double size);
+    void sort_disks(std::span<const double> x, std::span<const double> y, double size);
 
     struct Cell {
         std::int32_t column = 0;
         std::int32_t row = 0;
     };
     /// The cell of a point; points outside the disks' bounding box have cells outside the grid.
-    [[nodiscard]] Cell cell(Vector) const;
+    [[nodiscard]] Cell cell_of(Vector) const;
     /// The disks whose centres are in a cell, ascending; empty outside the grid.
-    [[nodiscard]] std::span<const std::uint32_t> disks(Cell) const;
+    [[nodiscard]] std::span<const std::uint32_t> disks_in(Cell) const;
     [[nodiscard]] double size() const { return size_; }
     [[nodiscard]] Vector corner() const { return corner_; }
     [[nodiscard]] Vector far_corner() const { return corner_ + Vector{columns_ * size_, rows_ * size_}; }

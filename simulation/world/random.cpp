@@ -29,7 +29,7 @@ double Random::normal() {
     return sum;
 }
 
-bool Random::chance(double probability) {
+bool Random::draw_chance(double probability) {
     if (probability <= 0) return false;
     return probability >= 1 || uniform() < probability;
 }

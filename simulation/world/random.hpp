@@ -22,7 +22,7 @@ public:
     /// libm).
     double normal();
     /// True with the given probability. Draws no number for 0 and 1.
-    bool chance(double probability);
+    bool draw_chance(double probability);
 
 private:
     std::array<std::uint64_t, 4> state_;

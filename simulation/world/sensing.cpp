@@ -21,14 +21,14 @@ void Sensing::silence(std::size_t robot) {
     silent_.at(robot) = true;
 }
 
-void Sensing::update() {
+void Sensing::update_positions() {
     indexed_ = world_.size() >= world_.options().cells_from;
     if (!indexed_) return;
     const double robots = static_cast<double>(world_.size());
     const Arena& arena = world_.options().arena;
     // About one robot per cell if they are spread out, so that a ray passes few cells and tests few robots.
     const double size = std::sqrt(arena.width * arena.height / robots) / 2;
-    cells_.sort(world_.x(), world_.y(), std::max(2 * world_.options().body.radius, size));
+    cells_.sort_disks(world_.x(), world_.y(), std::max(2 * world_.options().body.radius, size));
 }
 
 /// The distance along the ray to the first disk, infinite if there is none; `self` and `other` are ignored.
@@ -78,11 +78,11 @@ double Sensing::first_disk_in_cells(Vector origin, Vector direction, double rang
     for (double at = enter; at <= leave && at < best; at += width) {
         const Vector a = origin + at * direction;
         const Vector b = origin + std::min(at + width, leave) * direction;
-        const Cells::Cell first = cells_.cell({std::min(a.x, b.x) - radius, std::min(a.y, b.y) - radius});
-        const Cells::Cell last = cells_.cell({std::max(a.x, b.x) + radius, std::max(a.y, b.y) + radius});
+        const Cells::Cell first = cells_.cell_of({std::min(a.x, b.x) - radius, std::min(a.y, b.y) - radius});
+        const Cells::Cell last = cells_.cell_of({std::max(a.x, b.x) + radius, std::max(a.y, b.y) + radius});
         for (std::int32_t row = first.row; row <= last.row; ++row)
             for (std::int32_t column = first.column; column <= last.column; ++column)
-                for (const std::uint32_t j : cells_.disks({column, row})) {
+                for (const std::uint32_t j : cells_.disks_in({column, row})) {
                     if (j == self || j == other) continue;
                     if (const auto hit = hit_disk(origin, direction, world_.position(j), radius))
                         best = std::min(best, *hit);
@@ -105,7 +105,7 @@ double Sensing::first_wall(Vector origin, Vector direction, double range) const 
     return best < range ? std::max(0.0, best) : unlimited;
 }
 
-Sight Sensing::cast(Vector origin, Vector direction, double range, std::uint32_t self) const {
+Sight Sensing::cast_ray(Vector origin, Vector direction, double range, std::uint32_t self) const {
     const double wall = first_wall(origin, direction, range);
     const double disk = first_disk(origin, direction, std::min(range, wall), self, nobody);
     if (disk < unlimited) return {Seen::robot, disk};
@@ -116,10 +116,10 @@ Sight Sensing::cast(Vector origin, Vector direction, double range, std::uint32_t
 Sight Sensing::line_of_sight(std::size_t robot, double range) const {
     const Vector direction = world_.direction(robot);
     const Vector front = world_.position(robot) + world_.options().body.radius * direction;
-    return cast(front, direction, range > 0 ? range : unlimited, static_cast<std::uint32_t>(robot));
+    return cast_ray(front, direction, range > 0 ? range : unlimited, static_cast<std::uint32_t>(robot));
 }
 
-bool Sensing::hidden(Vector from, Vector to, std::uint32_t self, std::uint32_t other) const {
+bool Sensing::is_hidden(Vector from, Vector to, std::uint32_t self, std::uint32_t other) const {
     const Vector way = to - from;
     const double distance = length(way);
     if (distance == 0) return false;
@@ -128,7 +128,7 @@ bool Sensing::hidden(Vector from, Vector to, std::uint32_t self, std::uint32_t o
            first_wall(from, direction, distance) < unlimited;
 }
 
-void Sensing::neighbours(std::size_t robot, double reach) {
+void Sensing::find_neighbours(std::size_t robot, double reach) {
     near_.clear();
     if (is_silent(robot)) return;
     if (!indexed_) {
@@ -137,24 +137,25 @@ void Sensing::neighbours(std::size_t robot, double reach) {
         return;
     }
     const Vector at = world_.position(robot);
-    const Cells::Cell first = cells_.cell(at - Vector{reach, reach});
-    const Cells::Cell last = cells_.cell(at + Vector{reach, reach});
+    const Cells::Cell first = cells_.cell_of(at - Vector{reach, reach});
+    const Cells::Cell last = cells_.cell_of(at + Vector{reach, reach});
     for (std::int32_t row = first.row; row <= last.row; ++row)
         for (std::int32_t column = first.column; column <= last.column; ++column)
-            for (const std::uint32_t j : cells_.disks({column, row}))
+            for (const std::uint32_t j : cells_.disks_in({column, row}))
                 if (j != robot && !is_silent(j)) near_.push_back(j);
     std::ranges::sort(near_);
 }
 
 /// A message arrives from a robot in range that is not hidden, unless it is lost; its distance is noisy.
-std::optional<Bearing> Sensing::hear(std::uint32_t robot, std::uint32_t other, const RangeAndBearing& sensor,
-                                     double within) {
+std::optional<Bearing> Sensing::hear_robot(std::uint32_t robot, std::uint32_t other, const RangeAndBearing& sensor,
+                                           double within) {
     const Vector way = world_.position(other) - world_.position(robot);
     const double square = dot(way, way);
     const double reach = std::min(sensor.range, within + 6 * sensor.noise);  // normal() is at most 6
     if (square > reach * reach) return std::nullopt;
-    if (sensor.occlusion && hidden(world_.position(robot), world_.position(other), robot, other)) return std::nullopt;
-    if (world_.random().chance(sensor.loss)) return std::nullopt;
+    if (sensor.occlusion && is_hidden(world_.position(robot), world_.position(other), robot, other))
+        return std::nullopt;
+    if (world_.random().draw_chance(sensor.loss)) return std::nullopt;
     double distance = std::sqrt(square);
     if (sensor.noise > 0) distance = std::max(0.0, distance + sensor.noise * world_.random().normal());
     if (distance > within) return std::nullopt;
@@ -164,17 +165,17 @@ std::optional<Bearing> Sensing::hear(std::uint32_t robot, std::uint32_t other, c
 const std::vector<Bearing>& Sensing::range_and_bearing(std::size_t robot, const RangeAndBearing& sensor,
                                                        double within) {
     heard_.clear();
-    neighbours(robot, std::min(sensor.range, within + 6 * sensor.noise));
+    find_neighbours(robot, std::min(sensor.range, within + 6 * sensor.noise));
     for (const std::uint32_t other : near_)
-        if (const auto bearing = hear(static_cast<std::uint32_t>(robot), other, sensor, within))
+        if (const auto bearing = hear_robot(static_cast<std::uint32_t>(robot), other, sensor, within))
             heard_.push_back(*bearing);
     return heard_;
 }
 
 bool Sensing::somebody_within(std::size_t robot, const RangeAndBearing& sensor, double within) {
-    neighbours(robot, std::min(sensor.range, within + 6 * sensor.noise));
+    find_neighbours(robot, std::min(sensor.range, within + 6 * sensor.noise));
     return std::ranges::any_of(near_, [&](std::uint32_t other) {
-        return hear(static_cast<std::uint32_t>(robot), other, sensor, within).has_value();
+        return hear_robot(static_cast<std::uint32_t>(robot), other, sensor, within).has_value();
     });
 }
 
@@ -187,20 +188,20 @@ std::uint32_t Sensing::lit_sensors(std::size_t robot, const LightRing& ring, Vec
         const Vector outward{std::cos(angle), std::sin(angle)};
         const Vector at = centre + world_.options().body.radius * outward;
         const bool facing = dot(outward, light - at) > 0;
-        if (!facing && !world_.random().chance(ring.leak)) continue;
-        if (!hidden(at, light, static_cast<std::uint32_t>(robot), nobody)) ++lit;
+        if (!facing && !world_.random().draw_chance(ring.leak)) continue;
+        if (!is_hidden(at, light, static_cast<std::uint32_t>(robot), nobody)) ++lit;
     }
     return lit;
 }
 
-std::optional<double> Sensing::nearest(std::size_t robot, const ProximityRing& ring) const {
+std::optional<double> Sensing::nearest_distance(std::size_t robot, const ProximityRing& ring) const {
     const double gap = 2 * std::numbers::pi / ring.sensors;
     double best = unlimited;
     for (std::uint32_t k = 0; k < ring.sensors; ++k) {
         const double angle = world_.heading(robot) + (k + 0.5) * gap;
         const Vector outward{std::cos(angle), std::sin(angle)};
         const Vector at = world_.position(robot) + world_.options().body.radius * outward;
-        const Sight sight = cast(at, outward, ring.range, static_cast<std::uint32_t>(robot));
+        const Sight sight = cast_ray(at, outward, ring.range, static_cast<std::uint32_t>(robot));
         if (sight.what != Seen::nothing) best = std::min(best, sight.distance);
     }
     if (best == unlimited) return std::nullopt;

@@ -55,7 +55,7 @@ public:
     void silence(std::size_t robot);
 
     /// Updates the positions of the robots.
-    void update();
+    void update_positions();
 
     /// The first object on a ray from the front of the robot along its heading; unlimited if `range` is 0.
     [[nodiscard]] Sight line_of_sight(std::size_t robot, double range) const;
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const LightRing&, Vector light);
     /// The distance from the body to the nearest robot or wall that a sensor of the ring meets; no value if none is in
     /// range.
-    [[nodiscard]] std::optional<double> nearest(std::size_t robot, const ProximityRing&) const;
+    [[nodiscard]] std::optional<double> nearest_distance(std::size_t robot, const ProximityRing&) const;
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffffU;
@@ -78,11 +78,11 @@ private:
     [[nodiscard]] double first_disk_in_cells(Vector origin, Vector direction, double range, std::uint32_t self,
                                              std::uint32_t other) const;
     [[nodiscard]] double first_wall(Vector origin, Vector direction, double range) const;
-    [[nodiscard]] Sight cast(Vector origin, Vector direction, double range, std::uint32_t self) const;
-    [[nodiscard]] bool hidden(Vector from, Vector to, std::uint32_t self, std::uint32_t other) const;
-    [[nodiscard]] std::optional<Bearing> hear(std::uint32_t robot, std::uint32_t other, const RangeAndBearing&,
-                                              double within);
-    void neighbours(std::size_t robot, double reach);
+    [[nodiscard]] Sight cast_ray(Vector origin, Vector direction, double range, std::uint32_t self) const;
+    [[nodiscard]] bool is_hidden(Vector from, Vector to, std::uint32_t self, std::uint32_t other) const;
+    [[nodiscard]] std::optional<Bearing> hear_robot(std::uint32_t robot, std::uint32_t other, const RangeAndBearing&,
+                                                    double within);
+    void find_neighbours(std::size_t robot, double reach);
 
     [[nodiscard]] bool is_silent(std::size_t robot) const { return robot < silent_.size() && silent_[robot]; }
 

@@ -22,7 +22,7 @@ class Places {
 public:
     explicit Places(double radius) : reach_(2 * radius) {}
 
-    void take(Vector at) { squares_[square(at.x, 0)][square(at.y, 0)].push_back(at); }
+    void add_place(Vector at) { squares_[square_index(at.x, 0)][square_index(at.y, 0)].push_back(at); }
 
     [[nodiscard]] bool is_free(Vector at) const {
         for (int i = -1; i <= 1; ++i)
@@ -32,13 +32,13 @@ public:
     }
 
 private:
-    [[nodiscard]] std::int64_t square(double along, int offset) const {
+    [[nodiscard]] std::int64_t square_index(double along, int offset) const {
         return static_cast<std::int64_t>(std::floor(along / reach_)) + offset;
     }
     [[nodiscard]] bool touches(Vector at, int column, int row) const {
-        const auto in_column = squares_.find(square(at.x, column));
+        const auto in_column = squares_.find(square_index(at.x, column));
         if (in_column == squares_.end()) return false;
-        const auto in_row = in_column->second.find(square(at.y, row));
+        const auto in_row = in_column->second.find(square_index(at.y, row));
         if (in_row == in_column->second.end()) return false;
         return std::ranges::any_of(in_row->second,
                                    [&](Vector other) { return dot(other - at, other - at) < reach_ * reach_; });
@@ -84,7 +84,7 @@ void World::build_obstacles() {
     }
 }
 
-void World::place(const Pose& pose) {
+void World::add_robot(const Pose& pose) {
     x_.push_back(pose.at.x);
     y_.push_back(pose.at.y);
     heading_.push_back(normal_angle(pose.heading));
@@ -102,9 +102,9 @@ class World::Free {
 public:
     explicit Free(const World& world)
         : arena_(world.options_.arena), radius_(world.options_.body.radius), places_(radius_) {
-        for (std::size_t i = 0; i < world.size(); ++i) places_.take(world.position(i));
+        for (std::size_t i = 0; i < world.size(); ++i) places_.add_place(world.position(i));
     }
-    void take(Vector at) { places_.take(at); }
+    void add_place(Vector at) { places_.add_place(at); }
     [[nodiscard]] bool is_free(Vector at) const {
         return places_.is_free(at) &&
                std::ranges::all_of(
@@ -143,8 +143,8 @@ bool World::place_at_random(std::size_t count, const Region& region) {
         const double x = random_.uniform(low.x, high.x);
         const double y = random_.uniform(low.y, high.y);
         if (!free.is_free({x, y})) continue;
-        free.take({x, y});
-        place({{x, y}, random_.uniform(-std::numbers::pi, std::numbers::pi)});
+        free.add_place({x, y});
+        add_robot({{x, y}, random_.uniform(-std::numbers::pi, std::numbers::pi)});
         ++placed;
         tries = 0;
     }
@@ -168,8 +168,8 @@ bool World::place_linked(std::size_t count, Vector first, double link) {
                  distance * Vector{std::cos(angle), std::sin(angle)};
         }
         if (!free.in_arena(at) || !free.is_free(at)) continue;
-        free.take(at);
-        place({at, random_.uniform(-std::numbers::pi, std::numbers::pi)});
+        free.add_place(at);
+        add_robot({at, random_.uniform(-std::numbers::pi, std::numbers::pi)});
         tries = 0;
     }
     return true;
@@ -184,7 +184,7 @@ void World::set_wheels(std::size_t robot, Wheels wheels) {
 void World::advance() {
     begin_step();
     for (std::uint32_t k = 0; k < options_.physics_steps; ++k) {
-        move();
+        move_robots();
         if (pairs_are_stale()) find_pairs();
         push_apart();
         push_out_of_walls();
@@ -217,7 +217,7 @@ void World::begin_step() {
     }
 }
 
-void World::move() {
+void World::move_robots() {
     const std::size_t n = size();
     double* const x = x_.data();
     double* const y = y_.data();
@@ -264,13 +264,13 @@ void World::find_pairs() {
 }
 
 void World::find_pairs_in_cells(double reach) {
-    cells_.sort(x_, y_, reach);
+    cells_.sort_disks(x_, y_, reach);
     for (std::uint32_t i = 0; i < size(); ++i) {
-        const Cells::Cell at = cells_.cell(position(i));
+        const Cells::Cell at = cells_.cell_of(position(i));
         const auto begin = static_cast<std::ptrdiff_t>(pairs_.size());
         for (std::int32_t row = at.row - 1; row <= at.row + 1; ++row)
             for (std::int32_t column = at.column - 1; column <= at.column + 1; ++column)
-                for (const std::uint32_t j : cells_.disks({column, row})) {
+                for (const std::uint32_t j : cells_.disks_in({column, row})) {
                     const double dx = x_[i] - x_[j];
                     const double dy = y_[i] - y_[j];
                     if (j > i && dx * dx + dy * dy < reach * reach) pairs_.push_back({i, j});
@@ -325,7 +325,7 @@ void World::end_step() {
     }
 }
 
-double World::overlap() const {
+double World::largest_overlap() const {
     const double radius = options_.body.radius;
     double worst = 0;
     for (std::size_t i = 0; i < size(); ++i) {

@@ -69,7 +69,7 @@ public:
     /// Robots placed from now on have this axle, these wheels and their noise; the radius is the same for all.
     void set_body(const Body& body) { body_ = body; }
     /// Places a robot; overlaps are resolved over time.
-    void place(const Pose&);
+    void add_robot(const Pose&);
     /// Places robots at random in a region, without overlap, with random headings. Returns false if no free place was
     /// found.
     [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
@@ -96,12 +96,12 @@ public:
     /// Simulates one control step.
     void advance();
     /// The largest overlap of two robots, or of a robot and a wall. For tests.
-    [[nodiscard]] double overlap() const;
+    [[nodiscard]] double largest_overlap() const;
 
 private:
     class Free;
     void begin_step();
-    void move();
+    void move_robots();
     void push_apart();
     void push_out_of_walls();
     void end_step();

@@ -56,8 +56,8 @@ std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligation
 /// trigger.
 using Answers = std::vector<std::vector<std::size_t>>;
 
-Answers answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
-                const std::vector<std::set<std::size_t>>& at_once) {
+Answers find_answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
+                     const std::vector<std::set<std::size_t>>& at_once) {
     Answers result(asked.size());
     for (std::size_t i = 0; i < asked.size(); ++i)
         for (std::size_t k = 0; k < asked.size(); ++k)
@@ -75,14 +75,14 @@ public:
     explicit Cycles(const Answers& answers) : answers_(answers) {
         for (std::size_t first = 0; first < answers.size(); ++first) {
             path_ = {first};
-            extend();
+            extend_path();
         }
     }
     [[nodiscard]] const std::set<std::vector<std::size_t>>& found() const { return found_; }
 
 private:
     /// Extends the path only by rules after the first, so that each cycle is found from its first rule.
-    void extend() {
+    void extend_path() {
         for (const std::size_t next : answers_[path_.back()]) {
             if (found_.size() >= most) return;
             if (next == path_.front()) {
@@ -92,7 +92,7 @@ private:
             } else if (next > path_.front() && path_.size() < longest &&
                        std::ranges::find(path_, next) == path_.end()) {
                 path_.push_back(next);
-                extend();
+                extend_path();
                 path_.pop_back();
             }
         }
@@ -106,7 +106,7 @@ private:
 bool may_be_endless(const CheckedRules& rules, const Question& question) {
     std::vector<std::set<std::size_t>> at_once;
     for (const auto& each : question.obligations) at_once.push_back(demanded_at_once(each));
-    return !Cycles(answers(rules, question.rules, at_once)).found().empty();
+    return !Cycles(find_answers(rules, question.rules, at_once)).found().empty();
 }
 
 /// Repeats a run and records the origin of each obligation.
@@ -114,17 +114,17 @@ class Replay {
 public:
     Replay(const Question& question, const RuleSystem& system) : question_(question), system_(system) {}
 
-    Conflict conflict(const std::vector<refine::Step>& steps) {
-        for (const refine::Step& step : steps) take(step.event);
+    Conflict make_conflict(const std::vector<refine::Step>& steps) {
+        for (const refine::Step& step : steps) replay_event(step.event);
         std::vector<OpenObligation> open;
         for (const Opened& each : open_) open.push_back(each.open);
-        const Clash found = clash(question_, open).value();
+        const Clash found = find_clash(question_, open).value();
         Conflict result;
         result.instant = now_;
         std::set<std::size_t> triggers{find(found.due).id};
         for (std::size_t i = 0; i < found.events.size(); ++i) {
-            result.due.push_back(side(found.due, found.events[i], false));
-            result.forbidding.push_back(side(found.by[i], found.events[i], true));
+            result.due.push_back(make_side(found.due, found.events[i], false));
+            result.forbidding.push_back(make_side(found.by[i], found.events[i], true));
             result.for_ever = result.for_ever || result.due.back().demand.end == forever;
             triggers.insert(find(found.by[i]).id);
         }
@@ -133,16 +133,16 @@ public:
     }
 
     /// Makes a conflict from a run to an instant that never ends. The conflict contains each duty that is due.
-    Conflict endless(const std::vector<lts::Event>& steps) {
-        for (const lts::Event step : steps) take(step);
+    Conflict make_endless_conflict(const std::vector<lts::Event>& steps) {
+        for (const lts::Event step : steps) replay_event(step);
         Conflict result;
         result.instant = now_;
         result.endless = true;
         std::set<std::size_t> triggers;
         for (const Opened& each : open_)
             for (const Demand* demand :
-                 due_now(question_.of(each.open), each.open.progress, [](std::size_t) { return false; })) {
-                result.due.push_back(side(each.open, demand->event, false));
+                 due_now(question_.find_obligation(each.open), each.open.progress, [](std::size_t) { return false; })) {
+                result.due.push_back(make_side(each.open, demand->event, false));
                 triggers.insert(each.id);
             }
         note_besides(triggers, result);
@@ -166,11 +166,11 @@ private:
             if (!triggers.contains(id)) result.besides.emplace_back(instant, event);
     }
 
-    void take(lts::Event event) {
-        const auto occurrence = system_.occurrence(event);
+    void replay_event(lts::Event event) {
+        const auto occurrence = system_.occurrence_of(event);
         std::vector<Opened> left;
         for (Opened each : open_) {
-            const Obligation& obligation = question_.of(each.open);
+            const Obligation& obligation = question_.find_obligation(each.open);
             const Effect effect =
                 occurrence ? take_event(obligation, each.open.progress, question_.occurrences[*occurrence].event)
                            : take_tock(obligation, each.open.progress);
@@ -184,7 +184,7 @@ private:
         const Occurrence& taken = question_.occurrences[*occurrence];
         occurred_.push_back({now_, taken.event, occurred_.size()});
         for (std::size_t rule = 0; rule < question_.rules.size(); ++rule)
-            if (const auto opened = question_.opened(taken, rule))
+            if (const auto opened = question_.opened_by(taken, rule))
                 open_.push_back({*opened, now_, *occurrence, occurred_.size() - 1});
     }
 
@@ -192,12 +192,12 @@ private:
         return *std::ranges::find_if(open_, [&](const Opened& each) { return each.open == open; });
     }
 
-    [[nodiscard]] Side side(const OpenObligation& open, std::size_t event, bool forbids) const {
+    [[nodiscard]] Side make_side(const OpenObligation& open, std::size_t event, bool forbids) const {
         const Opened& opened = find(open);
         Side result{
             question_.rules[open.rule], opened.began, question_.occurrences[opened.occurrence].sample.values, {}};
         // The last demand about the event; the windows of earlier ones are over.
-        for (const Demand& each : question_.of(open).any)
+        for (const Demand& each : question_.find_obligation(open).any)
             if (each.event == event && each.forbids == forbids) result.demand = each;
         return result;
     }
@@ -261,7 +261,7 @@ void search_clash(const Question& question, const AnalysisOptions& options, Conf
     answer.states = verdict.statistics.states;
     if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
         answer.conflict = Answer::yes;
-        answer.example = Replay(question, system).conflict(verdict.counterexample->steps);
+        answer.example = Replay(question, system).make_conflict(verdict.counterexample->steps);
     } else if (verdict.outcome == refine::Outcome::inconclusive) {
         answer.conflict = Answer::not_decided;
         answer.reason = verdict.reason;
@@ -279,7 +279,7 @@ void search_endless(const Question& question, const AnalysisOptions& options, Co
         answer.reason = "too many obligations can be open at once";
     } else if (steps) {
         answer.conflict = Answer::yes;
-        answer.example = Replay(question, system).endless(*steps);
+        answer.example = Replay(question, system).make_endless_conflict(*steps);
     }
 }
 
@@ -292,10 +292,10 @@ public:
 
     void ask_all() {
         for (std::size_t rule = 0; rule < rules_.rules.size(); ++rule)
-            if (!rules_.rules[rule].assumed) meet(rule);
+            if (!rules_.rules[rule].assumed) prepare_rule(rule);
         std::size_t most = 2;
         for (const Known& each : known_) {
-            ask({each.rule});
+            ask_conflict({each.rule});
             most = std::max(most, each.alternatives + 1);
         }
         const std::set<std::vector<std::size_t>> cycles = at_once();
@@ -303,7 +303,7 @@ public:
             for (std::size_t due = 0; due < known_.size(); ++due)
                 if (size == 2 || known_[due].alternatives + 1 >= size) with_forbidding(due, size);
             for (const auto& each : cycles)
-                if (each.size() == size) ask(each);
+                if (each.size() == size) ask_conflict(each);
         }
     }
 
@@ -315,7 +315,7 @@ private:
         std::set<std::size_t> at_once;
     };
 
-    void meet(std::size_t rule) {
+    void prepare_rule(std::size_t rule) {
         try {
             const Question alone = make_question(rules_, {rule}, options_.without_limit, options_.budget);
             known_.push_back({rule, last_alternatives(alone.obligations[0]), events_of(alone.obligations[0]),
@@ -338,7 +338,7 @@ private:
             rules.push_back(each.rule);
             events.push_back(each.at_once);
         }
-        const Answers all = answers(rules_, rules, events);
+        const Answers all = find_answers(rules_, rules, events);
         const Cycles cycles(all);
         std::set<std::vector<std::size_t>> result;
         for (const std::vector<std::size_t>& places : cycles.found()) {
@@ -367,24 +367,24 @@ private:
             if (i != due && have_common(known_[due].events.demanded, known_[i].events.forbidden))
                 others.push_back(known_[i].rule);
         std::vector<std::size_t> chosen{known_[due].rule};
-        combine(others, 0, size, chosen);
+        ask_combinations(others, 0, size, chosen);
     }
 
-    void combine(const std::vector<std::size_t>& others, std::size_t from, std::size_t size,
-                 std::vector<std::size_t>& chosen) {
+    void ask_combinations(const std::vector<std::size_t>& others, std::size_t from, std::size_t size,
+                          std::vector<std::size_t>& chosen) {
         if (chosen.size() == size) {
             std::vector<std::size_t> sorted = chosen;
             std::ranges::sort(sorted);
-            return ask(std::move(sorted));
+            return ask_conflict(std::move(sorted));
         }
         for (std::size_t i = from; i < others.size(); ++i) {
             chosen.push_back(others[i]);
-            combine(others, i + 1, size, chosen);
+            ask_combinations(others, i + 1, size, chosen);
             chosen.pop_back();
         }
     }
 
-    void ask(std::vector<std::size_t> asked) {
+    void ask_conflict(std::vector<std::size_t> asked) {
         const bool smaller =
             std::ranges::any_of(conflicts_, [&](const auto& each) { return std::ranges::includes(asked, each); });
         if ((smaller && asked.size() > 2) || !asked_.insert(asked).second) return;
@@ -427,16 +427,16 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
 
 /// True if, for each sample of its trigger, the rule makes no demand or the other rule's demand implies its demand.
 /// Measures are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
-bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
-    const auto all = samples(rules, {rule, by}, rules.rules[rule].trigger, options.without_limit, options.budget);
+bool is_redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
+    const auto all = find_samples(rules, {rule, by}, rules.rules[rule].trigger, options.without_limit, options.budget);
     return std::ranges::all_of(all, [](const Sample& sample) {
         if (!sample.obligations[0] || always_fulfilled(*sample.obligations[0])) return true;
         return sample.obligations[1] && implies(*sample.obligations[1], *sample.obligations[0]);
     });
 }
 
-bool asks_for_nothing(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
-    const auto all = samples(rules, {rule}, rules.rules[rule].trigger, options.without_limit, options.budget);
+bool makes_no_demand(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
+    const auto all = find_samples(rules, {rule}, rules.rules[rule].trigger, options.without_limit, options.budget);
     return std::ranges::none_of(
         all, [](const Sample& sample) { return sample.obligations[0] && !always_fulfilled(*sample.obligations[0]); });
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "checker/refine/search/limits.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "checker/refine/search/limits.hpp"
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {
@@ -62,9 +62,9 @@ struct AnalysisOptions {
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take);
 /// Returns true if `by` demands everything that `rule` demands for the same trigger. Throws NotDecided.
-[[nodiscard]] bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by,
-                             const AnalysisOptions& options);
+[[nodiscard]] bool is_redundant(const CheckedRules& rules, std::size_t rule, std::size_t by,
+                                const AnalysisOptions& options);
 /// True if a rule makes no demand for any values of the measures. Throws NotDecided.
-[[nodiscard]] bool asks_for_nothing(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
+[[nodiscard]] bool makes_no_demand(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
 }  // namespace robochart::sleec

@@ -16,14 +16,15 @@ std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
     constexpr std::size_t most = 4;
     std::string text;
     for (std::size_t i = 0; i < std::min(most, conflict.besides.size()); ++i)
-        text += fmt::format("{}{} at second {}", i == 0 ? "" : ", ", rules.event(conflict.besides[i].second),
+        text += fmt::format("{}{} at second {}", i == 0 ? "" : ", ", rules.event_name(conflict.besides[i].second),
                             conflict.besides[i].first);
     return text + (conflict.besides.size() > most ? ", ..." : "");
 }
 
 std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
     std::string events;
-    for (const Side& each : conflict.due) events += (events.empty() ? "" : " or ") + rules.event(each.demand.event);
+    for (const Side& each : conflict.due)
+        events += (events.empty() ? "" : " or ") + rules.event_name(each.demand.event);
     if (conflict.endless)
         return fmt::format("second {} never ends: {} has to come, and calls for the next, whatever is done",
                            conflict.instant, events);
@@ -37,8 +38,8 @@ std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
 std::string side_text(const Side& side, const CheckedRules& rules, const diagnostics::SourceManager& sources) {
     const std::string values = values_text(rules, side.rule, side.values);
     return fmt::format("{} begins at second {} with {}{}: it {} ({})", rules.name(side.rule), side.began,
-                       rules.event(rules.rules[side.rule].trigger), values.empty() ? "" : ", " + values,
-                       demand_text(rules, side.demand, side.began), sources.place(side.demand.written->span));
+                       rules.event_name(rules.rules[side.rule].trigger), values.empty() ? "" : ", " + values,
+                       demand_text(rules, side.demand, side.began), sources.path_and_line(side.demand.written->span));
 }
 
 std::string values_text(const CheckedRules& rules, std::size_t rule, const Valuation& values) {
@@ -49,7 +50,7 @@ std::string values_text(const CheckedRules& rules, std::size_t rule, const Valua
 }
 
 std::string demand_text(const CheckedRules& rules, const Demand& demand, std::int64_t began) {
-    std::string text = fmt::format("{} {}", demand.forbids ? "forbids" : "asks for", rules.event(demand.event));
+    std::string text = fmt::format("{} {}", demand.forbids ? "forbids" : "asks for", rules.event_name(demand.event));
     if (demand.begin > 0) text += fmt::format(" from second {}", began + demand.begin);
     if (demand.end == forever) return text + (demand.forbids ? " for ever" : ", without limit");
     return text + fmt::format("{} second {}", demand.begin > 0 ? " to" : " up to", began + demand.end);
@@ -67,14 +68,14 @@ std::vector<std::string> history_lines(const std::vector<Happening>& history, co
         if (each.named && condition)
             for (const std::size_t measure : measures_of({0, condition, nullptr, false, nullptr}))
                 values += (values.empty() ? " with " : ", ") + value_text(rules.measure(measure), each.values[measure]);
-        lines.push_back(fmt::format("{} at second {}{}", rules.event(each.event), each.second, values));
+        lines.push_back(fmt::format("{} at second {}{}", rules.event_name(each.event), each.second, values));
     }
     if (history.size() > most) lines.push_back(fmt::format("and {} more events", history.size() - most));
     return lines;
 }
 
-std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& rules,
-                                 const diagnostics::SourceManager& sources) {
+std::vector<std::string> explain_conflict(const Conflict& conflict, const CheckedRules& rules,
+                                          const diagnostics::SourceManager& sources) {
     std::vector<const Side*> sides;
     for (const auto* each : {&conflict.due, &conflict.forbidding})
         for (const Side& side : *each) sides.push_back(&side);

@@ -24,7 +24,7 @@ namespace robochart::sleec {
 [[nodiscard]] std::vector<std::string> history_lines(const std::vector<Happening>& history,
                                                      const CheckedProperty& property, const CheckedRules& rules);
 /// Explains a conflict in at most eight lines.
-[[nodiscard]] std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& rules,
-                                               const diagnostics::SourceManager& sources);
+[[nodiscard]] std::vector<std::string> explain_conflict(const Conflict& conflict, const CheckedRules& rules,
+                                                        const diagnostics::SourceManager& sources);
 
 }  // namespace robochart::sleec

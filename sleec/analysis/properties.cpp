@@ -74,11 +74,11 @@ public:
           fate_(fate),
           options_(options),
           first_(rules.rules.size()) {
-        reach();
+        collect_events();
     }
 
-    PropertyAnswer search() {
-        explore();
+    PropertyAnswer find_history() {
+        explore_states();
         PropertyAnswer answer;
         answer.states = states_.size();
         const auto end = quiet_ ? quiet_ : endless_state();
@@ -92,7 +92,7 @@ public:
 
 private:
     /// Collects the relevant events, each with the possible values of the measures.
-    void reach() {
+    void collect_events() {
         std::vector<std::size_t> waiting{property_.trigger};
         if (property_.during) waiting.push_back(*property_.during);
         while (!waiting.empty()) {
@@ -117,7 +117,7 @@ private:
     }
 
     std::vector<Sample> all_samples(const std::vector<std::size_t>& triggered, std::size_t event) const {
-        if (!triggered.empty()) return samples(rules_, triggered, event, options_.without_limit, options_.budget);
+        if (!triggered.empty()) return find_samples(rules_, triggered, event, options_.without_limit, options_.budget);
         return {{Valuation(rules_.file->measures.size(), 0), {}}};
     }
 
@@ -128,7 +128,7 @@ private:
         return obligations_.size() - 1;
     }
 
-    void explore() {
+    void explore_states() {
         State start;
         start.during = property_.during.has_value();
         add(start, 0, std::nullopt);
@@ -137,15 +137,15 @@ private:
             if (states_.size() > most_states) throw NotDecided(fmt::format("more than {} states", most_states));
             const State state = states_[at];
             for (const auto& [event, found] : samples_)
-                if (useful(state, event))
-                    for (const Sample& sample : found) occur(at, state, event, sample);
-            if (!state.awaited && !state.during) second(at, state);
+                if (is_useful(state, event))
+                    for (const Sample& sample : found) add_occurrences(at, state, event, sample);
+            if (!state.awaited && !state.during) add_second(at, state);
         }
     }
 
     /// True for an occurrence that the property waits for, that may fulfil or end a duty, or that may break the duty of
     /// the property.
-    [[nodiscard]] bool useful(const State& state, std::size_t event) const {
+    [[nodiscard]] bool is_useful(const State& state, std::size_t event) const {
         if ((state.awaited && event == property_.trigger) || (state.during && event == *property_.during)) return true;
         if (state.to_break) {
             Progress progress = state.to_break->progress;
@@ -159,7 +159,7 @@ private:
     }
 
     /// Adds the successors for an occurrence, with all ways in which the property may take part.
-    void occur(StateIndex at, const State& state, std::size_t event, const Sample& sample) {
+    void add_occurrences(StateIndex at, const State& state, std::size_t event, const Sample& sample) {
         State next = state;
         next.open.clear();
         for (OpenDuty each : state.open) {
@@ -230,11 +230,11 @@ private:
 
     /// True if the property needs no further event. A duty that must be broken is broken already, or it has no limit
     /// and stays unfulfilled if no further event occurs.
-    [[nodiscard]] bool has_come(const State& state) const {
+    [[nodiscard]] bool is_property_met(const State& state) const {
         return !state.awaited && !state.during && (!state.to_break || without_limit(*state.to_break));
     }
 
-    void second(StateIndex at, const State& state) {
+    void add_second(StateIndex at, const State& state) {
         State next = state;
         next.open.clear();
         if (!break_on(next, take_tock)) return;
@@ -266,7 +266,7 @@ private:
 
     /// True if no further event is needed: every open duty has a prohibition that can still be satisfied.
     [[nodiscard]] bool is_quiet(const State& state) const {
-        return has_come(state) && std::ranges::all_of(state.open, [&](const OpenDuty& duty) {
+        return is_property_met(state) && std::ranges::all_of(state.open, [&](const OpenDuty& duty) {
                    const Obligation& obligation = obligations_[duty.obligation];
                    for (std::size_t i = 0; i < obligation.any.size(); ++i)
                        if (obligation.any[i].forbids && (duty.progress.broken >> i & 1U) == 0) return true;
@@ -284,7 +284,7 @@ private:
         std::optional<StateIndex> found;
         lts::strong_components(view, roots, [&](std::span<const StateIndex> members, bool) {
             const StateIndex least = *std::ranges::min_element(members);
-            if ((!found || least < *found) && passes(members)) found = least;
+            if ((!found || least < *found) && is_valid_loop(members)) found = least;
         });
         return found;
     }
@@ -293,8 +293,8 @@ private:
     /// forever. A duty stays open forever iff every step leaves it unchanged, because then no run in this part ends it.
     /// A step may also end a duty and open the same duty again. Then the duty is in every state, although it is
     /// fulfilled.
-    [[nodiscard]] bool passes(std::span<const StateIndex> members) const {
-        if (!has_come(states_[members.front()])) return false;
+    [[nodiscard]] bool is_valid_loop(std::span<const StateIndex> members) const {
+        if (!is_property_met(states_[members.front()])) return false;
         const std::set<StateIndex> inside(members.begin(), members.end());
         bool time = false;
         std::vector<OpenDuty> left;  // not ended or changed by any step so far
@@ -304,13 +304,13 @@ private:
             for (const Step& step : steps_[state]) {
                 if (!inside.contains(step.target)) continue;
                 time = time || !step.happening;
-                std::erase_if(left, [&](const OpenDuty& each) { return !leaves(step, each); });
+                std::erase_if(left, [&](const OpenDuty& each) { return !leaves_unchanged(step, each); });
             }
         return time && left.empty();
     }
 
     /// True if the step does not change the duty.
-    [[nodiscard]] bool leaves(const Step& step, const OpenDuty& duty) const {
+    [[nodiscard]] bool leaves_unchanged(const Step& step, const OpenDuty& duty) const {
         const Obligation& obligation = obligations_[duty.obligation];
         Progress progress = duty.progress;
         const Effect effect =
@@ -345,17 +345,17 @@ private:
     std::optional<StateIndex> quiet_;  ///< the first quiet state found
 };
 
-PropertyAnswer search(const CheckedRules& rules, const CheckedProperty& property, Fate fate,
-                      const AnalysisOptions& options) {
+PropertyAnswer search_histories(const CheckedRules& rules, const CheckedProperty& property, Fate fate,
+                                const AnalysisOptions& options) {
     try {
-        return Histories(rules, property, fate, options).search();
+        return Histories(rules, property, fate, options).find_history();
     } catch (const NotDecided& error) {
         return {Answer::not_decided, {}, error.what(), 0};
     }
 }
 
 /// The rules without one of them.
-CheckedRules without(const CheckedRules& rules, std::size_t rule) {
+CheckedRules without_rule(const CheckedRules& rules, std::size_t rule) {
     CheckedRules result = rules;
     result.rules.erase(result.rules.begin() + static_cast<std::ptrdiff_t>(rule));
     return result;
@@ -363,11 +363,12 @@ CheckedRules without(const CheckedRules& rules, std::size_t rule) {
 
 }  // namespace
 
-PropertyAnswer possible(const CheckedRules& rules, const CheckedProperty& property, const AnalysisOptions& options) {
-    return search(rules, property, Fate::kept, options);
+PropertyAnswer check_possible(const CheckedRules& rules, const CheckedProperty& property,
+                              const AnalysisOptions& options) {
+    return search_histories(rules, property, Fate::kept, options);
 }
 
-Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
+Implication check_implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
     const CheckedRule& asked = rules.rules[rule];
     CheckedProperty broken;
     broken.trigger = asked.trigger;
@@ -378,9 +379,9 @@ Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisO
     comes.exists = true;
 
     Implication result;
-    CheckedRules others = without(rules, rule);
-    const PropertyAnswer breaks = search(others, broken, Fate::broken, options);
-    const PropertyAnswer triggered = possible(others, comes, options);
+    CheckedRules others = without_rule(rules, rule);
+    const PropertyAnswer breaks = search_histories(others, broken, Fate::broken, options);
+    const PropertyAnswer triggered = check_possible(others, comes, options);
     if (breaks.possible == Answer::not_decided || triggered.possible == Answer::not_decided) {
         result.implied = Answer::not_decided;
         result.reason = breaks.reason.empty() ? triggered.reason : breaks.reason;
@@ -392,8 +393,8 @@ Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisO
     for (std::size_t i = 0; i < rules.rules.size(); ++i)
         if (i != rule) left.push_back(i);
     for (std::size_t i = left.size(); i-- > 0;) {
-        CheckedRules fewer = without(others, i);
-        if (search(fewer, broken, Fate::broken, options).possible != Answer::no) continue;
+        CheckedRules fewer = without_rule(others, i);
+        if (search_histories(fewer, broken, Fate::broken, options).possible != Answer::no) continue;
         others = std::move(fewer);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -401,8 +402,8 @@ Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisO
     return result;
 }
 
-std::vector<std::size_t> excluding(const CheckedRules& rules, const CheckedProperty& property,
-                                   const AnalysisOptions& options) {
+std::vector<std::size_t> excluding_rules(const CheckedRules& rules, const CheckedProperty& property,
+                                         const AnalysisOptions& options) {
     std::vector<std::size_t> needed;
     for (std::size_t i = 0; i < rules.rules.size(); ++i) needed.push_back(i);
     for (std::size_t i = 0; i < rules.rules.size(); ++i) {
@@ -410,7 +411,7 @@ std::vector<std::size_t> excluding(const CheckedRules& rules, const CheckedPrope
         fewer.rules.clear();
         for (const std::size_t each : needed)
             if (each != i) fewer.rules.push_back(rules.rules[each]);
-        if (possible(fewer, property, options).possible == Answer::no) std::erase(needed, i);
+        if (check_possible(fewer, property, options).possible == Answer::no) std::erase(needed, i);
     }
     return needed;
 }

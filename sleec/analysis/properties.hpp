@@ -29,8 +29,8 @@ struct PropertyAnswer {
 };
 
 /// Decides whether the property is possible if all rules of the file, including its assumptions, are obeyed.
-[[nodiscard]] PropertyAnswer possible(const CheckedRules& rules, const CheckedProperty& property,
-                                      const AnalysisOptions& options);
+[[nodiscard]] PropertyAnswer check_possible(const CheckedRules& rules, const CheckedProperty& property,
+                                            const AnalysisOptions& options);
 
 /// Whether the other rules together imply `rule`: no history obeys them and breaks it.
 struct Implication {
@@ -39,11 +39,11 @@ struct Implication {
     std::string reason;           ///< not decided: the reason
 };
 /// A rule whose trigger the other rules exclude is not reported as implied; their conflict is reported.
-[[nodiscard]] Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
+[[nodiscard]] Implication check_implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
 /// Returns a set of rules that make the property impossible and are all needed for this. May be called only for an
 /// impossible property. A rule counts as needed if its removal cannot be decided.
-[[nodiscard]] std::vector<std::size_t> excluding(const CheckedRules& rules, const CheckedProperty& property,
-                                                 const AnalysisOptions& options);
+[[nodiscard]] std::vector<std::size_t> excluding_rules(const CheckedRules& rules, const CheckedProperty& property,
+                                                       const AnalysisOptions& options);
 
 }  // namespace robochart::sleec

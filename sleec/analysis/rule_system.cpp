@@ -37,7 +37,7 @@ std::set<std::size_t> named_events(const CheckedRules& rules, const Question& qu
     return events;
 }
 
-std::size_t interned(std::vector<Obligation>& known, const Obligation& obligation) {
+std::size_t intern_obligation(std::vector<Obligation>& known, const Obligation& obligation) {
     const auto found = std::ranges::find(known, obligation);
     if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
     check_sizes(obligation);
@@ -48,7 +48,7 @@ std::size_t interned(std::vector<Obligation>& known, const Obligation& obligatio
 
 }  // namespace
 
-std::optional<OpenObligation> Question::opened(const Occurrence& occurrence, std::size_t rule) const {
+std::optional<OpenObligation> Question::opened_by(const Occurrence& occurrence, std::size_t rule) const {
     const auto& obligation = occurrence.sample.obligations[rule];
     if (!obligation) return std::nullopt;
     const auto& known = obligations[rule];
@@ -70,9 +70,9 @@ Question make_question(const CheckedRules& rules, std::vector<std::size_t> judge
     std::set<std::size_t> triggers;
     for (const std::size_t rule : question.rules) triggers.insert(rules.rules[rule].trigger);
     for (const std::size_t event : triggers)
-        for (Sample& sample : samples(rules, question.rules, event, without, budget)) {
+        for (Sample& sample : find_samples(rules, question.rules, event, without, budget)) {
             for (std::size_t i = 0; i < question.rules.size(); ++i)
-                if (sample.obligations[i]) (void)interned(question.obligations[i], *sample.obligations[i]);
+                if (sample.obligations[i]) (void)intern_obligation(question.obligations[i], *sample.obligations[i]);
             question.occurrences.push_back({event, std::move(sample)});
         }
     for (const std::size_t event : named_events(rules, question)) {
@@ -87,31 +87,32 @@ Question make_question(const CheckedRules& rules, std::vector<std::size_t> judge
 namespace {
 
 /// True if the event would break the obligation at this instant.
-bool forbids(const Question& question, const OpenObligation& open, std::size_t event) {
+bool forbids_event(const Question& question, const OpenObligation& open, std::size_t event) {
     Progress progress = open.progress;
-    return take_event(question.of(open), progress, event) == Effect::broken;
+    return take_event(question.find_obligation(open), progress, event) == Effect::broken;
 }
 
 /// Returns, for each judged rule, one obligation that forbids the event now, or forever for a demand without limit.
-std::vector<OpenObligation> forbidding(const Question& question, const std::vector<OpenObligation>& open,
-                                       std::size_t event, bool for_ever) {
+std::vector<OpenObligation> forbidding_obligations(const Question& question, const std::vector<OpenObligation>& open,
+                                                   std::size_t event, bool for_ever) {
     std::vector<OpenObligation> result;
     for (const OpenObligation& each : open) {
         if (each.rule >= question.judged || (!result.empty() && result.back().rule == each.rule)) continue;
-        if (forbids(question, each, event) && (!for_ever || forbids_for_ever(question.of(each), each.progress, event)))
+        if (forbids_event(question, each, event) &&
+            (!for_ever || forbids_forever(question.find_obligation(each), each.progress, event)))
             result.push_back(each);
     }
     return result;
 }
 
 /// Selects one obligation for each demand, such that all rules in the bit set `wanted` take part in the clash.
-bool choose(std::uint32_t wanted, const std::vector<std::vector<OpenObligation>>& choices, Clash& clash,
-            std::uint32_t involved) {
+bool choose_obligations(std::uint32_t wanted, const std::vector<std::vector<OpenObligation>>& choices, Clash& clash,
+                        std::uint32_t involved) {
     const std::size_t at = clash.by.size();
     if (at == choices.size()) return (involved & wanted) == wanted;
     for (const OpenObligation& each : choices[at]) {
         clash.by.push_back(each);
-        if (choose(wanted, choices, clash, involved | 1U << each.rule)) return true;
+        if (choose_obligations(wanted, choices, clash, involved | 1U << each.rule)) return true;
         clash.by.pop_back();
     }
     return false;
@@ -119,14 +120,16 @@ bool choose(std::uint32_t wanted, const std::vector<std::vector<OpenObligation>>
 
 std::optional<Clash> clash_of(const Question& question, const std::vector<OpenObligation>& open,
                               const OpenObligation& due, std::uint32_t wanted) {
-    const auto never_again = [&](std::size_t event) { return !forbidding(question, open, event, true).empty(); };
+    const auto never_again = [&](std::size_t event) {
+        return !forbidding_obligations(question, open, event, true).empty();
+    };
     Clash result{due, {}, {}};
     std::vector<std::vector<OpenObligation>> choices;
-    for (const Demand* demand : due_now(question.of(due), due.progress, never_again)) {
-        choices.push_back(forbidding(question, open, demand->event, demand->end == forever));
+    for (const Demand* demand : due_now(question.find_obligation(due), due.progress, never_again)) {
+        choices.push_back(forbidding_obligations(question, open, demand->event, demand->end == forever));
         result.events.push_back(demand->event);
     }
-    if (choices.empty() || !choose(wanted, choices, result, 1U << due.rule)) return std::nullopt;
+    if (choices.empty() || !choose_obligations(wanted, choices, result, 1U << due.rule)) return std::nullopt;
     return result;
 }
 
@@ -139,7 +142,7 @@ std::optional<Clash> clash(const Question& question, const std::vector<OpenOblig
     return std::nullopt;
 }
 
-std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open) {
+std::optional<Clash> find_clash(const Question& question, const std::vector<OpenObligation>& open) {
     return clash(question, open, (1U << question.judged) - 1);
 }
 
@@ -184,7 +187,7 @@ void RuleSystem::initial(std::span<lts::Word> state) {
     state[0] = static_cast<lts::Word>(unasked_occurrences(question_));
 }
 
-RuleSystem::State RuleSystem::unpack(lts::StateView state) const {
+RuleSystem::State RuleSystem::unpack_state(lts::StateView state) const {
     State result;
     result.unasked = state[0];
     for (std::size_t i = 1; i < state.size() && state[i + 1] != 0; i += words) {
@@ -216,34 +219,34 @@ void RuleSystem::add(const State& state, lts::Event event, lts::SuccessorSink& s
     sink.add(event, packed, event);
 }
 
-std::optional<std::size_t> RuleSystem::occurrence(lts::Event event) const {
+std::optional<std::size_t> RuleSystem::occurrence_of(lts::Event event) const {
     const auto found = std::ranges::find(names_, event);
     if (found == names_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - names_.begin());
 }
 
 bool RuleSystem::some_clash(lts::StateView packed) const {
-    return clash(question_, unpack(packed).open, 0).has_value();
+    return clash(question_, unpack_state(packed).open, 0).has_value();
 }
 
 void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
-    const State state = unpack(packed);
-    if (clash(question_, state.open)) return;
+    const State state = unpack_state(packed);
+    if (find_clash(question_, state.open)) return;
     // A self-loop, so that only clashes are deadlocks. A state in which a single rule cannot be obeyed is not a
     // conflict between rules.
     sink.add(aside_, packed, aside_);
-    for (std::size_t i = 0; i < question_.occurrences.size(); ++i) take(state, i, sink);
-    tock(state, sink);
+    for (std::size_t i = 0; i < question_.occurrences.size(); ++i) add_event_successor(state, i, sink);
+    add_tock_successor(state, sink);
 }
 
 /// An occurrence first fulfils or breaks open obligations, then opens new ones. It has no effect on the obligations
 /// that it opens.
-void RuleSystem::take(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
+void RuleSystem::add_event_successor(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
     const Occurrence& taken = question_.occurrences[occurrence];
     State next;
     bool asked = false;
     for (OpenObligation open : state.open) {
-        const Effect effect = take_event(question_.of(open), open.progress, taken.event);
+        const Effect effect = take_event(question_.find_obligation(open), open.progress, taken.event);
         if (effect == Effect::broken) return;
         if (effect == Effect::fulfilled)
             asked = true;
@@ -253,40 +256,40 @@ void RuleSystem::take(const State& state, std::size_t occurrence, lts::Successor
     if (!asked && state.unasked == 0) return;
     next.unasked = state.unasked - (asked ? 0 : 1);
     for (std::size_t rule = 0; rule < question_.rules.size(); ++rule)
-        if (const auto opened = question_.opened(taken, rule)) next.open.push_back(*opened);
-    simplify(next.open);
+        if (const auto opened = question_.opened_by(taken, rule)) next.open.push_back(*opened);
+    remove_dominated(next.open);
     add(next, names_[occurrence], sink);
 }
 
-void RuleSystem::tock(const State& state, lts::SuccessorSink& sink) {
+void RuleSystem::add_tock_successor(const State& state, lts::SuccessorSink& sink) {
     State next;
     next.unasked = state.unasked;
     for (OpenObligation open : state.open) {
-        const Effect effect = take_tock(question_.of(open), open.progress);
+        const Effect effect = take_tock(question_.find_obligation(open), open.progress);
         if (effect == Effect::broken) return;
         if (effect == Effect::open) next.open.push_back(open);
     }
-    simplify(next.open);
+    remove_dominated(next.open);
     add(next, tock_, sink);
 }
 
 /// If the same obligation is open twice, one of the two is sufficient: the older for a demand, the younger for a
 /// prohibition.
-bool RuleSystem::dominated(const OpenObligation& a, const OpenObligation& b) const {
+bool RuleSystem::is_dominated(const OpenObligation& a, const OpenObligation& b) const {
     if (a.rule != b.rule || a.kind != b.kind) return false;
-    const Obligation& obligation = question_.of(a);
+    const Obligation& obligation = question_.find_obligation(a);
     if (obligation.any.size() != 1 || obligation.any[0].begin != 0) return a == b;
     return obligation.any[0].forbids ? a.progress.elapsed > b.progress.elapsed
                                      : a.progress.elapsed < b.progress.elapsed;
 }
 
-void RuleSystem::simplify(std::vector<OpenObligation>& open) const {
+void RuleSystem::remove_dominated(std::vector<OpenObligation>& open) const {
     std::ranges::sort(open);
     open.erase(std::unique(open.begin(), open.end()), open.end());
     std::vector<OpenObligation> left;
     for (const OpenObligation& each : open)
         if (std::ranges::none_of(
-                open, [&](const OpenObligation& other) { return !(other == each) && dominated(each, other); }))
+                open, [&](const OpenObligation& other) { return !(other == each) && is_dominated(each, other); }))
             left.push_back(each);
     open = std::move(left);
 }

@@ -36,9 +36,11 @@ struct Question {
     std::vector<std::vector<Obligation>> obligations;  ///< for each rule, the obligations of all samples
     std::vector<Occurrence> occurrences;               ///< for each event that a rule names
 
-    [[nodiscard]] const Obligation& of(const OpenObligation& open) const { return obligations[open.rule][open.kind]; }
+    [[nodiscard]] const Obligation& find_obligation(const OpenObligation& open) const {
+        return obligations[open.rule][open.kind];
+    }
     /// The obligation that an occurrence opens; no value if it opens none.
-    [[nodiscard]] std::optional<OpenObligation> opened(const Occurrence& occurrence, std::size_t rule) const;
+    [[nodiscard]] std::optional<OpenObligation> opened_by(const Occurrence& occurrence, std::size_t rule) const;
 };
 /// The question about these rules; the assumptions of the file must be obeyed, too. Throws NotDecided.
 [[nodiscard]] Question make_question(const CheckedRules& rules, std::vector<std::size_t> judged, WithoutLimit,
@@ -52,7 +54,7 @@ struct Clash {
     std::vector<OpenObligation> by;   ///< the obligation that forbids each event
 };
 /// A clash at this instant in which all judged rules take part.
-[[nodiscard]] std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open);
+[[nodiscard]] std::optional<Clash> find_clash(const Question& question, const std::vector<OpenObligation>& open);
 
 /// Only a few occurrences are spontaneous (`unasked_occurrences`); every other one fulfils an open obligation. This
 /// restriction loses no conflict. Take a history with a conflict and keep the triggers of the clashing obligations, and
@@ -69,7 +71,7 @@ public:
     [[nodiscard]] std::string describe(lts::StateView) const override { return ""; }
 
     /// Returns the occurrence of an event; no value for a tock.
-    [[nodiscard]] std::optional<std::size_t> occurrence(lts::Event event) const;
+    [[nodiscard]] std::optional<std::size_t> occurrence_of(lts::Event event) const;
     [[nodiscard]] bool is_tock(lts::Event event) const { return event == tock_; }
     /// True if some of the rules clash in this state.
     [[nodiscard]] bool some_clash(lts::StateView state) const;
@@ -82,12 +84,12 @@ private:
         std::uint32_t unasked = 0;  ///< remaining spontaneous occurrences
         std::vector<OpenObligation> open;
     };
-    [[nodiscard]] State unpack(lts::StateView state) const;
+    [[nodiscard]] State unpack_state(lts::StateView state) const;
     void add(const State& state, lts::Event event, lts::SuccessorSink& sink);
-    void take(const State& state, std::size_t occurrence, lts::SuccessorSink& sink);
-    void tock(const State& state, lts::SuccessorSink& sink);
-    void simplify(std::vector<OpenObligation>& open) const;
-    [[nodiscard]] bool dominated(const OpenObligation& a, const OpenObligation& b) const;
+    void add_event_successor(const State& state, std::size_t occurrence, lts::SuccessorSink& sink);
+    void add_tock_successor(const State& state, lts::SuccessorSink& sink);
+    void remove_dominated(std::vector<OpenObligation>& open) const;
+    [[nodiscard]] bool is_dominated(const OpenObligation& a, const OpenObligation& b) const;
 
     const Question& question_;
     lts::EventTable events_;

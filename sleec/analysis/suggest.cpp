@@ -17,7 +17,7 @@ struct Candidate {
     CheckedDefeater defeater;
 };
 
-Condition constant(std::int64_t value) {
+Condition constant_condition(std::int64_t value) {
     return {Op::number, value, 0, {}, nullptr};
 }
 
@@ -25,7 +25,7 @@ Condition measure_value(std::size_t measure) {
     return {Op::name, 0, measure, {}, nullptr};
 }
 
-Candidate when(std::string text, Condition condition) {
+Candidate make_candidate(std::string text, Condition condition) {
     return {fmt::format("unless {}", text), {std::move(condition), std::nullopt, nullptr, nullptr}};
 }
 
@@ -35,13 +35,13 @@ void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& a
     const Measure& measure = rules.measure(index);
     const std::string& name = measure.name.text;
     if (measure.type == MeasureType::boolean) {
-        result.push_back(when(name, measure_value(index)));
-        result.push_back(when("not " + name, {Op::negation, 0, 0, {measure_value(index)}, nullptr}));
+        result.push_back(make_candidate(name, measure_value(index)));
+        result.push_back(make_candidate("not " + name, {Op::negation, 0, 0, {measure_value(index)}, nullptr}));
         return;
     }
     const auto compared = [&](Op op, std::int64_t value, const std::string& shown) {
-        result.push_back(when(fmt::format("{} {} {}", name, symbol_of(op), shown),
-                              {op, 0, 0, {measure_value(index), constant(value)}, nullptr}));
+        result.push_back(make_candidate(fmt::format("{} {} {}", name, symbol_of(op), shown),
+                                        {op, 0, 0, {measure_value(index), constant_condition(value)}, nullptr}));
     };
     if (measure.type == MeasureType::scale) {
         for (std::size_t i = 0; i < measure.literals.size(); ++i)
@@ -58,11 +58,11 @@ void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& a
 }
 
 Candidate on_event(const CheckedRules& rules, std::size_t event) {
-    return {fmt::format("unless {}", rules.event(event)), {{}, event, nullptr, nullptr}};
+    return {fmt::format("unless {}", rules.event_name(event)), {{}, event, nullptr, nullptr}};
 }
 
 /// The rules with one more defeater.
-CheckedRules with(const CheckedRules& rules, std::size_t rule, const CheckedDefeater& defeater) {
+CheckedRules with_defeater(const CheckedRules& rules, std::size_t rule, const CheckedDefeater& defeater) {
     CheckedRules result = rules;
     Duty duty = *result.rules[rule].duty;
     duty.defeaters.push_back(defeater);
@@ -75,7 +75,7 @@ public:
     Search(const CheckedRules& rules, const std::vector<std::size_t>& asked, const AnalysisOptions& options)
         : rules_(rules), asked_(asked), options_(options) {}
 
-    std::vector<Suggestion> one() {
+    std::vector<Suggestion> suggest_one() {
         std::set<std::size_t> measures, events;
         for (const std::size_t rule : asked_) {
             for (const std::size_t each : measures_of(rules_.rules[rule])) measures.insert(each);
@@ -87,18 +87,19 @@ public:
             for (const std::size_t each : events)
                 if (each != rules_.rules[rule].trigger) candidates.push_back(on_event(rules_, each));
             for (const Candidate& each : candidates)
-                if (helps(with(rules_, rule, each.defeater))) return {{rule, each.text}};
+                if (resolves_conflict(with_defeater(rules_, rule, each.defeater))) return {{rule, each.text}};
         }
         return {};
     }
 
-    std::vector<Suggestion> two() {
+    std::vector<Suggestion> suggest_two() {
         for (const std::size_t first : asked_)
             for (const std::size_t second : asked_) {
                 const std::size_t a = rules_.rules[first].trigger, b = rules_.rules[second].trigger;
                 if (first >= second || a == b) continue;
                 const Candidate to_first = on_event(rules_, b), to_second = on_event(rules_, a);
-                if (helps(with(with(rules_, first, to_first.defeater), second, to_second.defeater)))
+                if (resolves_conflict(
+                        with_defeater(with_defeater(rules_, first, to_first.defeater), second, to_second.defeater)))
                     return {{first, to_first.text}, {second, to_second.text}};
             }
         return {};
@@ -106,10 +107,10 @@ public:
 
 private:
     /// True if the rules and all subsets of them are no longer in conflict.
-    bool helps(const CheckedRules& changed) {
+    bool resolves_conflict(const CheckedRules& changed) {
         try {
             for (const std::size_t rule : asked_)
-                if (asks_for_nothing(changed, rule, options_)) return false;
+                if (makes_no_demand(changed, rule, options_)) return false;
         } catch (const NotDecided&) {
             return false;
         }
@@ -123,11 +124,11 @@ private:
 
 }  // namespace
 
-std::vector<Suggestion> suggest(const CheckedRules& rules, const std::vector<std::size_t>& in_conflict,
-                                const AnalysisOptions& options) {
+std::vector<Suggestion> suggest_defeaters(const CheckedRules& rules, const std::vector<std::size_t>& in_conflict,
+                                          const AnalysisOptions& options) {
     Search search(rules, in_conflict, options);
-    std::vector<Suggestion> found = search.one();
-    return found.empty() ? search.two() : found;
+    std::vector<Suggestion> found = search.suggest_one();
+    return found.empty() ? search.suggest_two() : found;
 }
 
 }  // namespace robochart::sleec

@@ -19,7 +19,8 @@ struct Suggestion {
 /// Finds defeaters with which the rules are no longer in conflict and each rule still demands something. The first
 /// candidates are a condition on one measure, or one event, for one rule. If no such defeater helps, each of two rules
 /// gets the trigger of the other as its defeater. The result is empty if no defeater helps, or if this is not decided.
-[[nodiscard]] std::vector<Suggestion> suggest(const CheckedRules& rules, const std::vector<std::size_t>& in_conflict,
-                                              const AnalysisOptions& options);
+[[nodiscard]] std::vector<Suggestion> suggest_defeaters(const CheckedRules& rules,
+                                                        const std::vector<std::size_t>& in_conflict,
+                                                        const AnalysisOptions& options);
 
 }  // namespace robochart::sleec

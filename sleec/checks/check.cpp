@@ -40,10 +40,10 @@ public:
 
     std::optional<CheckedRules> run() {
         declare();
-        for (const Rule& rule : file_.rules) result_.rules.push_back(checked(rule));
-        for (const Property& each : file_.concerns) result_.concerns.push_back(checked(each));
-        for (const Property& each : file_.purposes) result_.purposes.push_back(checked(each));
-        mappings();
+        for (const Rule& rule : file_.rules) result_.rules.push_back(check_clause(rule));
+        for (const Property& each : file_.concerns) result_.concerns.push_back(check_clause(each));
+        for (const Property& each : file_.purposes) result_.purposes.push_back(check_clause(each));
+        check_mappings();
         if (!diagnostics_.ok()) return std::nullopt;
         return std::move(result_);
     }
@@ -102,18 +102,19 @@ private:
             for (const auto& [each, index] : *table) names.push_back(each);
         const std::string noun = kind.substr(kind.find(' ') + 1);
         auto& finding = diagnostics_.report(rules::unknown_name, span, {noun, name});
-        const std::string meant = diagnostics::nearest(name, names);
+        const std::string meant = diagnostics::nearest_spelling(name, names);
         if (!meant.empty())
-            finding.fixes.push_back({span, meant, diagnostics::suggested(diagnostics::is_certain(name, meant, names))});
+            finding.fixes.push_back(
+                {span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(name, meant, names))});
     }
 
-    std::size_t event(const Name& name) {
+    std::size_t find_event(const Name& name) {
         if (const auto found = events_.find(name.text); found != events_.end()) return found->second;
         not_found(name.text, name.span, "an event", {&events_});
         return 0;
     }
 
-    void mappings() {
+    void check_mappings() {
         for (const Mapping& each : file_.mappings)
             if (!events_.contains(each.name.text) && !measures_.contains(each.name.text))
                 not_found(each.name.text, each.name.span, "an event or measure", {&events_, &measures_});
@@ -135,11 +136,11 @@ private:
             }
             at = file_.constants[found->second].value.get();
         }
-        if (at == constant.value.get() && at->op == Op::name) (void)number(constant.value);
+        if (at == constant.value.get() && at->op == Op::name) (void)constant_value(constant.value);
     }
 
     /// The value of a number or a constant.
-    std::int64_t number(const ExprPtr& expr) {
+    std::int64_t constant_value(const ExprPtr& expr) {
         std::set<std::string> seen;
         const Expr* at = expr.get();
         while (at->op == Op::name) {
@@ -155,21 +156,21 @@ private:
         return at->text.size() > 10 ? 0 : std::stoll(at->text);
     }
 
-    void limit(const Limit& written, Duty& duty) {
-        duty.to = seconds(written.to, written.unit, duty);
-        if (written.from) duty.from = seconds(written.from, written.from_unit, duty);
+    void check_limit(const Limit& written, Duty& duty) {
+        duty.to = limit_seconds(written.to, written.unit, duty);
+        if (written.from) duty.from = limit_seconds(written.from, written.from_unit, duty);
         if (!duty.measured && *duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
     }
 
     /// One end of a limit, in seconds. An expression with measures has no value here.
-    std::int64_t seconds(const ExprPtr& expr, Unit unit, Duty& duty) {
-        if (!expr->bracketed) return number(expr) * seconds_of(unit);
-        const Typed value = typed(expr);
-        expect(value, Type::number, *expr);
+    std::int64_t limit_seconds(const ExprPtr& expr, Unit unit, Duty& duty) {
+        if (!expr->bracketed) return constant_value(expr) * seconds_of(unit);
+        const Typed value = check_expression(expr);
+        expect_type(value, Type::number, *expr);
         duty.measured = duty.measured || has_measure(value.condition);
         if (duty.measured || value.type != Type::number) return 0;
         constexpr std::int64_t longest = 10'000'000'000;  // as large as a written number may be
-        return std::clamp(evaluate(value.condition, {}), -longest, longest) * seconds_of(unit);
+        return std::clamp(evaluate_condition(value.condition, {}), -longest, longest) * seconds_of(unit);
     }
 
     static bool has_measure(const Condition& condition) {
@@ -178,7 +179,7 @@ private:
 
     // conditions
 
-    Typed typed(const ExprPtr& expr) {
+    Typed check_expression(const ExprPtr& expr) {
         Typed result;
         result.condition.op = expr->op;
         result.condition.written = expr.get();
@@ -188,25 +189,25 @@ private:
                 result.type = Type::truth;
                 return result;
             case Op::number:
-                result.condition.value = number(expr);
+                result.condition.value = constant_value(expr);
                 result.type = Type::number;
                 return result;
             case Op::name:
-                return named(expr);
+                return check_name(expr);
             case Op::negation:
             case Op::conjunction:
             case Op::disjunction:
-                return combined(expr, Type::truth, Type::truth);
+                return check_operands(expr, Type::truth, Type::truth);
             case Op::add:
             case Op::subtract:
             case Op::multiply:
-                return combined(expr, Type::number, Type::number);
+                return check_operands(expr, Type::number, Type::number);
             default:
-                return compared(expr);
+                return check_comparison(expr);
         }
     }
 
-    Typed named(const ExprPtr& expr) {
+    Typed check_name(const ExprPtr& expr) {
         Typed result;
         result.condition.written = expr.get();
         if (const auto found = measures_.find(expr->text); found != measures_.end()) {
@@ -217,7 +218,7 @@ private:
                           : type == MeasureType::numeric ? Type::number
                                                          : Type::scale;
         } else if (constants_.contains(expr->text)) {
-            result.condition.value = number(expr);
+            result.condition.value = constant_value(expr);
             result.type = Type::number;
         } else if (literals_.contains(expr->text)) {
             result.type = Type::literal;
@@ -227,38 +228,38 @@ private:
         return result;
     }
 
-    Typed combined(const ExprPtr& expr, Type wanted, Type made) {
+    Typed check_operands(const ExprPtr& expr, Type wanted, Type made) {
         Typed result;
         result.condition.op = expr->op;
         result.condition.written = expr.get();
         result.type = made;
         for (const ExprPtr& part : expr->parts) {
-            Typed each = typed(part);
-            expect(each, wanted, *part);
+            Typed each = check_expression(part);
+            expect_type(each, wanted, *part);
             result.condition.parts.push_back(std::move(each.condition));
         }
         return result;
     }
 
-    void expect(const Typed& part, Type wanted, const Expr& written) {
+    void expect_type(const Typed& part, Type wanted, const Expr& written) {
         if (part.type == wanted || part.type == Type::wrong) return;
         diagnostics_.report(rules::wrong_type, written.span,
                             {fmt::format("'{}' is {}, not {}", written.text.empty() ? "this" : written.text,
                                          type_text(part.type), type_text(wanted))});
     }
 
-    Typed compared(const ExprPtr& expr) {
-        Typed left = typed(expr->parts[0]);
-        Typed right = typed(expr->parts[1]);
+    Typed check_comparison(const ExprPtr& expr) {
+        Typed left = check_expression(expr->parts[0]);
+        Typed right = check_expression(expr->parts[1]);
         Typed result;
         result.type = Type::truth;
         result.condition.op = expr->op;
         result.condition.written = expr.get();
         if (left.type == Type::scale && right.type == Type::literal)
-            place(right, left.condition.measure, *expr->parts[1]);
+            place_literal(right, left.condition.measure, *expr->parts[1]);
         else if (left.type == Type::literal && right.type == Type::scale)
-            place(left, right.condition.measure, *expr->parts[0]);
-        else if (!comparable(left.type, right.type))
+            place_literal(left, right.condition.measure, *expr->parts[0]);
+        else if (!are_comparable(left.type, right.type))
             diagnostics_.report(
                 rules::wrong_type, expr->span,
                 {fmt::format("{} cannot be compared with {}", type_text(left.type), type_text(right.type))});
@@ -268,7 +269,7 @@ private:
 
     /// True for two numbers. In LEGOS, whose scales are numbers from 0, also true for a scale and a number. Wrong types
     /// have been reported.
-    [[nodiscard]] bool comparable(Type left, Type right) const {
+    [[nodiscard]] bool are_comparable(Type left, Type right) const {
         const auto numeric = [&](Type type) {
             return type == Type::number || (type == Type::scale && file_.dialect == Dialect::legos);
         };
@@ -277,7 +278,7 @@ private:
     }
 
     /// Sets the literal's index on the scale of that measure.
-    void place(Typed& literal, std::size_t measure, const Expr& written) {
+    void place_literal(Typed& literal, std::size_t measure, const Expr& written) {
         const Measure& scale = file_.measures[measure];
         const auto index = place_on(scale, written.text);
         literal.condition.op = Op::number;
@@ -308,27 +309,27 @@ private:
         return static_cast<int>(found - scale.literals.begin());
     }
 
-    std::optional<Condition> condition(const ExprPtr& expr) {
+    std::optional<Condition> check_condition(const ExprPtr& expr) {
         if (!expr) return std::nullopt;
-        Typed whole = typed(expr);
-        expect(whole, Type::truth, *expr);
+        Typed whole = check_expression(expr);
+        expect_type(whole, Type::truth, *expr);
         return std::move(whole.condition);
     }
 
     // rules
 
-    DutyPtr duty(const Response& written) {
+    DutyPtr check_duty(const Response& written) {
         Duty result;
         result.written = &written;
         result.forbids = written.negated;
-        result.event = event(written.event);
-        if (written.limit) limit(*written.limit, result);
-        if (written.otherwise) result.otherwise = duty(*written.otherwise);
-        for (const Defeater& each : written.defeaters) result.defeaters.push_back(defeater(each));
+        result.event = find_event(written.event);
+        if (written.limit) check_limit(*written.limit, result);
+        if (written.otherwise) result.otherwise = check_duty(*written.otherwise);
+        for (const Defeater& each : written.defeaters) result.defeaters.push_back(check_defeater(each));
         return std::make_shared<const Duty>(std::move(result));
     }
 
-    CheckedDefeater defeater(const Defeater& written) {
+    CheckedDefeater check_defeater(const Defeater& written) {
         CheckedDefeater result;
         result.written = &written;
         const Expr& expr = *written.condition;
@@ -336,19 +337,19 @@ private:
             result.event = events_.at(expr.text);
             diagnostics_.report(rules::extension, written.span, {"unless EVENT"});
         } else {
-            result.condition = *condition(written.condition);
+            result.condition = *check_condition(written.condition);
         }
-        if (written.response) result.duty = duty(*written.response);
+        if (written.response) result.duty = check_duty(*written.response);
         return result;
     }
 
-    CheckedRule checked(const Rule& written) {
+    CheckedRule check_clause(const Rule& written) {
         CheckedRule result;
         result.written = &written;
         result.assumed = written.assumed;
-        result.trigger = event(written.trigger.event);
-        result.condition = condition(written.trigger.condition);
-        result.duty = duty(*written.response);
+        result.trigger = find_event(written.trigger.event);
+        result.condition = check_condition(written.trigger.condition);
+        result.duty = check_duty(*written.response);
         if (written.form == RuleForm::at_least) {  // no sooner than N: not in the N seconds before
             Duty before = *result.duty;
             before.to = *before.to - 1;
@@ -357,16 +358,16 @@ private:
         return result;
     }
 
-    CheckedProperty checked(const Property& written) {
+    CheckedProperty check_clause(const Property& written) {
         CheckedProperty result;
         result.written = &written;
         result.exists = written.exists;
-        result.trigger = event(written.trigger.event);
-        result.condition = condition(written.trigger.condition);
-        if (written.response) result.duty = duty(*written.response);
+        result.trigger = find_event(written.trigger.event);
+        result.condition = check_condition(written.trigger.condition);
+        if (written.response) result.duty = check_duty(*written.response);
         if (written.during) {
-            result.during = event(written.during->event);
-            result.during_condition = condition(written.during->condition);
+            result.during = find_event(written.during->event);
+            result.during_condition = check_condition(written.during->condition);
         }
         return result;
     }
@@ -382,7 +383,7 @@ private:
 
 }  // namespace
 
-std::optional<CheckedRules> check(const RuleFile& file, diagnostics::Diagnostics& diagnostics) {
+std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics) {
     return Checker(file, diagnostics).run();
 }
 

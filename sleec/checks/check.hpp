@@ -10,6 +10,6 @@
 namespace robochart::sleec {
 
 /// Resolves names and checks types. No value, with findings, if there are errors.
-[[nodiscard]] std::optional<CheckedRules> check(const RuleFile& file, diagnostics::Diagnostics& diagnostics);
+[[nodiscard]] std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics);
 
 }  // namespace robochart::sleec

@@ -12,27 +12,27 @@ namespace {
 /// Sums and products of numbers in a text stay far below this; larger values are cut off here.
 constexpr std::int64_t largest = 4'000'000'000'000'000'000;
 
-std::int64_t bounded(std::int64_t value, bool overflow, bool negative) {
+std::int64_t saturate_overflow(std::int64_t value, bool overflow, bool negative) {
     if (overflow) return negative ? -largest : largest;
     return std::clamp(value, -largest, largest);
 }
 
-std::int64_t sum(std::int64_t a, std::int64_t b) {
+std::int64_t saturating_sum(std::int64_t a, std::int64_t b) {
     std::int64_t result = 0;
     const bool overflow = __builtin_add_overflow(a, b, &result);
-    return bounded(result, overflow, a < 0);
+    return saturate_overflow(result, overflow, a < 0);
 }
 
-std::int64_t product(std::int64_t a, std::int64_t b) {
+std::int64_t saturating_product(std::int64_t a, std::int64_t b) {
     std::int64_t result = 0;
     const bool overflow = __builtin_mul_overflow(a, b, &result);
-    return bounded(result, overflow, (a < 0) != (b < 0));
+    return saturate_overflow(result, overflow, (a < 0) != (b < 0));
 }
 
 }  // namespace
 
-std::int64_t evaluate(const Condition& condition, const Valuation& values) {
-    const auto part = [&](std::size_t i) { return evaluate(condition.parts[i], values); };
+std::int64_t evaluate_condition(const Condition& condition, const Valuation& values) {
+    const auto part = [&](std::size_t i) { return evaluate_condition(condition.parts[i], values); };
     switch (condition.op) {
         case Op::truth:
         case Op::number:
@@ -58,11 +58,11 @@ std::int64_t evaluate(const Condition& condition, const Valuation& values) {
         case Op::unequal:
             return static_cast<std::int64_t>(part(0) != part(1));
         case Op::add:
-            return sum(part(0), part(1));
+            return saturating_sum(part(0), part(1));
         case Op::subtract:
-            return sum(part(0), product(-1, part(1)));
+            return saturating_sum(part(0), saturating_product(-1, part(1)));
         case Op::multiply:
-            return product(part(0), part(1));
+            return saturating_product(part(0), part(1));
     }
     return 0;
 }

@@ -25,7 +25,7 @@ struct Condition {
 /// A value for each measure of the file.
 using Valuation = std::vector<std::int64_t>;
 /// The value of a condition, or of a number in it.
-[[nodiscard]] std::int64_t evaluate(const Condition& condition, const Valuation& values);
+[[nodiscard]] std::int64_t evaluate_condition(const Condition& condition, const Valuation& values);
 
 struct Duty;
 using DutyPtr = std::shared_ptr<const Duty>;
@@ -73,7 +73,7 @@ struct CheckedRules {
     std::vector<CheckedRule> rules;
     std::vector<CheckedProperty> concerns, purposes;
 
-    [[nodiscard]] const std::string& event(std::size_t index) const { return file->events[index].name.text; }
+    [[nodiscard]] const std::string& event_name(std::size_t index) const { return file->events[index].name.text; }
     [[nodiscard]] const Measure& measure(std::size_t index) const { return file->measures[index]; }
     [[nodiscard]] const std::string& name(std::size_t rule) const { return rules[rule].written->name.text; }
 };

@@ -34,7 +34,7 @@ const Rule circular_constant{"SLEEC-T06", Severity::error, "the constant '{}' is
 const Rule empty_interval{"SLEEC-T07", Severity::error, "the interval ends before it begins",
                           "within [A, B] means: no sooner than A and no later than B."};
 
-std::span<const Rule* const> checks() {
+std::span<const Rule* const> check_rule_table() {
     static constexpr std::array<const Rule*, 8> table{&unknown_name,      &wrong_kind,    &declared_twice,
                                                       &rule_named_twice,  &wrong_type,    &literal_by_place,
                                                       &circular_constant, &empty_interval};

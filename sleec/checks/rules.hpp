@@ -18,6 +18,6 @@ extern const diagnostics::Rule circular_constant;
 extern const diagnostics::Rule empty_interval;
 
 /// All rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> checks();
+[[nodiscard]] std::span<const diagnostics::Rule* const> check_rule_table();
 
 }  // namespace robochart::sleec::rules

@@ -34,8 +34,8 @@ std::vector<std::uint32_t> components_of(const Graph& graph) {
 
 /// The edges of a shortest path from one state to another, through admitted states.
 template <class Admitted>
-std::vector<std::pair<StateIndex, Edge>> way(const Graph& graph, StateIndex from, StateIndex to,
-                                             const Admitted& admitted) {
+std::vector<std::pair<StateIndex, Edge>> find_way(const Graph& graph, StateIndex from, StateIndex to,
+                                                  const Admitted& admitted) {
     std::vector<std::pair<StateIndex, Edge>> result;
     if (from == to) return result;
     std::vector<std::pair<StateIndex, Edge>> reached(graph.size(), {nowhere, {}});
@@ -63,7 +63,7 @@ public:
         if (!found_ && event == wanted_.event && std::equal(target.begin(), target.end(), view.begin(), view.end()))
             found_ = revealed;
     }
-    [[nodiscard]] lts::Event found() const { return found_.value_or(wanted_.event); }
+    [[nodiscard]] lts::Event revealed_event() const { return found_.value_or(wanted_.event); }
 
 private:
     const lts::StateStore& states_;
@@ -83,7 +83,7 @@ std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event 
         for (const auto& [state, edge] : edges) {
             Revealing sink(explored.states, edge);
             system.successors(explored.states[state], sink);
-            result.push_back({edge.event, sink.found()});
+            result.push_back({edge.event, sink.revealed_event()});
         }
         return result;
     };
@@ -92,9 +92,9 @@ std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event 
             if (each.event != event || component[each.target] != component[state]) continue;
             std::vector<std::pair<StateIndex, Edge>> loop{{state, each}};
             const auto back =
-                way(graph, each.target, state, [&](StateIndex at) { return component[at] == component[state]; });
+                find_way(graph, each.target, state, [&](StateIndex at) { return component[at] == component[state]; });
             loop.insert(loop.end(), back.begin(), back.end());
-            return EndlessRun{revealed(way(graph, 0, state, [](StateIndex) { return true; })), revealed(loop)};
+            return EndlessRun{revealed(find_way(graph, 0, state, [](StateIndex) { return true; })), revealed(loop)};
         }
     return std::nullopt;
 }

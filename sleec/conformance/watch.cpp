@@ -32,25 +32,25 @@ constexpr std::size_t most_ways = 4096;
 constexpr std::int64_t unknown = -1;
 constexpr std::int64_t changing = -2;
 
-Tree time() {
+Tree time_variable() {
     return build::name("t");
 }
 
 Tree at_most(std::int64_t second) {
-    return build::binary(ExprKind::less_equal, time(), build::number(second));
+    return build::binary(ExprKind::less_equal, time_variable(), build::number(second));
 }
 
 /// True if the second is in the demand's window.
-Tree within(const Demand& demand) {
+Tree within_window(const Demand& demand) {
     Exprs conditions;
     if (demand.begin > 0)
-        conditions.push_back(build::binary(ExprKind::greater_equal, time(), build::number(demand.begin)));
+        conditions.push_back(build::binary(ExprKind::greater_equal, time_variable(), build::number(demand.begin)));
     if (demand.end != forever) conditions.push_back(at_most(demand.end));
     return build::all_of(std::move(conditions));
 }
 
 /// True if a demand for an event can still be fulfilled.
-Tree some_left(const Obligation& obligation) {
+Tree can_still_be_met(const Obligation& obligation) {
     Exprs conditions;
     for (const Demand& each : obligation.any) {
         if (each.forbids) continue;
@@ -60,11 +60,11 @@ Tree some_left(const Obligation& obligation) {
     return build::any_of(std::move(conditions));
 }
 
-bool waits_for_ever(const Obligation& obligation) {
+bool waits_forever(const Obligation& obligation) {
     return std::ranges::any_of(obligation.any, [](const Demand& each) { return !each.forbids && each.end == forever; });
 }
 
-const Demand* prohibition(const Obligation& obligation) {
+const Demand* find_prohibition(const Obligation& obligation) {
     for (const Demand& each : obligation.any)
         if (each.forbids) return &each;
     return nullptr;
@@ -81,11 +81,11 @@ std::string open_process(std::size_t obligation, bool broken) {
     return fmt::format("sleec_Open{}{}", obligation, broken ? "b" : "");
 }
 
-std::string variable(std::size_t place) {
+std::string class_variable(std::size_t place) {
     return fmt::format("k{}", place);
 }
 
-Tree breaks() {
+Tree break_process() {
     return build::prefix(build::name(broken_event), build::stop());
 }
 
@@ -112,7 +112,7 @@ std::optional<std::size_t> Watch::way_of(const std::string& event) {
 /// others.
 void Watch::find_classes() {
     const CheckedRule& rule = rules_.rules[rule_];
-    const auto values = representatives(rules_, {rule_});
+    const auto values = representative_values(rules_, {rule_});
     if (compares_measures(rule)) throw NotDecided("a condition compares two measures of the model");
     for (const std::size_t measure : measures_of(rule)) {
         Followed followed;
@@ -160,7 +160,7 @@ Tree Watch::class_of(const Followed& followed, const Tree& value) const {
     return result;
 }
 
-std::size_t Watch::obligation(const Obligation& obligation) {
+std::size_t Watch::number_obligation(const Obligation& obligation) {
     const auto found = std::ranges::find(obligations_, obligation);
     if (found != obligations_.end()) return static_cast<std::size_t>(found - obligations_.begin());
     if (std::ranges::count_if(obligation.any, [](const Demand& each) { return each.forbids; }) > 1)
@@ -176,7 +176,7 @@ void Watch::find_ways() {
         Valuation values(rules_.file->measures.size(), 0);
         for (std::size_t i = 0; i < at.size(); ++i) values[followed_[i].measure] = followed_[i].representatives[at[i]];
         const auto asked = obligation_of(rules_.rules[rule_], values, WithoutLimit::eventually);
-        ways_.push_back({values, asked ? obligation(*asked) : obligations_.max_size()});
+        ways_.push_back({values, asked ? number_obligation(*asked) : obligations_.max_size()});
         if (ways_.size() > most_ways)
             throw NotDecided(fmt::format("the measures have more than {} combinations of values", most_ways));
         std::size_t i = at.size();
@@ -208,7 +208,7 @@ Tree Watch::named_events() const {
 /// A measure that the component has not read at this instant may have any value. If it reads the measure later at this
 /// instant, the value must be the assumed one; otherwise the run is discarded. `from`: the measures before it are
 /// decided.
-Tree Watch::started(std::size_t from, Valuation classes) const {
+Tree Watch::start_call(std::size_t from, Valuation classes) const {
     if (from == followed_.size()) {
         std::size_t way = 0;
         for (std::size_t i = 0; i < followed_.size(); ++i) {
@@ -226,24 +226,25 @@ Tree Watch::started(std::size_t from, Valuation classes) const {
     const auto& known = followed_[from].classes;
     for (auto each = known.rbegin(); each != known.rend(); ++each) {
         classes.push_back(*each);
-        const Tree then = started(from + 1, classes);
+        const Tree then = start_call(from + 1, classes);
         classes.pop_back();
-        result = result ? build::if_(build::binary(ExprKind::equal, build::name(variable(from)), build::number(*each)),
-                                     then, result)
-                        : then;
+        result =
+            result ? build::if_(build::binary(ExprKind::equal, build::name(class_variable(from)), build::number(*each)),
+                                then, result)
+                   : then;
     }
     return result;
 }
 
 /// sleec_Start0(k..): assumes values for unknown measures. a.. are the values with which later readings at this instant
 /// are compared, if they are compared.
-std::vector<DeclPtr> Watch::starting() const {
+std::vector<DeclPtr> Watch::start_definitions() const {
     std::vector<DeclPtr> result;
     const std::size_t count = followed_.size();
     const auto named = [](std::size_t place) { return fmt::format("sleec_Start{}", place); };
     for (std::size_t i = 0; i <= count; ++i) {
         std::vector<std::string> parameters;
-        for (std::size_t k = 0; k < count; ++k) parameters.push_back(variable(k));
+        for (std::size_t k = 0; k < count; ++k) parameters.push_back(class_variable(k));
         for (std::size_t k = 0; k < i; ++k) parameters.push_back(fmt::format("a{}", k));
         const auto with = [&](const Tree& value, const Tree& assumed) {
             Exprs arguments;
@@ -254,12 +255,12 @@ std::vector<DeclPtr> Watch::starting() const {
         };
         Tree body;
         if (i == count) {
-            body = started(0, {});
+            body = start_call(0, {});
         } else {
             Exprs assumed;
             for (const std::int64_t each : followed_[i].classes)
                 assumed.push_back(with(build::number(each), build::number(each)));
-            const Tree value = build::name(variable(i));
+            const Tree value = build::name(class_variable(i));
             const bool compared = readings_ == Readings::one_value;
             body = build::if_(build::binary(ExprKind::equal, value, build::number(unknown)),
                               build::internal_choice(std::move(assumed)),
@@ -271,22 +272,22 @@ std::vector<DeclPtr> Watch::starting() const {
 }
 
 /// The value of a measure at this instant, after a reading `v`.
-Tree Watch::reading(std::size_t place) const {
+Tree Watch::class_of_reading(std::size_t place) const {
     const Tree read = class_of(followed_[place], build::name("v"));
     if (readings_ == Readings::any) return read;
-    const Tree before = build::name(variable(place));
+    const Tree before = build::name(class_variable(place));
     return build::if_(build::any_of({build::binary(ExprKind::equal, before, build::number(unknown)),
                                      build::binary(ExprKind::equal, before, read)}),
                       read, build::number(changing));
 }
 
 /// The process before a trigger is selected. Any trigger may be the one whose obligation is followed.
-std::vector<DeclPtr> Watch::idle() const {
+std::vector<DeclPtr> Watch::idle_definitions() const {
     Exprs measures, not_read, changes;
     std::vector<std::string> parameters;
     for (std::size_t i = 0; i < followed_.size(); ++i) {
-        parameters.push_back(variable(i));
-        measures.push_back(build::name(variable(i)));
+        parameters.push_back(class_variable(i));
+        measures.push_back(build::name(class_variable(i)));
         not_read.push_back(build::number(unknown));
         changes.push_back(build::binary(ExprKind::equal, measures.back(), build::number(changing)));
     }
@@ -308,7 +309,7 @@ std::vector<DeclPtr> Watch::idle() const {
         const auto& linked = linking_.measures[followed_[i].measure];
         if (!linked) continue;
         Exprs arguments = measures;
-        arguments[i] = reading(i);
+        arguments[i] = class_of_reading(i);
         choices.push_back(build::prefix(build::name(linked->channel), {build::input("d"), build::input("v")},
                                         build::call(idle_process, std::move(arguments))));
     }
@@ -318,17 +319,17 @@ std::vector<DeclPtr> Watch::idle() const {
 
 /// An event breaks the obligation, unless a later reading at the trigger's instant shows a value other than the assumed
 /// one.
-Tree Watch::against() const {
-    if (!reads()) return breaks();
+Tree Watch::violation_process() const {
+    if (!reads_measures()) return break_process();
     Exprs same;
-    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(variable(i)));
-    return build::if_(build::binary(ExprKind::greater, time(), build::number(0)), breaks(),
+    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(class_variable(i)));
+    return build::if_(build::binary(ExprKind::greater, time_variable(), build::number(0)), break_process(),
                       build::call(wrong_process, std::move(same)));
 }
 
 /// Reads a measure while an obligation is open. A value other than the assumed one discards the run.
-Tree Watch::compared(std::size_t place, const Tree& then) const {
-    const Tree assumed = build::name(variable(place));
+Tree Watch::compare_reading(std::size_t place, const Tree& then) const {
+    const Tree assumed = build::name(class_variable(place));
     const Tree other =
         build::all_of({build::binary(ExprKind::greater_equal, assumed, build::number(0)),
                        build::binary(ExprKind::not_equal, assumed, class_of(followed_[place], build::name("v")))});
@@ -337,20 +338,21 @@ Tree Watch::compared(std::size_t place, const Tree& then) const {
 }
 
 /// The values of the measures after a reading that agreed with the assumed value.
-Exprs Watch::behind_reading(std::size_t place) const {
+Exprs Watch::arguments_after_reading(std::size_t place) const {
     Exprs result;
     for (std::size_t k = 0; k < followed_.size(); ++k)
-        result.push_back(k == place && readings_ == Readings::any ? build::number(unknown) : build::name(variable(k)));
+        result.push_back(k == place && readings_ == Readings::any ? build::number(unknown)
+                                                                  : build::name(class_variable(k)));
     return result;
 }
 
-std::vector<DeclPtr> Watch::wrong() const {
-    if (!reads()) return {};
+std::vector<DeclPtr> Watch::wrong_definitions() const {
+    if (!reads_measures()) return {};
     Exprs choices, same;
     std::vector<std::string> parameters;
     for (std::size_t i = 0; i < followed_.size(); ++i) {
-        parameters.push_back(variable(i));
-        same.push_back(build::name(variable(i)));
+        parameters.push_back(class_variable(i));
+        same.push_back(build::name(class_variable(i)));
     }
     for (const std::size_t each : event_indices())
         choices.push_back(
@@ -359,8 +361,8 @@ std::vector<DeclPtr> Watch::wrong() const {
                               build::prefix(build::name("x"), build::call(wrong_process, same))));
     for (std::size_t i = 0; i < followed_.size(); ++i)
         if (linking_.measures[followed_[i].measure])
-            choices.push_back(compared(i, build::call(wrong_process, behind_reading(i))));
-    choices.push_back(build::prefix(build::name("tock"), breaks()));
+            choices.push_back(compare_reading(i, build::call(wrong_process, arguments_after_reading(i))));
+    choices.push_back(build::prefix(build::name("tock"), break_process()));
     return {build::function_decl(wrong_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
 
@@ -369,17 +371,18 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
     const Obligation& obligation = obligations_[index];
     const auto& ended_by = obligation.ended_by;
     if (std::ranges::find(ended_by, event) != ended_by.end()) return build::name(free_process);
-    Exprs same{time()};
-    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(variable(i)));
+    Exprs same{time_variable()};
+    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(class_variable(i)));
     Tree result = build::call(open_process(index, broken), same);
-    const Demand* forbidden = prohibition(obligation);
+    const Demand* forbidden = find_prohibition(obligation);
     if (forbidden != nullptr && forbidden->event == event && !broken)
-        result = build::if_(within(*forbidden),
-                            build::if_(some_left(obligation), build::call(open_process(index, true), same), against()),
-                            result);
+        result = build::if_(
+            within_window(*forbidden),
+            build::if_(can_still_be_met(obligation), build::call(open_process(index, true), same), violation_process()),
+            result);
     Exprs fulfilled;
     for (const Demand& each : obligation.any)
-        if (!each.forbids && each.event == event) fulfilled.push_back(within(each));
+        if (!each.forbids && each.event == event) fulfilled.push_back(within_window(each));
     return fulfilled.empty() ? result
                              : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
 }
@@ -388,14 +391,15 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
 Tree Watch::on_tock(std::size_t index, bool broken) const {
     const Obligation& obligation = obligations_[index];
     const std::int64_t last = last_second(obligation);
-    const Tree next = build::binary(ExprKind::plus, time(), build::number(1));
-    Exprs arguments{build::if_(build::binary(ExprKind::less, time(), build::number(last)), next, time())};
+    const Tree next = build::binary(ExprKind::plus, time_variable(), build::number(1));
+    Exprs arguments{
+        build::if_(build::binary(ExprKind::less, time_variable(), build::number(last)), next, time_variable())};
     for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::number(unknown));
     Tree result = build::call(open_process(index, broken), std::move(arguments));
     const auto ends_now = [&](const Demand& each) {
-        return build::binary(ExprKind::less_equal, build::number(each.end), time());
+        return build::binary(ExprKind::less_equal, build::number(each.end), time_variable());
     };
-    const Demand* forbidden = prohibition(obligation);
+    const Demand* forbidden = find_prohibition(obligation);
     if (forbidden != nullptr && !broken)
         return forbidden->end == forever ? result : build::if_(ends_now(*forbidden), build::name(free_process), result);
     Exprs over;
@@ -404,20 +408,20 @@ Tree Watch::on_tock(std::size_t index, bool broken) const {
         if (each.end == forever) return result;
         over.push_back(ends_now(each));
     }
-    return build::if_(build::all_of(std::move(over)), breaks(), result);
+    return build::if_(build::all_of(std::move(over)), break_process(), result);
 }
 
 /// The event for the passing of a second while this obligation is open.
-Tree Watch::passing(std::size_t index) const {
-    return build::name(waits_for_ever(obligations_[index]) ? waiting : "tock");
+Tree Watch::time_event(std::size_t index) const {
+    return build::name(waits_forever(obligations_[index]) ? waiting : "tock");
 }
 
-std::vector<DeclPtr> Watch::open(std::size_t index) const {
+std::vector<DeclPtr> Watch::open_definitions(std::size_t index) const {
     std::vector<DeclPtr> result;
     std::vector<std::string> parameters{"t"};
-    for (std::size_t i = 0; i < followed_.size(); ++i) parameters.push_back(variable(i));
+    for (std::size_t i = 0; i < followed_.size(); ++i) parameters.push_back(class_variable(i));
     for (const bool broken : {false, true}) {
-        if (broken && prohibition(obligations_[index]) == nullptr) continue;
+        if (broken && find_prohibition(obligations_[index]) == nullptr) continue;
         Exprs choices;
         for (const std::size_t each : event_indices())
             choices.push_back(build::replicated(
@@ -426,11 +430,11 @@ std::vector<DeclPtr> Watch::open(std::size_t index) const {
                 build::prefix(build::name("x"), on_event(index, broken, each))));
         for (std::size_t i = 0; i < followed_.size(); ++i) {
             if (!linking_.measures[followed_[i].measure]) continue;
-            Exprs arguments = behind_reading(i);
-            arguments.insert(arguments.begin(), time());
-            choices.push_back(compared(i, build::call(open_process(index, broken), std::move(arguments))));
+            Exprs arguments = arguments_after_reading(i);
+            arguments.insert(arguments.begin(), time_variable());
+            choices.push_back(compare_reading(i, build::call(open_process(index, broken), std::move(arguments))));
         }
-        choices.push_back(build::prefix(passing(index), on_tock(index, broken)));
+        choices.push_back(build::prefix(time_event(index), on_tock(index, broken)));
         result.push_back(build::function_decl(open_process(index, broken), build::variables(parameters),
                                               build::choice(std::move(choices))));
     }
@@ -451,24 +455,24 @@ std::vector<DeclPtr> Watch::declarations() const {
                                     build::prefix(build::name(waiting), build::name("sleec_Seconds"))})),
         build::value("sleec_Over", build::prefix(build::name("tock"), build::name("sleec_Over")))};
     const auto add = [&](std::vector<DeclPtr> more) { result.insert(result.end(), more.begin(), more.end()); };
-    add(idle());
-    add(starting());
-    add(wrong());
-    for (std::size_t i = 0; i < obligations_.size(); ++i) add(open(i));
+    add(idle_definitions());
+    add(start_definitions());
+    add(wrong_definitions());
+    for (std::size_t i = 0; i < obligations_.size(); ++i) add(open_definitions(i));
     return result;
 }
 
 bool Watch::has_demand_without_limit() const {
-    return std::ranges::any_of(obligations_, waits_for_ever);
+    return std::ranges::any_of(obligations_, waits_forever);
 }
 
-bool Watch::reads() const {
+bool Watch::reads_measures() const {
     return std::ranges::any_of(followed_,
                                [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
 }
 
 /// A terminated component has no further steps, but time continues.
-Tree Watch::both() const {
+Tree Watch::parallel_process() const {
     Exprs not_read;
     for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(unknown));
     Tree component = build::sequential({process_, build::name("sleec_Over")});
@@ -486,15 +490,15 @@ Tree Watch::waiting_process() const {
 }
 
 Tree Watch::both_showing(const Tree& events) const {
-    return build::hide(both(), build::call("diff", {build::name("Events"), events}));
+    return build::hide(parallel_process(), build::call("diff", {build::name("Events"), events}));
 }
 
-DeclPtr Watch::obeyed() const {
+DeclPtr Watch::obeyed_assertion() const {
     const Tree events = build::set({build::name(broken_event), build::name("tock"), build::name(waiting)});
     return build::assert_refines(build::name("sleec_Seconds"), cspm::Model::traces, both_showing(events));
 }
 
-DeclPtr Watch::never_asked(const std::vector<std::size_t>& ways) const {
+DeclPtr Watch::never_asked_assertion(const std::vector<std::size_t>& ways) const {
     Exprs events;
     for (const std::size_t each : ways)
         events.push_back(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(each))}));

@@ -49,9 +49,9 @@ public:
     /// The channels and processes; their names begin with "sleec_".
     [[nodiscard]] std::vector<cspm::DeclPtr> declarations() const;
     /// An assertion that holds iff no obligation is broken.
-    [[nodiscard]] cspm::DeclPtr obeyed() const;
+    [[nodiscard]] cspm::DeclPtr obeyed_assertion() const;
     /// An assertion that fails iff some run leads to one of these cases.
-    [[nodiscard]] cspm::DeclPtr never_asked(const std::vector<std::size_t>& ways) const;
+    [[nodiscard]] cspm::DeclPtr never_asked_assertion(const std::vector<std::size_t>& ways) const;
     /// True if the rule demands an event without limit.
     [[nodiscard]] bool has_demand_without_limit() const;
     /// Component and rule in parallel. If a second passes while a demand without limit is open, the event is `waiting`
@@ -59,10 +59,10 @@ public:
     /// infinitely often (endless.hpp).
     [[nodiscard]] cspm::ExprPtr waiting_process() const;
     /// Component and rule in parallel, with all their events.
-    [[nodiscard]] cspm::ExprPtr process() const { return both(); }
+    [[nodiscard]] cspm::ExprPtr checked_process() const { return parallel_process(); }
     static constexpr const char* waiting = "sleec_waiting";
     /// True if the rule uses a measure that the component reads.
-    [[nodiscard]] bool reads() const;
+    [[nodiscard]] bool reads_measures() const;
 
     [[nodiscard]] const std::vector<Obligation>& obligations() const { return obligations_; }
     [[nodiscard]] const std::vector<Asked>& ways() const { return ways_; }
@@ -79,23 +79,23 @@ private:
 
     void find_classes();
     void find_ways();
-    [[nodiscard]] std::size_t obligation(const Obligation& obligation);
+    [[nodiscard]] std::size_t number_obligation(const Obligation& obligation);
     [[nodiscard]] cspm::ExprPtr class_of(const Followed& followed, const cspm::ExprPtr& value) const;
-    [[nodiscard]] cspm::ExprPtr started(std::size_t from, Valuation classes) const;
-    [[nodiscard]] std::vector<cspm::DeclPtr> starting() const;
-    [[nodiscard]] std::vector<cspm::DeclPtr> idle() const;
-    [[nodiscard]] std::vector<cspm::DeclPtr> open(std::size_t obligation) const;
+    [[nodiscard]] cspm::ExprPtr start_call(std::size_t from, Valuation classes) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> start_definitions() const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> idle_definitions() const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> open_definitions(std::size_t obligation) const;
     [[nodiscard]] cspm::ExprPtr on_event(std::size_t obligation, bool broken, std::size_t event) const;
     [[nodiscard]] cspm::ExprPtr on_tock(std::size_t obligation, bool broken) const;
-    [[nodiscard]] cspm::ExprPtr against() const;
-    [[nodiscard]] cspm::ExprPtr compared(std::size_t place, const cspm::ExprPtr& then) const;
-    [[nodiscard]] std::vector<cspm::ExprPtr> behind_reading(std::size_t place) const;
-    [[nodiscard]] std::vector<cspm::DeclPtr> wrong() const;
-    [[nodiscard]] cspm::ExprPtr reading(std::size_t place) const;
-    [[nodiscard]] cspm::ExprPtr passing(std::size_t obligation) const;
+    [[nodiscard]] cspm::ExprPtr violation_process() const;
+    [[nodiscard]] cspm::ExprPtr compare_reading(std::size_t place, const cspm::ExprPtr& then) const;
+    [[nodiscard]] std::vector<cspm::ExprPtr> arguments_after_reading(std::size_t place) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> wrong_definitions() const;
+    [[nodiscard]] cspm::ExprPtr class_of_reading(std::size_t place) const;
+    [[nodiscard]] cspm::ExprPtr time_event(std::size_t obligation) const;
     [[nodiscard]] cspm::ExprPtr named_events() const;
     [[nodiscard]] std::vector<std::size_t> event_indices() const;
-    [[nodiscard]] cspm::ExprPtr both() const;
+    [[nodiscard]] cspm::ExprPtr parallel_process() const;
     [[nodiscard]] cspm::ExprPtr both_showing(const cspm::ExprPtr& events) const;
 
     const CheckedRules& rules_;

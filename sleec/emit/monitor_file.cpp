@@ -10,9 +10,9 @@
 #include <map>
 #include <utility>
 
+#include "base/diagnostics/escape.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/plan/names.hpp"
-#include "base/diagnostics/escape.hpp"
 #include "sleec/obligations/open.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/printer.hpp"
@@ -31,10 +31,10 @@ CppNames names_of(const RuleFile& file) {
     CppNames result;
     cpp_emit::NameScope events, measures;
     cpp_emit::NameScope types({"Demands", "Duties", "Duty", "Event", "Measures", "Monitor", "demands", "rules"});
-    for (const Event& each : file.events) result.events.push_back(events.unique(each.name.text));
+    for (const Event& each : file.events) result.events.push_back(events.unique_name(each.name.text));
     for (const Measure& each : file.measures) {
-        result.measures.push_back(measures.unique(each.name.text));
-        types.take(result.measures.back());
+        result.measures.push_back(measures.unique_name(each.name.text));
+        types.reserve_name(result.measures.back());
     }
     for (const Measure& each : file.measures) {
         result.literals.emplace_back();
@@ -42,9 +42,9 @@ CppNames names_of(const RuleFile& file) {
             result.types.emplace_back(each.type == MeasureType::boolean ? "bool" : "std::int64_t");
             continue;
         }
-        result.types.push_back(types.unique(each.name.text + "_scale"));
+        result.types.push_back(types.unique_name(each.name.text + "_scale"));
         cpp_emit::NameScope literals;
-        for (const Name& literal : each.literals) result.literals.back().push_back(literals.unique(literal.text));
+        for (const Name& literal : each.literals) result.literals.back().push_back(literals.unique_name(literal.text));
     }
     return result;
 }
@@ -54,52 +54,52 @@ class ConditionText {
 public:
     ConditionText(const CheckedRules& rules, const CppNames& names) : rules_(rules), names_(names) {}
 
-    [[nodiscard]] std::string text(const Condition& condition) const {
+    [[nodiscard]] std::string condition_text(const Condition& condition) const {
         if (condition.op == Op::truth) return condition.value != 0 ? "true" : "false";
         if (condition.op == Op::number) return fmt::format("{}", condition.value);
         if (condition.op == Op::name) return "now." + names_.measures[condition.measure];
-        if (condition.op == Op::negation) return "!" + operand(condition.parts[0], Op::negation);
-        if (is_comparison(condition.op)) return comparison(condition);
+        if (condition.op == Op::negation) return "!" + operand_text(condition.parts[0], Op::negation);
+        if (is_comparison(condition.op)) return comparison_text(condition);
         if (condition.op == Op::conjunction || condition.op == Op::disjunction)
-            return fmt::format("{} {} {}", operand(condition.parts[0], condition.op),
+            return fmt::format("{} {} {}", operand_text(condition.parts[0], condition.op),
                                condition.op == Op::conjunction ? "&&" : "||",
-                               operand(condition.parts[1], Op::negation));
-        return arithmetic(condition);
+                               operand_text(condition.parts[1], Op::negation));
+        return arithmetic_text(condition);
     }
 
 private:
-    [[nodiscard]] std::string operand(const Condition& part, Op behind) const {
+    [[nodiscard]] std::string operand_text(const Condition& part, Op behind) const {
         const bool plain = part.op == Op::truth || part.op == Op::name || part.op == behind;
-        return plain && part.op != Op::negation ? text(part) : "(" + text(part) + ")";
+        return plain && part.op != Op::negation ? condition_text(part) : "(" + condition_text(part) + ")";
     }
 
     /// Comparisons that compilers warn about are evaluated here: a measure with itself, and two numbers.
-    [[nodiscard]] std::string comparison(const Condition& condition) const {
+    [[nodiscard]] std::string comparison_text(const Condition& condition) const {
         const Condition& left = condition.parts[0];
         const Condition& right = condition.parts[1];
         const bool same = left.op == right.op && (left.op == Op::number || left.measure == right.measure);
         if (same && (left.op == Op::number || left.op == Op::name))
-            return evaluate(condition, Valuation(rules_.file->measures.size(), 0)) != 0 ? "true" : "false";
+            return evaluate_condition(condition, Valuation(rules_.file->measures.size(), 0)) != 0 ? "true" : "false";
         const std::string op = condition.op == Op::equal     ? "=="
                                : condition.op == Op::unequal ? "!="
                                                              : symbol_of(condition.op);
-        return fmt::format("{} {} {}", compared(condition, 0), op, compared(condition, 1));
+        return fmt::format("{} {} {}", compared_operand(condition, 0), op, compared_operand(condition, 1));
     }
     /// A literal is compared with a measure of its scale.
-    [[nodiscard]] std::string compared(const Condition& condition, std::size_t side) const {
+    [[nodiscard]] std::string compared_operand(const Condition& condition, std::size_t side) const {
         const Condition& part = condition.parts[side];
         const Condition& other = condition.parts[1 - side];
-        if (part.op != Op::number || other.op != Op::name) return text(part);
-        if (rules_.measure(other.measure).type != MeasureType::scale) return text(part);
+        if (part.op != Op::number || other.op != Op::name) return condition_text(part);
+        if (rules_.measure(other.measure).type != MeasureType::scale) return condition_text(part);
         return names_.types[other.measure] +
                "::" + names_.literals[other.measure][static_cast<std::size_t>(part.value)];
     }
 
-    [[nodiscard]] std::string arithmetic(const Condition& condition) const {
-        std::string right = text(condition.parts[1]);
+    [[nodiscard]] std::string arithmetic_text(const Condition& condition) const {
+        std::string right = condition_text(condition.parts[1]);
         if (condition.op == Op::subtract) right = fmt::format("robochart::rule_product(-1, {})", right);
         return fmt::format("robochart::rule_{}({}, {})", condition.op == Op::multiply ? "product" : "sum",
-                           text(condition.parts[0]), right);
+                           condition_text(condition.parts[0]), right);
     }
 
     const CheckedRules& rules_;
@@ -117,7 +117,7 @@ class Shapes {
 public:
     explicit Shapes(WithoutLimit without) : without_(without) {}
 
-    Shape of(const DutyPtr& duty) {
+    Shape shape_of(const DutyPtr& duty) {
         visit(duty, {});
         return shape_;
     }
@@ -146,10 +146,10 @@ private:
         for (const CheckedDefeater& each : duty->defeaters) way.endings += each.event ? 1U : 0U;
         for (const CheckedDefeater& each : duty->defeaters)
             if (each.duty) visit(each.duty, way);
-        ask(*duty, way);
+        add_demand(*duty, way);
     }
 
-    void ask(const Duty& duty, Way way) {
+    void add_demand(const Duty& duty, Way way) {
         if (duty.measured) throw NotDecided("monitors have no limits that a measure decides");
         if (duty.to && *duty.to < duty.from) return;
         const bool open = !duty.to && without_ == WithoutLimit::eventually;
@@ -175,9 +175,9 @@ public:
     std::string write() {
         for (std::size_t i = 0; i < rules_.rules.size(); ++i)
             if (!rules_.rules[i].assumed) measure_rule(i);
-        head();
-        types();
-        monitor();
+        write_head();
+        write_types();
+        write_monitor();
         return std::move(out_);
     }
 
@@ -185,7 +185,7 @@ private:
     [[nodiscard]] std::string file_name() const { return std::filesystem::path(path_).filename().string(); }
 
     void measure_rule(std::size_t rule) {
-        const Shape shape = Shapes(without_).of(rules_.rules[rule].duty);
+        const Shape shape = Shapes(without_).shape_of(rules_.rules[rule].duty);
         if (shape.demands > most_demands)
             throw NotDecided(
                 fmt::format("{} has more than {} responses behind each other", rules_.name(rule), most_demands));
@@ -194,7 +194,7 @@ private:
         all_.open = std::min(all_.open + shape.open, most_open_of_file);
     }
 
-    void head() {
+    void write_head() {
         out_ = fmt::format(
             "// Monitor of the rules in {}.\n"
             "// Generated by robochart-verify; change the rules, not this file.\n"
@@ -202,7 +202,7 @@ private:
             diagnostics::comment_text(file_name()), monitor_name(path_));
     }
 
-    void types() {
+    void write_types() {
         if (!names_.events.empty())
             out_ += fmt::format("enum class Event : std::uint32_t {{ {} }};\n", fmt::join(names_.events, ", "));
         const std::vector<Measure>& measures = rules_.file->measures;
@@ -219,17 +219,17 @@ private:
         for (const CheckedRule& each : rules_.rules)
             out_ += fmt::format("    {{{}, {}, {}}},\n", diagnostics::cpp_string(each.written->name.text),
                                 diagnostics::cpp_string(print(*each.written)),
-                                diagnostics::cpp_string(place(each.written->span)));
+                                diagnostics::cpp_string(place_text(each.written->span)));
         out_ += "};\n\n";
     }
 
     /// The generated text must not depend on the folder of the rule file.
-    [[nodiscard]] std::string place(diagnostics::Span span) const {
-        const std::string text = sources_.place(span);
+    [[nodiscard]] std::string place_text(diagnostics::Span span) const {
+        const std::string text = sources_.path_and_line(span);
         return text.substr(text.rfind('/') + 1);
     }
 
-    void monitor() {
+    void write_monitor() {
         out_ += fmt::format(
             "/// event() for each event, with the values of the measures at it; second() at the end of each second. "
             "`report`\n"
@@ -247,14 +247,14 @@ private:
             "    std::int64_t now() const noexcept {{ return duties_.now(); }}\n"
             "    std::uint64_t lost() const noexcept {{ return duties_.lost(); }}\n\nprivate:\n"
             "    using Duties = robochart::RuleDuties<{}, {}, {}>;\n    using Duty = Duties::Duty;\n\n",
-            names_.events.empty() ? "std::uint32_t" : "Event", cases(), std::max<std::size_t>(all_.demands, 1),
+            names_.events.empty() ? "std::uint32_t" : "Event", trigger_cases(), std::max<std::size_t>(all_.demands, 1),
             all_.endings, std::max<std::size_t>(all_.open, 1));
         for (std::size_t i = 0; i < rules_.rules.size(); ++i)
-            if (!rules_.rules[i].assumed) rule(i);
+            if (!rules_.rules[i].assumed) write_rule(i);
         out_ += fmt::format("    Duties duties_;\n}};\n\n}}  // namespace {}_rules\n", monitor_name(path_));
     }
 
-    [[nodiscard]] std::string cases() const {
+    [[nodiscard]] std::string trigger_cases() const {
         std::map<std::size_t, std::string> triggered;
         for (std::size_t i = 0; i < rules_.rules.size(); ++i)
             if (!rules_.rules[i].assumed)
@@ -266,12 +266,13 @@ private:
         return text + "            default:\n                break;\n        }\n";
     }
 
-    void rule(std::size_t index) {
+    void write_rule(std::size_t index) {
         const CheckedRule& rule = rules_.rules[index];
-        const std::size_t response = responses(rule.duty);
+        const std::size_t response = write_responses(rule.duty);
         out_ += fmt::format("    /// {}: {}\n    void begin_{}([[maybe_unused]] const Measures& now) noexcept {{\n",
                             rules_.name(index), diagnostics::comment_text(print(*rule.written)), index);
-        if (rule.condition) out_ += fmt::format("        if (!({})) return;\n", conditions_.text(*rule.condition));
+        if (rule.condition)
+            out_ += fmt::format("        if (!({})) return;\n", conditions_.condition_text(*rule.condition));
         out_ += fmt::format(
             "        Duty duty({}, duties_.now());\n"
             "        if (response_{}(duty, now)) duties_.keep(duty);\n    }}\n\n",
@@ -279,13 +280,13 @@ private:
     }
 
     /// Writes the responses that a response leads to, then the response itself; returns its number.
-    std::size_t responses(const DutyPtr& duty) {
+    std::size_t write_responses(const DutyPtr& duty) {
         std::vector<std::optional<std::size_t>> defeaters;
         for (const CheckedDefeater& each : duty->defeaters)
-            defeaters.push_back(each.duty ? std::optional(responses(each.duty)) : std::nullopt);
+            defeaters.push_back(each.duty ? std::optional(write_responses(each.duty)) : std::nullopt);
         const bool open = !duty->to && without_ == WithoutLimit::eventually;
         std::optional<std::size_t> otherwise;
-        if (duty->otherwise && !open) otherwise = responses(duty->otherwise);
+        if (duty->otherwise && !open) otherwise = write_responses(duty->otherwise);
         const std::size_t number = responses_++;
         out_ += fmt::format(
             "    static bool response_{}([[maybe_unused]] Duty& duty, [[maybe_unused]] const Measures& now) noexcept "
@@ -296,21 +297,22 @@ private:
         // The last true defeater decides.
         for (std::size_t i = defeaters.size(); i-- > 0;)
             if (!duty->defeaters[i].event)
-                out_ += fmt::format("        if ({}) return {};\n", conditions_.text(duty->defeaters[i].condition),
+                out_ += fmt::format("        if ({}) return {};\n",
+                                    conditions_.condition_text(duty->defeaters[i].condition),
                                     defeaters[i] ? fmt::format("response_{}(duty, now)", *defeaters[i]) : "false");
-        asked(*duty, open, otherwise);
+        write_demand(*duty, open, otherwise);
         out_ += "    }\n";
         return number;
     }
 
-    void asked(const Duty& duty, bool open, std::optional<std::size_t> otherwise) {
+    void write_demand(const Duty& duty, bool open, std::optional<std::size_t> otherwise) {
         if (duty.to && *duty.to < duty.from) {  // at least 0 seconds: no demand
             out_ += "        return false;\n";
             return;
         }
         out_ += fmt::format("        duty.ask({{{}, {}, {}, {}}});  // {}\n", duty.forbids, duty.event, duty.from,
                             open ? "robochart::rule_forever" : fmt::format("{}", duty.to.value_or(0)),
-                            rules_.event(duty.event));
+                            rules_.event_name(duty.event));
         out_ += otherwise ? fmt::format("        return response_{}(duty, now);\n", *otherwise)
                           : std::string("        return true;\n");
     }
@@ -330,7 +332,7 @@ private:
 
 std::string monitor_name(const std::string& path) {
     const std::string stem = std::filesystem::path(path).stem().string();
-    return cpp_emit::identifier(stem == "-" ? "rules" : stem);
+    return cpp_emit::to_identifier(stem == "-" ? "rules" : stem);
 }
 
 std::vector<cpp_emit::OutputFile> monitor_files(const CheckedRules& rules, const std::string& path,

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/plan/options.hpp"
 #include "base/diagnostics/source.hpp"
+#include "cpp_emit/plan/options.hpp"
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {

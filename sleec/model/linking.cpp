@@ -35,9 +35,9 @@ public:
           system_(system),
           instantiation_(instantiation) {}
 
-    ComponentLinking link() {
-        for (std::size_t i = 0; i < rules_.file->events.size(); ++i) event(rules_.event(i));
-        for (std::size_t i = 0; i < rules_.file->measures.size(); ++i) measure(rules_.measure(i));
+    ComponentLinking link_all() {
+        for (std::size_t i = 0; i < rules_.file->events.size(); ++i) link_event(rules_.event_name(i));
+        for (std::size_t i = 0; i < rules_.file->measures.size(); ++i) link_measure(rules_.measure(i));
         return std::move(result_);
     }
 
@@ -49,17 +49,17 @@ private:
         return name;
     }
 
-    [[nodiscard]] const EventMeaning* meaning(const std::string& channel) const {
+    [[nodiscard]] const EventMeaning* find_meaning(const std::string& channel) const {
         const auto found = emission_.provenance.events.find(component_ + "::" + channel);
         return found == emission_.provenance.events.end() ? nullptr : &found->second;
     }
 
-    void event(const std::string& name) {
+    void link_event(const std::string& name) {
         const std::string model = model_name(name);
         std::string why = fmt::format("{} has no event and no operation '{}'", component_, model);
         std::optional<std::string> channel;
         for (const char* end : {".in", ".out", "Call"}) {
-            const EventMeaning* found = meaning(model + end);
+            const EventMeaning* found = find_meaning(model + end);
             if (found == nullptr) continue;
             if (found->types.empty())
                 channel = component_ + "::" + model + (*end == 'C' ? end : "");
@@ -71,15 +71,15 @@ private:
         result_.linking.events.push_back(std::move(channel));
     }
 
-    void measure(const Measure& measure) {
+    void link_measure(const Measure& measure) {
         const std::string model = model_name(measure.name.text);
-        const EventMeaning* found = meaning(model + ".in");
-        if (found == nullptr) found = meaning(model + ".out");
+        const EventMeaning* found = find_meaning(model + ".in");
+        if (found == nullptr) found = find_meaning(model + ".out");
         std::optional<LinkedMeasure> linked;
         std::string why;
         if (found != nullptr && found->types.size() == 1) {
             linked = LinkedMeasure{component_ + "::" + model, {}};
-            why = fits(measure, system_.types[found->types[0].index], *linked);
+            why = type_mismatch(measure, system_.types[found->types[0].index], *linked);
         } else if (found != nullptr) {
             why = fmt::format("'{}' of {} has no data", model, component_);
         }
@@ -89,7 +89,7 @@ private:
     }
 
     /// The reason why the model's type does not fit; "" if it does.
-    [[nodiscard]] std::string fits(const Measure& measure, const ir::Type& type, LinkedMeasure& linked) const {
+    [[nodiscard]] std::string type_mismatch(const Measure& measure, const ir::Type& type, LinkedMeasure& linked) const {
         const std::string wrong = fmt::format("'{}' has the type {} in the model", measure.name.text, type.name);
         if (measure.type == MeasureType::boolean) return type.kind == ir::TypeKind::boolean ? "" : wrong;
         if (measure.type == MeasureType::numeric) {
@@ -120,9 +120,9 @@ private:
 
 }  // namespace
 
-ComponentLinking link(const CheckedRules& rules, const csp_emit::Emission& emission, const std::string& component,
-                      const ir::System& system, const ir::Instantiation& instantiation) {
-    return Linker(rules, emission, component, system, instantiation).link();
+ComponentLinking link_rules(const CheckedRules& rules, const csp_emit::Emission& emission, const std::string& component,
+                            const ir::System& system, const ir::Instantiation& instantiation) {
+    return Linker(rules, emission, component, system, instantiation).link_all();
 }
 
 std::string not_applicable(const CheckedRules& rules, std::size_t rule, const ComponentLinking& linking) {

@@ -23,9 +23,9 @@ struct ComponentLinking {
 };
 
 /// Links the names of a file to the channels of a component, which is given by its path in the script.
-[[nodiscard]] ComponentLinking link(const CheckedRules& rules, const csp_emit::Emission& emission,
-                                    const std::string& component, const ir::System& system,
-                                    const ir::Instantiation& instantiation);
+[[nodiscard]] ComponentLinking link_rules(const CheckedRules& rules, const csp_emit::Emission& emission,
+                                          const std::string& component, const ir::System& system,
+                                          const ir::Instantiation& instantiation);
 /// The reason why a rule cannot be checked for the component; "" if it can.
 [[nodiscard]] std::string not_applicable(const CheckedRules& rules, std::size_t rule, const ComponentLinking& linking);
 

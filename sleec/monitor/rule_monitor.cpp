@@ -25,7 +25,7 @@ std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const Chec
     std::vector<std::vector<std::int64_t>> values;
     for (const std::size_t measure : measures_of(rules.rules[rule])) {
         if (readings[measure]) continue;
-        if (values.empty()) values = representatives(rules, {rule});
+        if (values.empty()) values = representative_values(rules, {rule});
         std::vector<Valuation> more;
         for (const Valuation& each : all)
             for (const std::int64_t value : values[measure]) {
@@ -46,18 +46,18 @@ std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const Chec
 
 }  // namespace
 
-void RuleMonitor::event(std::size_t event, const MeasureReadings& values) {
+void RuleMonitor::observe_event(std::size_t event, const MeasureReadings& values) {
     std::vector<Open> left;
     for (Open& each : open_) {
         const Effect effect = take_event(each.obligation, each.progress, event);
-        after(std::move(each), effect, event, left);
+        update_open(std::move(each), effect, event, left);
     }
     open_ = std::move(left);
     for (std::size_t i = 0; i < rules_.rules.size(); ++i)
-        if (!rules_.rules[i].assumed && rules_.rules[i].trigger == event) trigger(i, values);
+        if (!rules_.rules[i].assumed && rules_.rules[i].trigger == event) start_rule(i, values);
 }
 
-void RuleMonitor::trigger(std::size_t rule, const MeasureReadings& values) {
+void RuleMonitor::start_rule(std::size_t rule, const MeasureReadings& values) {
     auto all = possible(rules_, rule, values, without_);
     if (all.size() > 1) {
         if (std::ranges::find(open_triggers_, rule) == open_triggers_.end()) open_triggers_.push_back(rule);
@@ -66,40 +66,40 @@ void RuleMonitor::trigger(std::size_t rule, const MeasureReadings& values) {
     auto& [valuation, asked] = all.front();
     if (!asked) return;
     if (asked->any.size() > most_demands) throw NotDecided("a rule has too many responses behind each other");
-    keep({rule, std::move(*asked), {}, now_, std::move(valuation)}, open_);
+    keep_distinct({rule, std::move(*asked), {}, now_, std::move(valuation)}, open_);
 }
 
-void RuleMonitor::second() {
+void RuleMonitor::end_second() {
     std::vector<Open> left;
     for (Open& each : open_) {
         const Effect effect = take_tock(each.obligation, each.progress);
-        after(std::move(each), effect, std::nullopt, left);
+        update_open(std::move(each), effect, std::nullopt, left);
     }
     open_ = std::move(left);
     ++now_;
 }
 
-void RuleMonitor::after(Open open, Effect effect, std::optional<std::size_t> event, std::vector<Open>& left) {
-    if (effect == Effect::open) keep(std::move(open), left);
+void RuleMonitor::update_open(Open open, Effect effect, std::optional<std::size_t> event, std::vector<Open>& left) {
+    if (effect == Effect::open) keep_distinct(std::move(open), left);
     if (effect == Effect::broken)
         violations_.push_back({open.rule, open.began, std::move(open.values), std::move(open.obligation), event, now_});
 }
 
 /// If several duties of a rule are identical from now on, only the oldest is kept.
-void RuleMonitor::keep(Open open, std::vector<Open>& open_now) const {
+void RuleMonitor::keep_distinct(Open open, std::vector<Open>& open_now) const {
     const bool known = std::ranges::any_of(open_now, [&](const Open& other) {
         return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;
     });
     if (!known) open_now.push_back(std::move(open));
 }
 
-std::vector<std::pair<Obligation, Progress>> RuleMonitor::owed() const {
+std::vector<std::pair<Obligation, Progress>> RuleMonitor::open_duties() const {
     std::vector<std::pair<Obligation, Progress>> result;
     for (const Open& each : open_) result.emplace_back(each.obligation, each.progress);
     return result;
 }
 
-std::vector<Violation> RuleMonitor::take() {
+std::vector<Violation> RuleMonitor::take_violations() {
     return std::exchange(violations_, {});
 }
 

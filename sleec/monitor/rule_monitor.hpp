@@ -33,18 +33,18 @@ public:
 
     /// An event with the known values of the measures. A trigger is not followed if the rule's demand depends on
     /// unknown values; `open_triggers` then contains the rule.
-    void event(std::size_t event, const MeasureReadings& values);
+    void observe_event(std::size_t event, const MeasureReadings& values);
     /// Ends the current second and begins the next.
-    void second();
+    void end_second();
     /// Returns the violations since the last call.
-    [[nodiscard]] std::vector<Violation> take();
+    [[nodiscard]] std::vector<Violation> take_violations();
     /// The rules with a trigger that was not followed, without duplicates.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return open_triggers_; }
     /// Drops all open obligations, because the events in between are unknown.
-    void forget() { open_.clear(); }
-    [[nodiscard]] std::int64_t now() const { return now_; }
+    void drop_obligations() { open_.clear(); }
+    [[nodiscard]] std::int64_t current_second() const { return now_; }
     /// The open duties, with their progress.
-    [[nodiscard]] std::vector<std::pair<Obligation, Progress>> owed() const;
+    [[nodiscard]] std::vector<std::pair<Obligation, Progress>> open_duties() const;
 
 private:
     struct Open {
@@ -54,9 +54,9 @@ private:
         std::int64_t began = 0;
         Valuation values;
     };
-    void trigger(std::size_t rule, const MeasureReadings& values);
-    void after(Open open, Effect effect, std::optional<std::size_t> event, std::vector<Open>& left);
-    void keep(Open open, std::vector<Open>& open_now) const;
+    void start_rule(std::size_t rule, const MeasureReadings& values);
+    void update_open(Open open, Effect effect, std::optional<std::size_t> event, std::vector<Open>& left);
+    void keep_distinct(Open open, std::vector<Open>& open_now) const;
 
     const CheckedRules& rules_;
     WithoutLimit without_;

@@ -12,7 +12,7 @@ class Collector {
 public:
     Collector(const Valuation& values, WithoutLimit without) : values_(values), without_(without) {}
 
-    std::optional<Obligation> collect(const DutyPtr& duty) {
+    std::optional<Obligation> collect_demands(const DutyPtr& duty) {
         DutyPtr at = in_force(duty);
         std::int64_t begin = 0;
         while (at) {
@@ -38,7 +38,7 @@ private:
             for (const CheckedDefeater& each : duty->defeaters) {
                 if (each.event)
                     result_.ended_by.push_back(*each.event);
-                else if (evaluate(each.condition, values_) != 0)
+                else if (evaluate_condition(each.condition, values_) != 0)
                     last = &each;
             }
             if (last == nullptr) return duty;
@@ -57,7 +57,7 @@ struct Window {
 };
 
 /// True if these windows together cover `window`.
-bool covered(Window window, std::vector<Window> by) {
+bool is_covered(Window window, std::vector<Window> by) {
     std::ranges::sort(by, [](const Window& a, const Window& b) { return a.begin < b.begin; });
     for (const Window& each : by) {
         if (each.begin > window.begin) return false;
@@ -68,7 +68,7 @@ bool covered(Window window, std::vector<Window> by) {
 }
 
 /// The windows of the demands of one kind for an event.
-std::vector<Window> windows(const Obligation& obligation, bool forbids, std::size_t event) {
+std::vector<Window> demand_windows(const Obligation& obligation, bool forbids, std::size_t event) {
     std::vector<Window> result;
     for (const Demand& each : obligation.any)
         if (each.forbids == forbids && each.event == event) result.push_back({each.begin, each.end});
@@ -78,10 +78,10 @@ std::vector<Window> windows(const Obligation& obligation, bool forbids, std::siz
 /// True if some prohibition in `of` cannot be broken without violating what is assumed. Outside of the assumed windows,
 /// the event would fulfil a positive demand of the same obligation.
 bool some_prohibition_within(const Obligation& of, std::size_t event, const std::vector<Window>& assumed) {
-    std::vector<Window> closed = windows(of, false, event);
+    std::vector<Window> closed = demand_windows(of, false, event);
     closed.insert(closed.end(), assumed.begin(), assumed.end());
-    const std::vector<Window> prohibitions = windows(of, true, event);
-    return std::ranges::any_of(prohibitions, [&](Window each) { return covered(each, closed); });
+    const std::vector<Window> prohibitions = demand_windows(of, true, event);
+    return std::ranges::any_of(prohibitions, [&](Window each) { return is_covered(each, closed); });
 }
 
 }  // namespace
@@ -93,11 +93,11 @@ bool always_fulfilled(const Obligation& obligation) {
 }
 
 std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit without) {
-    return Collector(values, without).collect(duty);
+    return Collector(values, without).collect_demands(duty);
 }
 
 std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit without) {
-    if (rule.condition && evaluate(*rule.condition, values) == 0) return std::nullopt;
+    if (rule.condition && evaluate_condition(*rule.condition, values) == 0) return std::nullopt;
     return obligation_of(rule.duty, values, without);
 }
 
@@ -111,7 +111,7 @@ bool implies(const Obligation& stronger, const Obligation& weaker) {
     for (const std::size_t event : stronger.ended_by)
         if (std::ranges::find(weaker.ended_by, event) == weaker.ended_by.end()) return false;
     return std::ranges::all_of(stronger.any, [&](const Demand& each) {
-        if (!each.forbids) return covered({each.begin, each.end}, windows(weaker, false, each.event));
+        if (!each.forbids) return is_covered({each.begin, each.end}, demand_windows(weaker, false, each.event));
         return some_prohibition_within(weaker, each.event, {{each.begin, each.end}});
     });
 }

@@ -48,7 +48,7 @@ Effect take_tock(const Obligation& obligation, Progress& progress) {
     return some_can_hold(obligation, progress) ? Effect::open : Effect::broken;
 }
 
-bool forbids_for_ever(const Obligation& obligation, const Progress& progress, std::size_t event) {
+bool forbids_forever(const Obligation& obligation, const Progress& progress, std::size_t event) {
     for (std::size_t i = 0; i < obligation.any.size(); ++i) {
         const Demand& demand = obligation.any[i];
         if (!can_still_hold(demand, i, progress)) continue;

@@ -32,7 +32,7 @@ template <class NeverAgain>
 std::vector<const Demand*> due_now(const Obligation& obligation, const Progress& progress,
                                    const NeverAgain& never_again);
 /// True if the obligation forbids the event forever.
-[[nodiscard]] bool forbids_for_ever(const Obligation& obligation, const Progress& progress, std::size_t event);
+[[nodiscard]] bool forbids_forever(const Obligation& obligation, const Progress& progress, std::size_t event);
 
 template <class NeverAgain>
 std::vector<const Demand*> due_now(const Obligation& obligation, const Progress& progress,

@@ -47,7 +47,7 @@ struct Comparisons {
     std::set<std::size_t> together;                 ///< measures compared with other measures
 };
 
-void note(const Condition& condition, Comparisons& result) {
+void note_comparisons(const Condition& condition, Comparisons& result) {
     const bool arithmetic = condition.op == Op::add || condition.op == Op::subtract || condition.op == Op::multiply;
     if (arithmetic && has_measure(condition)) throw NotDecided("a condition computes with measures");
     if (!is_comparison(condition.op)) return;
@@ -57,14 +57,14 @@ void note(const Condition& condition, Comparisons& result) {
     if (is_measure(left) && is_measure(right)) {
         result.together.insert({left.measure, right.measure});
     } else if (is_measure(left)) {
-        result.constants[left.measure].insert(evaluate(right, {}));
+        result.constants[left.measure].insert(evaluate_condition(right, {}));
     } else if (is_measure(right)) {
-        result.constants[right.measure].insert(evaluate(left, {}));
+        result.constants[right.measure].insert(evaluate_condition(left, {}));
     }
 }
 
 /// Values between and around these constants, `count` values in each interval that has that many.
-std::vector<std::int64_t> around(const std::set<std::int64_t>& constants, std::int64_t count) {
+std::vector<std::int64_t> values_around(const std::set<std::int64_t>& constants, std::int64_t count) {
     if (constants.empty()) {
         std::vector<std::int64_t> any;
         for (std::int64_t i = 0; i < count; ++i) any.push_back(i);
@@ -129,7 +129,7 @@ std::vector<std::int64_t> constants_of(const CheckedRule& rule, std::size_t meas
     visit(rule, [&](const Condition& each) {
         for (const Condition& part : each.parts)
             if (part.op == Op::name && part.measure >= found.constants.size()) found.constants.resize(part.measure + 1);
-        note(each, found);
+        note_comparisons(each, found);
     });
     return {found.constants[measure].begin(), found.constants[measure].end()};
 }
@@ -145,12 +145,13 @@ bool compares_measures(const CheckedRule& rule) {
 /// For integers: a valuation is characterised by the position of each number relative to the constants, and by the
 /// order of those that are compared with each other. Between two constants, n numbers have at most n different values,
 /// so n values are sufficient.
-std::vector<std::vector<std::int64_t>> representatives(const CheckedRules& rules,
-                                                       const std::vector<std::size_t>& asked) {
+std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
+                                                             const std::vector<std::size_t>& asked) {
     const std::vector<Measure>& measures = rules.file->measures;
     Comparisons found;
     found.constants.resize(measures.size());
-    for (const std::size_t rule : asked) visit(rules.rules[rule], [&](const Condition& each) { note(each, found); });
+    for (const std::size_t rule : asked)
+        visit(rules.rules[rule], [&](const Condition& each) { note_comparisons(each, found); });
     std::set<std::int64_t> shared;
     for (const std::size_t each : found.together)
         shared.insert(found.constants[each].begin(), found.constants[each].end());
@@ -162,16 +163,16 @@ std::vector<std::vector<std::int64_t>> representatives(const CheckedRules& rules
             for (std::size_t place = 0; place < measures[i].literals.size(); ++place)
                 result[i].push_back(static_cast<std::int64_t>(place));
         } else if (found.together.contains(i)) {
-            result[i] = around(shared, static_cast<std::int64_t>(found.together.size()));
+            result[i] = values_around(shared, static_cast<std::int64_t>(found.together.size()));
         } else {
-            result[i] = around(found.constants[i], 1);
+            result[i] = values_around(found.constants[i], 1);
         }
     }
     return result;
 }
 
-std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t event,
-                            WithoutLimit without, diagnostics::Budget* budget) {
+std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t event,
+                                 WithoutLimit without, diagnostics::Budget* budget) {
     std::vector<std::size_t> triggered, measures;
     for (const std::size_t rule : asked) {
         if (rules.rules[rule].trigger != event) continue;
@@ -179,7 +180,7 @@ std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::si
         for (const std::size_t each : measures_of(rules.rules[rule]))
             if (std::ranges::find(measures, each) == measures.end()) measures.push_back(each);
     }
-    const auto values = representatives(rules, triggered);
+    const auto values = representative_values(rules, triggered);
     Valuations valuations(values, measures);
     std::vector<Sample> result;
     do {

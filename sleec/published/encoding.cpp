@@ -20,9 +20,9 @@ using cspm::ExprKind;
 using Tree = cspm::ExprPtr;
 
 /// The measures in textual order, once for each mention.
-void mentions(const Condition& condition, std::vector<std::size_t>& result) {
+void collect_mentions(const Condition& condition, std::vector<std::size_t>& result) {
     if (condition.op == Op::name) result.push_back(condition.measure);
-    for (const Condition& part : condition.parts) mentions(part, result);
+    for (const Condition& part : condition.parts) collect_mentions(part, result);
 }
 
 void events_in(const DutyPtr& duty, std::vector<std::size_t>& events) {
@@ -66,22 +66,22 @@ Tree tock_then(Tree process) {
 Encoding::Encoding(const CheckedRules& rules, EncodingNames names) : rules_(rules), names_(std::move(names)) {
     std::vector<std::size_t> all(rules.rules.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    values_ = representatives(rules, all);
+    values_ = representative_values(rules, all);
 }
 
 std::string Encoding::event_name(std::size_t event) const {
-    return names_.prefix + rules_.event(event);
+    return names_.prefix + rules_.event_name(event);
 }
 
 std::string Encoding::measure_name(std::size_t measure) const {
     return names_.prefix + rules_.measure(measure).name.text;
 }
 
-std::string Encoding::process(std::size_t rule) const {
+std::string Encoding::process_name(std::size_t rule) const {
     return name(fmt::format("Rule{}", rule));
 }
 
-std::vector<DeclPtr> Encoding::channels() const {
+std::vector<DeclPtr> Encoding::channel_declarations() const {
     Decls result{build::external({"prioritise"}), build::channel({tock, other_tock}),
                  build::function_decl("OneStep", {build::wildcard()}, build::number(0))};
     for (std::size_t i = 0; i < rules_.file->events.size(); ++i) result.push_back(build::channel({event_name(i)}));
@@ -104,7 +104,7 @@ bool Encoding::on_scale(const Condition& condition) const {
 }
 
 /// Values of a scale are indices. SLEEC-TK reads `>=` with a measure on a scale as `>`, which is a fault.
-Tree Encoding::value(const Condition& condition) const {
+Tree Encoding::condition_expression(const Condition& condition) const {
     switch (condition.op) {
         case Op::truth:
             return build::boolean(condition.value != 0);
@@ -113,24 +113,24 @@ Tree Encoding::value(const Condition& condition) const {
         case Op::name:
             return build::name("v_" + measure_name(condition.measure));
         case Op::negation:
-            return build::logical_not(value(condition.parts[0]));
+            return build::logical_not(condition_expression(condition.parts[0]));
         case Op::add:
         case Op::subtract:
         case Op::multiply:
-            return build::number(evaluate(condition, {}));
+            return build::number(evaluate_condition(condition, {}));
         default:
             break;
     }
     ExprKind kind = kind_of(condition.op);
     if (kind == ExprKind::greater_equal && (on_scale(condition.parts[0]) || on_scale(condition.parts[1])))
         kind = ExprKind::greater;
-    return build::binary(kind, value(condition.parts[0]), value(condition.parts[1]));
+    return build::binary(kind, condition_expression(condition.parts[0]), condition_expression(condition.parts[1]));
 }
 
 /// The measures are read without delay, in textual order, once for each mention.
-Tree Encoding::reading(const std::vector<const Condition*>& conditions, Tree then) const {
+Tree Encoding::read_measures(const std::vector<const Condition*>& conditions, Tree then) const {
     std::vector<std::size_t> order;
-    for (const Condition* each : conditions) mentions(*each, order);
+    for (const Condition* each : conditions) collect_mentions(*each, order);
     for (auto each = order.rbegin(); each != order.rend(); ++each) {
         const std::string measure = measure_name(*each);
         then = build::call(name("StartBy"), {build::prefix(build::name(measure), {build::input("v_" + measure)}, then),
@@ -142,10 +142,11 @@ Tree Encoding::reading(const std::vector<const Condition*>& conditions, Tree the
 // ---------------------------------------------------------------- rules
 
 /// `e -> reading -> if c then SKIP else again`; the events of the response are always allowed meanwhile.
-Tree Encoding::trigger(const CheckedRule& rule, const std::string& self) const {
+Tree Encoding::trigger_process(const CheckedRule& rule, const std::string& self) const {
     const Tree again = build::name(self);
     Tree then = build::skip();
-    if (rule.condition) then = reading({&*rule.condition}, build::if_(value(*rule.condition), then, again));
+    if (rule.condition)
+        then = read_measures({&*rule.condition}, build::if_(condition_expression(*rule.condition), then, again));
     Exprs choices{build::prefix(build::name(event_name(rule.trigger)), then)};
     std::vector<std::size_t> free;
     events_in(rule.duty, free);
@@ -155,7 +156,7 @@ Tree Encoding::trigger(const CheckedRule& rule, const std::string& self) const {
 
 /// `E`: no limit. `E within d`: at 0 to d, then time stops. `not E within d`: d units in which E is refused. `E within
 /// d otherwise r`: before d units; at d the rule continues as r. Defeaters of a response inside a defeater are dropped.
-Tree Encoding::response(const DutyPtr& duty) const {
+Tree Encoding::response_process(const DutyPtr& duty) const {
     if (duty->measured) throw NotDecided("SLEEC-TK has no limits that a measure decides");
     if (duty->written->limit && duty->written->limit->from) throw NotDecided("SLEEC-TK has no intervals of time");
     if (duty->forbids) {
@@ -171,22 +172,23 @@ Tree Encoding::response(const DutyPtr& duty) const {
     if (!duty->to) throw NotDecided("SLEEC-TK has no 'otherwise' without 'within'");
     if (!duty->otherwise->defeaters.empty())
         throw NotDecided("what SLEEC-TK makes of defeaters behind 'otherwise' is not known");
-    return build::call(name("Before"), {event, build::number(*duty->to), response(duty->otherwise)});
+    return build::call(name("Before"), {event, build::number(*duty->to), response_process(duty->otherwise)});
 }
 
 /// Reads all measures of all defeaters; the last defeater whose condition is true decides.
-Tree Encoding::monitoring(const CheckedRule& rule) const {
+Tree Encoding::monitoring_process(const CheckedRule& rule) const {
     std::vector<const Condition*> conditions;
-    Tree decided = response(rule.duty);
+    Tree decided = response_process(rule.duty);
     for (const CheckedDefeater& each : rule.duty->defeaters) {
         if (each.event) throw NotDecided("SLEEC-TK has no events behind 'unless'");
         conditions.push_back(&each.condition);
-        decided = build::if_(value(each.condition), each.duty ? response(each.duty) : build::skip(), decided);
+        decided = build::if_(condition_expression(each.condition),
+                             each.duty ? response_process(each.duty) : build::skip(), decided);
     }
-    return reading(conditions, decided);
+    return read_measures(conditions, decided);
 }
 
-std::vector<DeclPtr> Encoding::processes(const std::vector<std::size_t>& asked) const {
+std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_t>& asked) const {
     const auto var = [](const char* text) { return build::name(text); };
     const Tree stop = build::call(name("TimeStops"));
     const Tree tocks = build::set({build::name(tock)});
@@ -209,10 +211,10 @@ std::vector<DeclPtr> Encoding::processes(const std::vector<std::size_t>& asked) 
         const CheckedRule& each = rules_.rules[rule];
         const std::string trigger_name = name(fmt::format("Trigger{}", rule));
         const std::string whole = name(fmt::format("Whole{}", rule));
-        timed.push_back(build::value(trigger_name, trigger(each, trigger_name)));
-        timed.push_back(
-            build::value(whole, build::sequential({build::name(trigger_name), monitoring(each), build::name(whole)})));
-        timed.push_back(build::value(process(rule), build::call("timed_priority", {build::name(whole)})));
+        timed.push_back(build::value(trigger_name, trigger_process(each, trigger_name)));
+        timed.push_back(build::value(
+            whole, build::sequential({build::name(trigger_name), monitoring_process(each), build::name(whole)})));
+        timed.push_back(build::value(process_name(rule), build::call("timed_priority", {build::name(whole)})));
     }
     result.push_back(build::timed(build::name("OneStep"), std::move(timed)));
     return result;
@@ -234,7 +236,7 @@ std::vector<std::size_t> Encoding::measures_of_pair(std::size_t first, std::size
     return result;
 }
 
-bool Encoding::related(std::size_t first, std::size_t second) const {
+bool Encoding::are_related(std::size_t first, std::size_t second) const {
     const auto meet = [](const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
         return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
     };
@@ -257,7 +259,7 @@ Tree Encoding::event_set(const std::vector<std::size_t>& events) const {
 /// The rules in parallel, synchronised on their common events. Each rule reads the measures separately, from an
 /// environment that keeps the first value forever. A missed deadline is a deadlock. A state in which only time passes
 /// diverges after time is hidden, because all other events have priority over time.
-std::vector<DeclPtr> Encoding::conflict(std::size_t first, std::size_t second) const {
+std::vector<DeclPtr> Encoding::conflict_declarations(std::size_t first, std::size_t second) const {
     std::vector<std::size_t> common;
     const std::vector<std::size_t> others = events_of(second);
     for (const std::size_t each : events_of(first))
@@ -298,7 +300,8 @@ std::vector<DeclPtr> Encoding::conflict(std::size_t first, std::size_t second) c
 /// Each unit of time begins with one reading of every measure. Then the measures keep these values, and the events of
 /// both rules may occur. SLEEC-TK reads them one after another in a fixed order; here the readings are a single event,
 /// which makes no difference.
-std::vector<DeclPtr> Encoding::memory(std::size_t first, std::size_t second, const std::string& called) const {
+std::vector<DeclPtr> Encoding::memory_declarations(std::size_t first, std::size_t second,
+                                                   const std::string& called) const {
     const std::vector<std::size_t> measures = measures_of_pair(first, second);
     std::vector<std::size_t> events = events_of(first);
     for (const std::size_t each : events_of(second))
@@ -347,7 +350,7 @@ DeclPtr Encoding::with_memory(std::size_t rule, std::size_t other, const std::st
         links.push_back({build::name(measure_name(each)), build::name("i_" + measure_name(each))});
         internal.push_back(build::name("i_" + measure_name(each)));
     }
-    Tree process = build::name(this->process(rule));
+    Tree process = build::name(this->process_name(rule));
     if (!links.empty()) process = build::rename(process, std::move(links));
     const Tree readings = build::productions(internal);
     process = build::parallel(process, build::union_of({event_set(events_of(rule)), readings}), build::name(memory));
@@ -355,11 +358,11 @@ DeclPtr Encoding::with_memory(std::size_t rule, std::size_t other, const std::st
     return build::value(called, build::call("timed_priority", {process}));
 }
 
-std::vector<DeclPtr> Encoding::pair(std::size_t first, std::size_t second) const {
-    Decls result = conflict(first, second);
+std::vector<DeclPtr> Encoding::pair_declarations(std::size_t first, std::size_t second) const {
+    Decls result = conflict_declarations(first, second);
     const std::string id = fmt::format("{}_{}", first, second);
     const std::string shared = name("Memory" + id);
-    for (DeclPtr& each : memory(first, second, shared)) result.push_back(std::move(each));
+    for (DeclPtr& each : memory_declarations(first, second, shared)) result.push_back(std::move(each));
     const std::string one = name("First" + id), two = name("Second" + id);
     result.push_back(build::timed(build::name("OneStep"),
                                   {with_memory(first, second, shared, one), with_memory(second, first, shared, two)}));
@@ -368,7 +371,7 @@ std::vector<DeclPtr> Encoding::pair(std::size_t first, std::size_t second) const
     return result;
 }
 
-cspm::Script Encoding::script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
+cspm::Script Encoding::make_script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
     std::vector<std::size_t> asked;
     for (const auto& [first, second] : pairs)
         for (const std::size_t each : {first, second})
@@ -376,9 +379,9 @@ cspm::Script Encoding::script(const std::vector<std::pair<std::size_t, std::size
     std::ranges::sort(asked);
     cspm::Script script;
     const auto add = [&](Decls decls) { script.decls.insert(script.decls.end(), decls.begin(), decls.end()); };
-    add(channels());
-    add(processes(asked));
-    for (const auto& [first, second] : pairs) add(pair(first, second));
+    add(channel_declarations());
+    add(process_declarations(asked));
+    for (const auto& [first, second] : pairs) add(pair_declarations(first, second));
     return script;
 }
 

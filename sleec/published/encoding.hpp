@@ -24,42 +24,45 @@ public:
     explicit Encoding(const CheckedRules& rules, EncodingNames names = {});
 
     /// The channels of events, measures and time.
-    [[nodiscard]] std::vector<cspm::DeclPtr> channels() const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> channel_declarations() const;
     /// The timing operators, and the process of each of these rules.
-    [[nodiscard]] std::vector<cspm::DeclPtr> processes(const std::vector<std::size_t>& asked) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> process_declarations(const std::vector<std::size_t>& asked) const;
     /// The name of a rule's process, in which events have priority over time.
-    [[nodiscard]] std::string process(std::size_t rule) const;
+    [[nodiscard]] std::string process_name(std::size_t rule) const;
 
     /// True if two rules have a name in common; only then does SLEEC-TK compare them.
-    [[nodiscard]] bool related(std::size_t first, std::size_t second) const;
+    [[nodiscard]] bool are_related(std::size_t first, std::size_t second) const;
     /// The declarations for a pair, with four assertions in this order: no missed deadline; no state in which only time
     /// passes; the first rule is redundant under the second; the second under the first.
-    [[nodiscard]] std::vector<cspm::DeclPtr> pair(std::size_t first, std::size_t second) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> pair_declarations(std::size_t first, std::size_t second) const;
     /// The whole script for these pairs.
-    [[nodiscard]] cspm::Script script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
+    [[nodiscard]] cspm::Script make_script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
 
     /// The values of a measure: truth values, indices, or the constants that it is compared with and their neighbours.
-    [[nodiscard]] const std::vector<std::int64_t>& values(std::size_t measure) const { return values_[measure]; }
+    [[nodiscard]] const std::vector<std::int64_t>& measure_values(std::size_t measure) const {
+        return values_[measure];
+    }
 
 private:
     [[nodiscard]] std::string event_name(std::size_t event) const;
     [[nodiscard]] std::string measure_name(std::size_t measure) const;
     [[nodiscard]] std::string name(const std::string& text) const { return text + names_.suffix; }
 
-    [[nodiscard]] cspm::ExprPtr value(const Condition& condition) const;
+    [[nodiscard]] cspm::ExprPtr condition_expression(const Condition& condition) const;
     [[nodiscard]] bool on_scale(const Condition& condition) const;
-    [[nodiscard]] cspm::ExprPtr reading(const std::vector<const Condition*>& conditions, cspm::ExprPtr then) const;
-    [[nodiscard]] cspm::ExprPtr trigger(const CheckedRule& rule, const std::string& self) const;
-    [[nodiscard]] cspm::ExprPtr monitoring(const CheckedRule& rule) const;
-    [[nodiscard]] cspm::ExprPtr response(const DutyPtr& duty) const;
+    [[nodiscard]] cspm::ExprPtr read_measures(const std::vector<const Condition*>& conditions,
+                                              cspm::ExprPtr then) const;
+    [[nodiscard]] cspm::ExprPtr trigger_process(const CheckedRule& rule, const std::string& self) const;
+    [[nodiscard]] cspm::ExprPtr monitoring_process(const CheckedRule& rule) const;
+    [[nodiscard]] cspm::ExprPtr response_process(const DutyPtr& duty) const;
 
     [[nodiscard]] std::vector<std::size_t> events_of(std::size_t rule) const;
     [[nodiscard]] std::vector<std::size_t> measures_of_pair(std::size_t first, std::size_t second) const;
     [[nodiscard]] cspm::ExprPtr measure_events(const std::vector<std::size_t>& measures) const;
     [[nodiscard]] cspm::ExprPtr event_set(const std::vector<std::size_t>& events) const;
-    [[nodiscard]] std::vector<cspm::DeclPtr> conflict(std::size_t first, std::size_t second) const;
-    [[nodiscard]] std::vector<cspm::DeclPtr> memory(std::size_t first, std::size_t second,
-                                                    const std::string& called) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> conflict_declarations(std::size_t first, std::size_t second) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> memory_declarations(std::size_t first, std::size_t second,
+                                                                 const std::string& called) const;
     [[nodiscard]] cspm::DeclPtr with_memory(std::size_t rule, std::size_t other, const std::string& memory,
                                             const std::string& called) const;
 

@@ -64,7 +64,7 @@ public:
         while (tokens_[at].kind != Tok::end) {
             std::size_t end = at + 1;
             while (!begins_item_[end]) ++end;
-            item(at, end);
+            write_item(at, end);
             at = end;
         }
         return std::move(out_);
@@ -80,19 +80,19 @@ private:
         return begins_.contains(token.span.begin);
     }
 
-    [[nodiscard]] std::string_view between(std::size_t at) const {
+    [[nodiscard]] std::string_view text_before(std::size_t at) const {
         const std::size_t from = at == 0 ? 0 : tokens_[at - 1].span.end;
         return text_.substr(from, tokens_[at].span.begin - from);
     }
     [[nodiscard]] bool own_line(std::size_t at) const {
-        return at == 0 || between(at).find('\n') != std::string_view::npos;
+        return at == 0 || text_before(at).find('\n') != std::string_view::npos;
     }
     [[nodiscard]] bool blank_line_before(std::size_t at) const {
-        const std::string_view space = between(at);
+        const std::string_view space = text_before(at);
         return at > 0 && std::ranges::count(space, '\n') > 1;
     }
 
-    void item(std::size_t from, std::size_t to) {
+    void write_item(std::size_t from, std::size_t to) {
         if (blank_line_before(from)) out_ += '\n';
         const std::string_view word = tokens_[from].text;
         const bool block = tokens_[from].kind == Tok::word && is_reserved(word) && is_block_word(word);
@@ -102,13 +102,13 @@ private:
         const auto is_comment = [](const Token& each) { return each.kind == Tok::comment; };
         const auto begin = tokens_.begin() + static_cast<std::ptrdiff_t>(from);
         const bool comments = std::any_of(begin, tokens_.begin() + static_cast<std::ptrdiff_t>(to) - 1, is_comment);
-        std::string line = indent + joined(from, to, " ");
-        if (comments || line.size() > longest_line) line = indent + joined(from, to, "\n" + indent + "    ");
+        std::string line = indent + join_tokens(from, to, " ");
+        if (comments || line.size() > longest_line) line = indent + join_tokens(from, to, "\n" + indent + "    ");
         out_ += line + "\n";
     }
 
     /// `between`: written before alternatives and defeaters.
-    [[nodiscard]] std::string joined(std::size_t from, std::size_t to, const std::string& between) const {
+    [[nodiscard]] std::string join_tokens(std::size_t from, std::size_t to, const std::string& between) const {
         const std::string fresh = "\n" + std::string(inside_ ? 8 : 4, ' ');
         std::string result;
         int braces = 0;
@@ -146,13 +146,13 @@ private:
 std::optional<std::string> format(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                                   diagnostics::Diagnostics& diagnostics) {
     diagnostics::Diagnostics found;
-    found.within(diagnostics.budget());
+    found.set_budget(diagnostics.budget());
     const RuleFile file = read(sources, source, found);
     if (!found.ok()) {
         diagnostics.add(found);
         return std::nullopt;
     }
-    const std::string_view text = sources.text(source);
+    const std::string_view text = sources.source_text(source);
     diagnostics::Diagnostics ignored;
     const std::vector<Token> tokens = lex(text, source, ignored, true);
     std::string result = Layout(text, tokens, file).write();

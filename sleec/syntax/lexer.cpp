@@ -53,12 +53,12 @@ public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments)
         : text_(text), source_(source), diagnostics_(diagnostics), comments_(comments) {}
 
-    std::vector<Token> tokens() {
+    std::vector<Token> read_tokens() {
         while (at_ < text_.size()) {
             diagnostics_.poll();
             next();
         }
-        push(Tok::end, at_);
+        push_token(Tok::end, at_);
         return std::move(tokens_);
     }
 
@@ -66,29 +66,31 @@ private:
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
-    [[nodiscard]] Span span(std::size_t begin) const {
+    [[nodiscard]] Span span_from(std::size_t begin) const {
         return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
     }
-    void push(Tok kind, std::size_t begin) { tokens_.push_back({kind, span(begin), text_.substr(begin, at_ - begin)}); }
+    void push_token(Tok kind, std::size_t begin) {
+        tokens_.push_back({kind, span_from(begin), text_.substr(begin, at_ - begin)});
+    }
 
     void next() {
         const char c = peek();
         if (c == '\n' || c == ' ' || c == '\t' || c == '\r' || c == '\f') {
             ++at_;
         } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
-            comment();
+            read_comment();
         } else if (is_letter(c)) {
             const std::size_t begin = at_;
             while (is_letter(peek()) || is_digit(peek())) ++at_;
-            push(Tok::word, begin);
+            push_token(Tok::word, begin);
         } else if (is_digit(c)) {
-            number();
+            read_number();
         } else {
-            symbol();
+            read_symbol();
         }
     }
 
-    void comment() {
+    void read_comment() {
         const std::size_t begin = at_;
         if (peek(1) == '/') {
             at_ = std::min(text_.find('\n', at_), text_.size());
@@ -99,10 +101,10 @@ private:
                 diagnostics_.report(rules::open_comment, {source_, static_cast<std::uint32_t>(begin),
                                                           static_cast<std::uint32_t>(begin) + 2});
         }
-        if (comments_) push(Tok::comment, begin);
+        if (comments_) push_token(Tok::comment, begin);
     }
 
-    void number() {
+    void read_number() {
         constexpr std::size_t most_digits = 9;
         const std::size_t begin = at_;
         while (is_digit(peek())) ++at_;
@@ -110,23 +112,24 @@ private:
         while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
         if (digits.size() > most_digits && digits != "1000000000") {
             const std::string shown(digits.substr(0, 20));
-            diagnostics_.report(rules::big_number, span(begin), {shown + (digits.size() > 20 ? "..." : "")});
+            diagnostics_.report(rules::big_number, span_from(begin), {shown + (digits.size() > 20 ? "..." : "")});
         }
-        push(Tok::number, begin);
+        push_token(Tok::number, begin);
     }
 
-    void symbol() {
+    void read_symbol() {
         const std::size_t begin = at_;
         const std::string_view rest = text_.substr(at_);
         const auto* found = std::ranges::find_if(symbols, [&](auto s) { return rest.starts_with(s); });
         if (found != symbols.end()) {
             at_ += found->size();
-            return push(Tok::symbol, begin);
+            return push_token(Tok::symbol, begin);
         }
         do ++at_;
         while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xc0U) == 0x80U);
-        const std::string shown = diagnostics::shown(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
-        auto& finding = diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
+        const std::string shown =
+            diagnostics::escape_for_display(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
+        auto& finding = diagnostics_.report(rules::bad_character, span_from(begin), {fmt::format("'{}'", shown)});
         if (const std::string_view advice = meant_by(shown); !advice.empty())
             finding.notes.push_back({{}, std::string(advice)});
         if ((shown == "&" || shown == "|") && peek() == shown.front()) ++at_;
@@ -144,7 +147,7 @@ private:
 
 std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics,
                        bool comments) {
-    return Lexer(text, source, diagnostics, comments).tokens();
+    return Lexer(text, source, diagnostics, comments).read_tokens();
 }
 
 bool is_reserved(std::string_view word) {

@@ -64,7 +64,7 @@ constexpr std::array advice{
            "follows"},
 };
 
-std::string found(const Token& token) {
+std::string found_text(const Token& token) {
     if (token.kind == Tok::end) return "the end of the text";
     return fmt::format("'{}'", token.text.substr(0, 40));
 }
@@ -85,7 +85,7 @@ diagnostics::AdviceWord Parser::advice_word(std::ptrdiff_t ahead) const {
     return {token.kind == Tok::word && !is_reserved(token.text) ? name : other, token.text};
 }
 
-void Parser::deeper() {
+void Parser::enter_level() {
     if (depth_ >= max_depth) {
         diagnostics_.report(rules::too_deep, peek().span, {fmt::format("{}", max_depth)});
         throw SyntaxError{};
@@ -97,7 +97,7 @@ const Token& Parser::peek(std::size_t ahead) const {
     return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
 }
 
-bool Parser::at(std::string_view text, std::size_t ahead) const {
+bool Parser::is_at(std::string_view text, std::size_t ahead) const {
     return peek(ahead).text == text && peek(ahead).kind != Tok::end;
 }
 
@@ -105,41 +105,42 @@ bool Parser::at_name(std::size_t ahead) const {
     return peek(ahead).kind == Tok::word && !is_reserved(peek(ahead).text);
 }
 
-const Token& Parser::take() {
+const Token& Parser::take_token() {
     const Token& token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
     return token;
 }
 
 bool Parser::accept(std::string_view text) {
-    if (!at(text)) return false;
-    take();
+    if (!is_at(text)) return false;
+    take_token();
     return true;
 }
 
 Span Parser::expect(std::string_view text) {
-    if (!at(text)) fail(fmt::format("'{}'", text), {std::string(text)});
-    return take().span;
+    if (!is_at(text)) fail(fmt::format("'{}'", text), {std::string(text)});
+    return take_token().span;
 }
 
 Name Parser::name(std::string_view what) {
     if (!at_name()) fail(what);
-    const Token& token = take();
+    const Token& token = take_token();
     return {std::string(token.text), token.span};
 }
 
-Span Parser::since(Span from) const {
-    return diagnostics::join(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
+Span Parser::span_since(Span from) const {
+    return diagnostics::join_spans(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
 }
 
 void Parser::fail(std::string_view expected, const Words& words) {
     const Token& token = peek();
-    auto& finding = diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), found(token)});
+    auto& finding =
+        diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), found_text(token)});
     const std::string written(token.text);
-    const std::string meant = token.kind == Tok::word ? diagnostics::nearest(written, words) : "";
+    const std::string meant = token.kind == Tok::word ? diagnostics::nearest_spelling(written, words) : "";
     if (!meant.empty() && meant != written)
         finding.fixes.push_back(
-            {token.span, meant, diagnostics::suggested(diagnostics::is_certain(written, meant, words))});
+            {token.span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(written, meant, words))});
     const std::string_view form =
         diagnostics::advice_on(advice, expected, [this](std::ptrdiff_t ahead) { return advice_word(ahead); });
     if (!form.empty())
@@ -149,12 +150,12 @@ void Parser::fail(std::string_view expected, const Words& words) {
     throw SyntaxError{};
 }
 
-void Parser::refuse(std::string_view what, Span span) {
+void Parser::refuse_construct(std::string_view what, Span span) {
     diagnostics_.report(rules::not_supported, span, {std::string(what)});
     throw SyntaxError{};
 }
 
-void Parser::extension(Span span, std::string_view what) {
+void Parser::report_extension(Span span, std::string_view what) {
     diagnostics_.report(rules::extension, span, {std::string(what)});
 }
 
@@ -162,58 +163,58 @@ void Parser::extension(Span span, std::string_view what) {
 bool Parser::at_item() const {
     for (const std::string_view word : {"event", "measure", "constant", "def_end", "rule_start", "rule_end",
                                         "concern_start", "concern_end", "purpose_start", "purpose_end"})
-        if (at(word)) return true;
-    return at_name() && (at("when", 1) || at("exists", 1));
+        if (is_at(word)) return true;
+    return at_name() && (is_at("when", 1) || is_at("exists", 1));
 }
 
 template <class Piece>
-bool Parser::guarded(const Piece& piece) {
+bool Parser::parse_guarded(const Piece& piece) {
     const std::size_t before = at_;
     try {
         piece();
         return true;
     } catch (const SyntaxError&) {
         depth_ = 0;
-        if (at_ == before && !at_end()) take();
-        while (!at_end() && !at_item()) take();
+        if (at_ == before && !at_end()) take_token();
+        while (!at_end() && !at_item()) take_token();
         return false;
     }
 }
 
 template <class Item>
-void Parser::block(std::string_view end, const Item& item) {
-    while (!at_end() && !at(end)) {
+void Parser::parse_block(std::string_view end, const Item& item) {
+    while (!at_end() && !is_at(end)) {
         diagnostics_.poll();
         for (const std::string_view other : {"rule_start", "concern_start", "purpose_start"})
-            if (at(other)) fail(fmt::format("'{}'", end));
-        (void)guarded(item);
+            if (is_at(other)) fail(fmt::format("'{}'", end));
+        (void)parse_guarded(item);
     }
     expect(end);
 }
 
-RuleFile Parser::file() {
+RuleFile Parser::parse_file() {
     RuleFile file;
-    const bool defined = guarded([&] {
+    const bool defined = parse_guarded([&] {
         expect("def_start");
-        block("def_end", [&] { definition(file); });
+        parse_block("def_end", [&] { parse_definition(file); });
     });
     if (defined || !at_end())
-        (void)guarded([&] {
+        (void)parse_guarded([&] {
             expect("rule_start");
-            block("rule_end", [&] { file.rules.push_back(rule()); });
+            parse_block("rule_end", [&] { file.rules.push_back(parse_rule()); });
         });
     while (!at_end())
-        (void)guarded([&] {
-            if (at("concern_start")) {
-                only_in(Dialect::legos, take().span, "a block of concerns");
-                block("concern_end", [&] { file.concerns.push_back(property(true)); });
-            } else if (at("purpose_start")) {
-                only_in(Dialect::legos, take().span, "a block of purposes");
-                block("purpose_end", [&] { file.purposes.push_back(property(false)); });
-            } else if (at("relation_start")) {
-                const Span span = take().span;
-                while (!at_end() && !accept("relation_end")) take();
-                refuse("relations (relation_start ... relation_end)", span);
+        (void)parse_guarded([&] {
+            if (is_at("concern_start")) {
+                only_in(Dialect::legos, take_token().span, "a block of concerns");
+                parse_block("concern_end", [&] { file.concerns.push_back(parse_property(true)); });
+            } else if (is_at("purpose_start")) {
+                only_in(Dialect::legos, take_token().span, "a block of purposes");
+                parse_block("purpose_end", [&] { file.purposes.push_back(parse_property(false)); });
+            } else if (is_at("relation_start")) {
+                const Span span = take_token().span;
+                while (!at_end() && !accept("relation_end")) take_token();
+                refuse_construct("relations (relation_start ... relation_end)", span);
             } else {
                 fail("the end of the text", {"concern_start", "purpose_start"});
             }
@@ -222,20 +223,20 @@ RuleFile Parser::file() {
     return file;
 }
 
-void Parser::definition(RuleFile& file) {
+void Parser::parse_definition(RuleFile& file) {
     if (accept("event")) return file.events.push_back({name("the name of an event")});
-    if (at("measure")) {
-        file.measures.push_back(measure());
+    if (is_at("measure")) {
+        file.measures.push_back(parse_measure());
         measures_.insert(file.measures.back().name.text);
         return;
     }
-    if (at("constant")) return file.constants.push_back(constant());
-    if (at("map") && at_name(1) && at("to", 2)) return file.mappings.push_back(mapping());
+    if (is_at("constant")) return file.constants.push_back(parse_constant());
+    if (is_at("map") && at_name(1) && is_at("to", 2)) return file.mappings.push_back(parse_mapping());
     fail("a definition or 'def_end'", {"event", "measure", "constant", "map", "def_end"});
 }
 
 /// `measure m : boolean | numeric | scale(a, b, ...)`.
-Measure Parser::measure() {
+Measure Parser::parse_measure() {
     Measure result;
     expect("measure");
     result.name = name("the name of a measure");
@@ -255,17 +256,17 @@ Measure Parser::measure() {
 }
 
 /// `constant C = 5`, or another constant.
-Constant Parser::constant() {
+Constant Parser::parse_constant() {
     Constant result;
     expect("constant");
     result.name = name("the name of a constant");
     expect("=");
-    result.value = time();
+    result.value = parse_time();
     return result;
 }
 
 /// `map EVENT to Module::event`.
-Mapping Parser::mapping() {
+Mapping Parser::parse_mapping() {
     Mapping result;
     const Span from = expect("map");
     result.name = name("the name of an event or a measure");
@@ -276,8 +277,8 @@ Mapping Parser::mapping() {
         const Name next = name("an element of the model");
         result.element.text += "::" + next.text;
     }
-    result.element.span = since(first.span);
-    extension(since(from), "map");
+    result.element.span = span_since(first.span);
+    report_extension(span_since(from), "map");
     return result;
 }
 
@@ -293,7 +294,7 @@ void Parser::decide_dialect(RuleFile& file) {
     std::set<std::string> named;
     for (const Feature& feature : features_) {
         if (feature.dialect == file.dialect) {
-            if (!file.decided_by.known()) file.decided_by = feature.span;
+            if (!file.decided_by.is_known()) file.decided_by = feature.span;
             continue;
         }
         if (!named.insert(feature.what).second) continue;

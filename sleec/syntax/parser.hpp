@@ -30,7 +30,7 @@ public:
     Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
         : tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
 
-    [[nodiscard]] RuleFile file();
+    [[nodiscard]] RuleFile parse_file();
 
 private:
     struct SyntaxError {};
@@ -38,7 +38,7 @@ private:
     /// Counts the levels of recursion while it exists.
     class Depth {
     public:
-        explicit Depth(Parser& parser) : parser_(parser) { parser.deeper(); }
+        explicit Depth(Parser& parser) : parser_(parser) { parser.enter_level(); }
         ~Depth() { --parser_.depth_; }
         Depth(const Depth&) = delete;
         Depth& operator=(const Depth&) = delete;
@@ -52,63 +52,63 @@ private:
         Span span;
         std::string what;
     };
-    void deeper();
+    void enter_level();
 
     // tokens
     [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
-    [[nodiscard]] bool at(std::string_view text, std::size_t ahead = 0) const;
+    [[nodiscard]] bool is_at(std::string_view text, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_name(std::size_t ahead = 0) const;
     [[nodiscard]] bool at_end() const { return peek().kind == Tok::end; }
-    const Token& take();
+    const Token& take_token();
     bool accept(std::string_view text);
     Span expect(std::string_view text);
     Name name(std::string_view what);
-    [[nodiscard]] Span since(Span from) const;
+    [[nodiscard]] Span span_since(Span from) const;
     /// `words`: the words that are allowed here; the nearest is suggested.
     [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
     [[noreturn]] void fail(std::string_view expected, const Words& words = {});
-    [[noreturn]] void refuse(std::string_view what, Span span);
+    [[noreturn]] void refuse_construct(std::string_view what, Span span);
     void only_in(Dialect dialect, Span span, std::string_view what) {
         features_.push_back({dialect, span, std::string(what)});
     }
-    void extension(Span span, std::string_view what);
+    void report_extension(Span span, std::string_view what);
     template <class Piece>
-    bool guarded(const Piece& piece);
+    bool parse_guarded(const Piece& piece);
     [[nodiscard]] bool at_item() const;
     template <class Item>
-    void block(std::string_view end, const Item& item);
+    void parse_block(std::string_view end, const Item& item);
 
     // definitions
-    void definition(RuleFile& file);
-    Measure measure();
-    Constant constant();
-    Mapping mapping();
+    void parse_definition(RuleFile& file);
+    Measure parse_measure();
+    Constant parse_constant();
+    Mapping parse_mapping();
 
     // rules
-    Rule rule();
+    Rule parse_rule();
     Rule when_rule(Rule rule);
     Rule after_rule(Rule rule);
     Rule at_least_rule(Rule rule);
-    Property property(bool concern);
-    Trigger trigger();
-    ResponsePtr response();  ///< including its defeaters
-    ResponsePtr inner();     ///< without defeaters, unless it is in braces
-    Response action();
-    void alternative(Response& response);
-    Limit limit();
-    Limit duration(Span from);
-    Unit unit();
-    ExprPtr time();
+    Property parse_property(bool concern);
+    Trigger parse_trigger();
+    ResponsePtr parse_response();        ///< including its defeaters
+    ResponsePtr parse_inner_response();  ///< without defeaters, unless it is in braces
+    Response parse_action();
+    void parse_alternative(Response& response);
+    Limit parse_limit();
+    Limit parse_duration(Span from);
+    Unit parse_unit();
+    ExprPtr parse_time();
 
     // conditions
-    ExprPtr condition();
-    ExprPtr term();
-    ExprPtr relation();
-    ExprPtr sum();
-    ExprPtr product();
-    ExprPtr primary();
-    ExprPtr word();
-    ExprPtr node(Op op, Span from, std::vector<ExprPtr> parts);
+    ExprPtr parse_condition();
+    ExprPtr parse_term();
+    ExprPtr parse_relation();
+    ExprPtr parse_sum();
+    ExprPtr parse_product();
+    ExprPtr parse_primary();
+    ExprPtr parse_word();
+    ExprPtr make_node(Op op, Span from, std::vector<ExprPtr> parts);
     void warn_mixed(const ExprPtr& whole);
 
     void decide_dialect(RuleFile& file);

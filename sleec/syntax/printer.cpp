@@ -8,7 +8,7 @@ namespace robochart::sleec {
 namespace {
 
 /// The precedence of an operator.
-int level(Op op) {
+int precedence_of(Op op) {
     if (op == Op::disjunction || op == Op::conjunction) return 0;
     if (op == Op::negation) return 1;
     if (is_comparison(op)) return 2;
@@ -16,20 +16,21 @@ int level(Op op) {
     return op == Op::multiply ? 4 : 5;
 }
 
-std::string operand(const ExprPtr& expr, bool bracketed) {
+std::string operand_text(const ExprPtr& expr, bool bracketed) {
     return bracketed ? fmt::format("({})", print(expr)) : print(expr);
 }
 
 /// A left operand of the same level needs no parentheses. The printer adds them if one of the operators is `and` and
 /// the other `or`, because people misread `c or a and b`.
 bool left_bracketed(const Expr& outer, const Expr& left) {
-    return level(left.op) < level(outer.op) || (level(outer.op) == 0 && level(left.op) == 0 && left.op != outer.op) ||
+    return precedence_of(left.op) < precedence_of(outer.op) ||
+           (precedence_of(outer.op) == 0 && precedence_of(left.op) == 0 && left.op != outer.op) ||
            (is_comparison(outer.op) && is_comparison(left.op));
 }
 
 /// A number or a name; any other expression in parentheses.
 std::string time_text(const ExprPtr& time) {
-    return operand(time, !time->parts.empty() || time->braced);
+    return operand_text(time, !time->parts.empty() || time->braced);
 }
 
 std::string limit_text(const Limit& limit) {
@@ -42,10 +43,10 @@ std::string limit_text(const Limit& limit) {
 }
 
 /// LEGOS requires parentheses around every operator.
-std::string legos(const ExprPtr& expr) {
+std::string legos_text(const ExprPtr& expr) {
     if (expr->parts.empty()) return print(expr);
-    if (expr->op == Op::negation) return fmt::format("(not {})", legos(expr->parts[0]));
-    return fmt::format("({} {} {})", legos(expr->parts[0]), symbol_of(expr->op), legos(expr->parts[1]));
+    if (expr->op == Op::negation) return fmt::format("(not {})", legos_text(expr->parts[0]));
+    return fmt::format("({} {} {})", legos_text(expr->parts[0]), symbol_of(expr->op), legos_text(expr->parts[1]));
 }
 
 /// Prints in one dialect.
@@ -53,53 +54,53 @@ class Printer {
 public:
     explicit Printer(Dialect dialect, std::string between = " ") : dialect_(dialect), between_(std::move(between)) {}
 
-    [[nodiscard]] std::string condition(const ExprPtr& expr) const {
-        return dialect_ == Dialect::legos ? legos(expr) : print(expr);
+    [[nodiscard]] std::string condition_text(const ExprPtr& expr) const {
+        return dialect_ == Dialect::legos ? legos_text(expr) : print(expr);
     }
 
-    [[nodiscard]] std::string trigger(const Trigger& trigger) const {
+    [[nodiscard]] std::string trigger_text(const Trigger& trigger) const {
         if (!trigger.condition) return trigger.event.text;
-        return fmt::format("{} and {}", trigger.event.text, condition(trigger.condition));
+        return fmt::format("{} and {}", trigger.event.text, condition_text(trigger.condition));
     }
 
-    [[nodiscard]] std::string response(const Response& response) const {
+    [[nodiscard]] std::string response_text(const Response& response) const {
         std::string text = response.braced ? "{" : "";
-        text += action(response);
+        text += action_text(response);
         if (response.otherwise)
             text += fmt::format("{}{} {}", response.braced ? " " : between_,
-                                response.written_else ? "else" : "otherwise", inner(*response.otherwise));
+                                response.written_else ? "else" : "otherwise", inner_text(*response.otherwise));
         for (const Defeater& defeater : response.defeaters) {
-            text += fmt::format("{}unless {}", response.braced ? " " : between_, condition(defeater.condition));
-            if (defeater.response) text += " then " + inner(*defeater.response);
+            text += fmt::format("{}unless {}", response.braced ? " " : between_, condition_text(defeater.condition));
+            if (defeater.response) text += " then " + inner_text(*defeater.response);
         }
         return text + (response.braced ? "}" : "");
     }
 
-    [[nodiscard]] std::string rule(const Rule& rule) const {
+    [[nodiscard]] std::string rule_text(const Rule& rule) const {
         if (rule.form == RuleForm::at_least)
             return fmt::format("{} at least {} after {}", rule.response->event.text, limit_text(*rule.response->limit),
-                               trigger(rule.trigger));
+                               trigger_text(rule.trigger));
         const bool after = rule.form == RuleForm::after;
-        return fmt::format("{} {}{} {}", after ? "after" : "when", trigger(rule.trigger), after ? "," : " then",
-                           response(*rule.response));
+        return fmt::format("{} {}{} {}", after ? "after" : "when", trigger_text(rule.trigger), after ? "," : " then",
+                           response_text(*rule.response));
     }
 
-    [[nodiscard]] std::string property(const Property& property) const {
+    [[nodiscard]] std::string property_text(const Property& property) const {
         if (!property.exists)
-            return fmt::format("when {} then {}", trigger(property.trigger), response(*property.response));
-        std::string text = "exists " + trigger(property.trigger);
-        if (property.during) text += " while " + trigger(*property.during);
-        if (property.response) text += " while " + response(*property.response);
+            return fmt::format("when {} then {}", trigger_text(property.trigger), response_text(*property.response));
+        std::string text = "exists " + trigger_text(property.trigger);
+        if (property.during) text += " while " + trigger_text(*property.during);
+        if (property.response) text += " while " + response_text(*property.response);
         return text;
     }
 
 private:
     /// A response in braces is printed on one line.
-    [[nodiscard]] std::string inner(const Response& inner) const {
-        return inner.braced ? Printer(dialect_).response(inner) : response(inner);
+    [[nodiscard]] std::string inner_text(const Response& inner) const {
+        return inner.braced ? Printer(dialect_).response_text(inner) : response_text(inner);
     }
 
-    [[nodiscard]] static std::string action(const Response& response) {
+    [[nodiscard]] static std::string action_text(const Response& response) {
         std::string text = response.negated ? "not " : "";
         text += response.event.text;
         if (response.eventually) text += " eventually";
@@ -125,17 +126,18 @@ std::string print(const ExprPtr& expr) {
     if (expr->op == Op::name && expr->braced) return fmt::format("{{{}}}", expr->text);
     if (expr->parts.empty()) return expr->text;
     const Expr& first = *expr->parts[0];
-    if (expr->op == Op::negation) return "not " + operand(expr->parts[0], level(first.op) < level(expr->op));
-    return fmt::format("{} {} {}", operand(expr->parts[0], left_bracketed(*expr, first)), symbol_of(expr->op),
-                       operand(expr->parts[1], level(expr->parts[1]->op) <= level(expr->op)));
+    if (expr->op == Op::negation)
+        return "not " + operand_text(expr->parts[0], precedence_of(first.op) < precedence_of(expr->op));
+    return fmt::format("{} {} {}", operand_text(expr->parts[0], left_bracketed(*expr, first)), symbol_of(expr->op),
+                       operand_text(expr->parts[1], precedence_of(expr->parts[1]->op) <= precedence_of(expr->op)));
 }
 
 std::string print(const ResponsePtr& response) {
-    return Printer(Dialect::sleec_tk).response(*response);
+    return Printer(Dialect::sleec_tk).response_text(*response);
 }
 
 std::string print(const Rule& rule) {
-    return Printer(Dialect::sleec_tk).rule(rule);
+    return Printer(Dialect::sleec_tk).rule_text(rule);
 }
 
 std::string print(const RuleFile& file) {
@@ -150,12 +152,13 @@ std::string print(const RuleFile& file) {
     text += "def_end\nrule_start\n";
     const Printer printer(file.dialect, "\n        ");
     for (const Rule& each : file.rules)
-        text += fmt::format("    {}{} {}\n", each.assumed ? "assume " : "", each.name.text, printer.rule(each));
+        text += fmt::format("    {}{} {}\n", each.assumed ? "assume " : "", each.name.text, printer.rule_text(each));
     text += "rule_end\n";
     const auto properties = [&](const std::vector<Property>& all, const char* word) {
         if (all.empty()) return;
         text += fmt::format("{}_start\n", word);
-        for (const Property& each : all) text += fmt::format("    {} {}\n", each.name.text, printer.property(each));
+        for (const Property& each : all)
+            text += fmt::format("    {} {}\n", each.name.text, printer.property_text(each));
         text += fmt::format("{}_end\n", word);
     };
     properties(file.concerns, "concern");

@@ -8,7 +8,7 @@ namespace robochart::sleec {
 
 RuleFile read(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
               diagnostics::Diagnostics& diagnostics) {
-    return Parser(lex(sources.text(source), source, diagnostics), diagnostics).file();
+    return Parser(lex(sources.source_text(source), source, diagnostics), diagnostics).parse_file();
 }
 
 }  // namespace robochart::sleec

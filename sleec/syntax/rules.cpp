@@ -40,7 +40,7 @@ const Rule mixed_operators{"SLEEC-P10", Severity::warning,
                            "In SLEEC 'c or a and b' means '(c or a) and b', unlike in most languages. Parentheses "
                            "say which of the two is meant."};
 
-std::span<const Rule* const> syntax() {
+std::span<const Rule* const> syntax_rule_table() {
     static constexpr std::array<const Rule*, 10> table{
         &unexpected_token, &bad_character, &open_comment,  &big_number, &too_deep,
         &not_supported,    &unreadable,    &other_dialect, &extension,  &mixed_operators};

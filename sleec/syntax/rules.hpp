@@ -20,6 +20,6 @@ extern const diagnostics::Rule extension;
 extern const diagnostics::Rule mixed_operators;
 
 /// All rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> syntax();
+[[nodiscard]] std::span<const diagnostics::Rule* const> syntax_rule_table();
 
 }  // namespace robochart::sleec::rules

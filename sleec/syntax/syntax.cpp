@@ -8,12 +8,12 @@
 namespace robochart::sleec {
 namespace {
 
-bool same(const Name& a, const Name& b) {
+bool same_element(const Name& a, const Name& b) {
     return a.text == b.text;
 }
 
-bool same(const Trigger& a, const Trigger& b) {
-    return same(a.event, b.event) && same_expr(a.condition, b.condition);
+bool same_element(const Trigger& a, const Trigger& b) {
+    return same_element(a.event, b.event) && same_expr(a.condition, b.condition);
 }
 
 bool same_limit(const Limit* a, const Limit* b) {
@@ -23,7 +23,7 @@ bool same_limit(const Limit* a, const Limit* b) {
 
 bool same_response(const ResponsePtr& a, const ResponsePtr& b);
 
-bool same(const Defeater& a, const Defeater& b) {
+bool same_element(const Defeater& a, const Defeater& b) {
     return same_expr(a.condition, b.condition) && same_response(a.response, b.response);
 }
 
@@ -34,24 +34,25 @@ bool same_list(const std::vector<Item>& a, const std::vector<Item>& b, const Sam
 
 bool same_response(const ResponsePtr& a, const ResponsePtr& b) {
     if (!a || !b) return a == b;
-    return a->negated == b->negated && a->eventually == b->eventually && same(a->event, b->event) &&
+    return a->negated == b->negated && a->eventually == b->eventually && same_element(a->event, b->event) &&
            same_limit(a->limit.get(), b->limit.get()) && same_response(a->otherwise, b->otherwise) &&
-           same_list(a->defeaters, b->defeaters, [](const Defeater& x, const Defeater& y) { return same(x, y); });
+           same_list(a->defeaters, b->defeaters,
+                     [](const Defeater& x, const Defeater& y) { return same_element(x, y); });
 }
 
-bool same(const Measure& a, const Measure& b) {
-    return same(a.name, b.name) && a.type == b.type &&
-           same_list(a.literals, b.literals, [](const Name& x, const Name& y) { return same(x, y); });
+bool same_element(const Measure& a, const Measure& b) {
+    return same_element(a.name, b.name) && a.type == b.type &&
+           same_list(a.literals, b.literals, [](const Name& x, const Name& y) { return same_element(x, y); });
 }
 
-bool same(const Rule& a, const Rule& b) {
-    return same(a.name, b.name) && a.form == b.form && a.assumed == b.assumed && same(a.trigger, b.trigger) &&
-           same_response(a.response, b.response);
+bool same_element(const Rule& a, const Rule& b) {
+    return same_element(a.name, b.name) && a.form == b.form && a.assumed == b.assumed &&
+           same_element(a.trigger, b.trigger) && same_response(a.response, b.response);
 }
 
-bool same(const Property& a, const Property& b) {
-    if (!a.during != !b.during || (a.during && !same(*a.during, *b.during))) return false;
-    return same(a.name, b.name) && a.exists == b.exists && same(a.trigger, b.trigger) &&
+bool same_element(const Property& a, const Property& b) {
+    if (!a.during != !b.during || (a.during && !same_element(*a.during, *b.during))) return false;
+    return same_element(a.name, b.name) && a.exists == b.exists && same_element(a.trigger, b.trigger) &&
            same_response(a.response, b.response);
 }
 
@@ -89,18 +90,19 @@ std::int64_t seconds_of(Unit unit) {
 
 bool same_file(const RuleFile& a, const RuleFile& b) {
     return a.dialect == b.dialect &&
-           same_list(a.events, b.events, [](const Event& x, const Event& y) { return same(x.name, y.name); }) &&
-           same_list(a.measures, b.measures, [](const Measure& x, const Measure& y) { return same(x, y); }) &&
+           same_list(a.events, b.events, [](const Event& x, const Event& y) { return same_element(x.name, y.name); }) &&
+           same_list(a.measures, b.measures, [](const Measure& x, const Measure& y) { return same_element(x, y); }) &&
            same_list(a.constants, b.constants,
                      [](const Constant& x, const Constant& y) {
-                         return same(x.name, y.name) && same_expr(x.value, y.value);
+                         return same_element(x.name, y.name) && same_expr(x.value, y.value);
                      }) &&
-           same_list(
-               a.mappings, b.mappings,
-               [](const Mapping& x, const Mapping& y) { return same(x.name, y.name) && same(x.element, y.element); }) &&
-           same_list(a.rules, b.rules, [](const Rule& x, const Rule& y) { return same(x, y); }) &&
-           same_list(a.concerns, b.concerns, [](const Property& x, const Property& y) { return same(x, y); }) &&
-           same_list(a.purposes, b.purposes, [](const Property& x, const Property& y) { return same(x, y); });
+           same_list(a.mappings, b.mappings,
+                     [](const Mapping& x, const Mapping& y) {
+                         return same_element(x.name, y.name) && same_element(x.element, y.element);
+                     }) &&
+           same_list(a.rules, b.rules, [](const Rule& x, const Rule& y) { return same_element(x, y); }) &&
+           same_list(a.concerns, b.concerns, [](const Property& x, const Property& y) { return same_element(x, y); }) &&
+           same_list(a.purposes, b.purposes, [](const Property& x, const Property& y) { return same_element(x, y); });
 }
 
 }  // namespace robochart::sleec

@@ -32,7 +32,7 @@ Report differing() {
 
 TEST(ApiDifference, ADifferenceIsReportedSideBySide) {
     const Report report = differing();
-    EXPECT_EQ(report.exit(), Exit::failed);
+    EXPECT_EQ(report.exit_code(), Exit::failed);
     const std::string text = render_text(report, {});
     EXPECT_THAT(text, HasSubstr("DIFFERS"));
     EXPECT_THAT(text, HasSubstr("events dispatched one at a time: 1,234 compared with a cycle\n"));

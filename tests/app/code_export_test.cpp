@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <fstream>
@@ -14,7 +15,7 @@
 namespace robochart::app {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -47,11 +48,11 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
         const std::string path = temporary("code.csp");
         const auto ran = run({"conform", repository(study), "--export", path});
         ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
-        EXPECT_THAT(contents(path), HasSubstr("assert NF__ [FD= Code__"));
+        EXPECT_THAT(read_contents(path), HasSubstr("assert NF__ [FD= Code__"));
         const auto decided = run({"cspm", path});
         EXPECT_EQ(decided.exit, 0) << decided.out << decided.err;
         // The same code without one write does not refine the model, and the script detects this.
-        std::string broken = contents(path);
+        std::string broken = read_contents(path);
         const std::size_t code = broken.find("Code__0 =");
         const std::size_t write = broken.find("registerWrite.", code);
         ASSERT_NE(write, std::string::npos);
@@ -67,7 +68,7 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
 TEST(CodeExport, AldebaranHasEveryTransition) {
     const std::string path = temporary("code.aut");
     ASSERT_EQ(run({"conform", repository("corpus/aggregation"), "--export", path}).exit, 0);
-    const std::string text = contents(path);
+    const std::string text = read_contents(path);
     EXPECT_THAT(text, StartsWith("des (0,"));
     EXPECT_THAT(text, HasSubstr("registerRead.present__seeRobot"));
     EXPECT_THAT(text, HasSubstr("registerWrite.wrote__set_linearSpeed.-1088"));

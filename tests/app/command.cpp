@@ -18,7 +18,7 @@ namespace robochart::app::testing {
 namespace fs = std::filesystem;
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 std::string fresh_folder() {
     std::string pattern = (fs::temp_directory_path() / "robochart-test-XXXXXX").string();
@@ -70,8 +70,8 @@ Ran run_child(const Become& become, const std::string& input, const std::functio
     waitpid(child, &status, 0);
     Ran ran;
     ran.exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ran.out = contents(folder + "/stdout.txt");
-    ran.err = without_sanitizer_note(contents(folder + "/stderr.txt"));
+    ran.out = read_contents(folder + "/stdout.txt");
+    ran.err = without_sanitizer_note(read_contents(folder + "/stderr.txt"));
     std::error_code ignored;  // processes that a command left running may still write there
     fs::remove_all(folder, ignored);
     return ran;

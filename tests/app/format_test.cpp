@@ -17,7 +17,7 @@
 namespace robochart::app::testing {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
@@ -34,7 +34,7 @@ TEST(FormatVerb, WritesInPlaceWhatChanges) {
     EXPECT_EQ(ran.exit, 0) << ran.err;
     EXPECT_EQ(ran.out, file.path() + "\n");
     EXPECT_EQ(ran.err, "1 of 1 file changed\n");
-    EXPECT_EQ(contents(file.path()), tidy);
+    EXPECT_EQ(read_contents(file.path()), tidy);
     const Ran again = run({"format", file.path()});
     EXPECT_EQ(again.out, "");
     EXPECT_EQ(again.err, "1 file in the standard layout\n");
@@ -47,7 +47,7 @@ TEST(FormatVerb, KeepsPermissionsAndLinksAndLeavesNoOtherFile) {
     fs::create_symlink("model.rct", folder / "link.rct");
     EXPECT_EQ(run({"format", "-q", (folder / "link.rct").string()}).exit, 0);
     EXPECT_TRUE(fs::is_symlink(folder / "link.rct"));
-    EXPECT_EQ(contents(file.path()), tidy);
+    EXPECT_EQ(read_contents(file.path()), tidy);
     struct stat status {};
     ASSERT_EQ(stat(file.path().c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 07777U, 0640U);
@@ -69,7 +69,7 @@ TEST(FormatVerb, CheckListsAndWritesNothing) {
     EXPECT_EQ(ran.exit, 1);
     EXPECT_EQ(ran.out, file.path() + "\n");
     EXPECT_EQ(ran.err, "1 of 2 files would change\n");
-    EXPECT_EQ(contents(file.path()), untidy);
+    EXPECT_EQ(read_contents(file.path()), untidy);
     EXPECT_EQ(run({"format", "--check", good.path()}).exit, 0);
 }
 
@@ -79,7 +79,7 @@ TEST(FormatVerb, DiffShowsAndWritesNothing) {
     EXPECT_EQ(ran.exit, 0);
     EXPECT_EQ(ran.out,
               "--- " + file.path() + "\n+++ " + file.path() + "\n@@ -1,2 +1,2 @@\n-type  A\n+type A\n type B\n");
-    EXPECT_EQ(contents(file.path()), "type  A\ntype B\n");
+    EXPECT_EQ(read_contents(file.path()), "type  A\ntype B\n");
     EXPECT_EQ(run({"format", "--diff", "--check", file.path()}).exit, 1);
 }
 
@@ -94,9 +94,9 @@ TEST(FormatVerb, ReadsFolders) {
     const Ran ran = run({"format", folder.string(), file.path()});
     EXPECT_EQ(ran.exit, 0);
     EXPECT_EQ(ran.err, "2 of 2 files changed\n");
-    EXPECT_EQ(contents(folder / "below" / "claims.assertions"), "assertion A : S terminates\n");
-    EXPECT_EQ(contents(folder / "below" / "notes.txt"), "type  A");
-    EXPECT_EQ(contents(folder / ".hidden" / "old.rct"), "type  A");
+    EXPECT_EQ(read_contents(folder / "below" / "claims.assertions"), "assertion A : S terminates\n");
+    EXPECT_EQ(read_contents(folder / "below" / "notes.txt"), "type  A");
+    EXPECT_EQ(read_contents(folder / ".hidden" / "old.rct"), "type  A");
 }
 
 TEST(FormatVerb, FiltersStandardInput) {
@@ -117,8 +117,8 @@ TEST(FormatVerb, LeavesTextsWithMistakesAlone) {
     const Ran ran = run({"format", bad.path(), good.path()});
     EXPECT_EQ(ran.exit, 2);
     EXPECT_THAT(ran.err, HasSubstr("RC-P01"));
-    EXPECT_EQ(contents(bad.path()), "stm  S { state }");
-    EXPECT_EQ(contents(good.path()), tidy);
+    EXPECT_EQ(read_contents(bad.path()), "stm  S { state }");
+    EXPECT_EQ(read_contents(good.path()), tidy);
 }
 
 TEST(FormatVerb, SaysWhatCannotBeReadOrWritten) {
@@ -136,7 +136,7 @@ TEST(FormatVerb, SaysWhatCannotBeReadOrWritten) {
     const Ran refused = run({"format", kept.path()});
     EXPECT_EQ(refused.exit, 2);
     EXPECT_THAT(refused.err, HasSubstr("RC-A03"));
-    EXPECT_EQ(contents(kept.path()), untidy);
+    EXPECT_EQ(read_contents(kept.path()), untidy);
 }
 
 TEST(FormatVerb, TheModelsOfTheRepositoryAreInTheStyle) {

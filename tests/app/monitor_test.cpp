@@ -44,9 +44,9 @@ public:
         EXPECT_NE(controller, nullptr) << error;
         simulation::RunOptions wanted;
         wanted.record = false;
-        wanted.trace = monitors_->beside({});
+        wanted.trace = monitors_->make_observer({});
         diagnostics::Diagnostics found;
-        return simulation::run(simulation_->plan, controller->drive(), wanted, found).trials.at(0).stop;
+        return simulation::run_trials(simulation_->plan, controller->drive(), wanted, found).trials.at(0).stop;
     }
 
 private:

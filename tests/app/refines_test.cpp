@@ -2,6 +2,7 @@
 // The verb `cspm` as users of FDR's `refines` see it: its JSON, its plain text, limits, progress, exports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <csignal>
 #include <filesystem>
@@ -647,7 +648,7 @@ TEST(Progress, LogsHaveALineNowAndThen) {
         for (int second = 0; second <= 70; ++second) {
             progress.phase = phase;
             progress.seconds = second;
-            const auto line = log.line(progress);
+            const auto line = log.next_line(progress);
             if (!line) continue;
             said.push_back(second);
             EXPECT_THAT(*line, HasSubstr("A [timed] S\\nx: "));

@@ -111,7 +111,7 @@ std::string Replay::claimed(const std::string& component) const {
     if (!component.starts_with("OFW_") && !component.starts_with("CLW_")) return component;
     const std::string& title = obligation_.component;
     return obligation_.property == ir::no_id ? title.substr(title.rfind(' ') + 1)
-                                             : ir::qualified(system_.properties[obligation_.property].subject);
+                                             : ir::qualified_name(system_.properties[obligation_.property].subject);
 }
 
 Replay::States Replay::perform(const States& from, const Raw& event) {
@@ -127,7 +127,7 @@ Replay::States Replay::perform(const States& from, const Raw& event) {
 
 /// The calls in a description; first definitions are expanded.
 std::vector<std::string> Replay::calls_of(TermId term) {
-    return apart(process::describe(session_.terms(), session_.terms().unfolded(term, 20)), "‖");
+    return apart(process::describe(session_.terms(), session_.terms().unfold_calls(term, 20)), "‖");
 }
 
 /// The machine has not moved: the description shows an enclosing process, or a call in front of its first definition.
@@ -395,7 +395,7 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
     Run whole(options);
     whole.finish();  // a run that passes its limit must not end the test process
     options.run = &whole;
-    const auto project = load(options);
+    const auto project = load_project(options);
     if (!project->diagnostics.ok()) return;
     Report report;
     check_assertions(*project, options, report);

@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"FolderForAScenario", "simulate patrols", 2, "it has patrol.scenario"},
         Row{"FolderForRules", "rules patrols", 2, "it has duties.sleec"},
         Row{"FolderCalledAlmostLikeAVerb", "checks", 0, "checks hold"}, Row{"NoModel", "check", 4, "MODEL is required"},
-        Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "none of aut, dot, csp"},
+        Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "is not one of aut, dot, csp"},
         Row{"AssertionOutOfRange", "cspm --assertion 7 s.csp", 4, "s.csp has 1 assertion"},
         Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "s.csp has 1 assertion"},
         // Inputs without checks.

@@ -14,7 +14,7 @@
 namespace robochart::app {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -29,7 +29,7 @@ public:
 
 private:
     static std::string text(const std::string& what, const std::string& with) {
-        std::string all = contents(repository("corpus/aggregation/aggregation.scenario"));
+        std::string all = read_contents(repository("corpus/aggregation/aggregation.scenario"));
         const std::size_t at = all.find(what);
         EXPECT_NE(at, std::string::npos) << what;
         all.replace(at, what.size(), with);
@@ -47,7 +47,7 @@ TEST(Simulate, AggregationHoldsAndLeavesFiles) {
     EXPECT_THAT(ran.out, HasSubstr("holds    each first(c15 >= 100 %) <= 120 s"));
     for (const char* name : {"snapshots.svg", "trajectories.svg", "animation.svg", "trial-01.csv", "trial-10.csv"})
         EXPECT_TRUE(fs::exists(fs::path(out) / "simulation/Aggregation" / name)) << name;
-    EXPECT_THAT(contents(out + "/simulation/Aggregation/trial-01.csv"),
+    EXPECT_THAT(read_contents(out + "/simulation/Aggregation/trial-01.csv"),
                 ::testing::StartsWith("t,id,x,y,theta,state\n0.000,0,"));
     std::error_code ignored;
     fs::remove_all(out, ignored);

@@ -14,7 +14,7 @@
 namespace robochart::app {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -44,7 +44,7 @@ public:
     std::string drive(const std::string& lines, const std::string& options = "") {
         std::ofstream(project_ + "/lines") << lines;
         shell("./console --log run.trace " + options + " < lines > printed");
-        return contents(project_ + "/printed");
+        return read_contents(project_ + "/printed");
     }
     /// Runs another program with the same controller, which writes run.trace.
     void run_program(const std::string& source) {
@@ -53,7 +53,7 @@ public:
             "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
             "own.cpp controller/*.cpp -o own && ./own");
     }
-    [[nodiscard]] std::string log() const { return contents(project_ + "/run.trace"); }
+    [[nodiscard]] std::string log() const { return read_contents(project_ + "/run.trace"); }
     [[nodiscard]] testing::Ran check(const std::vector<std::string>& more = {}) const {
         std::vector<std::string> words{"conform", model_, "--traces", project_ + "/run.trace"};
         words.insert(words.end(), more.begin(), more.end());
@@ -250,7 +250,7 @@ TEST(TraceHook, WithoutTheHookALogIsRefused) {
             ("cd '" + folder + "' && c++ -std=c++17 -O0 -I controller main.cpp controller/*.cpp -o console").c_str()),
         0);
     EXPECT_NE(std::system(("cd '" + folder + "' && ./console --log run.trace < /dev/null 2> reported").c_str()), 0);
-    EXPECT_THAT(contents(folder + "/reported"), HasSubstr("-DROBOCHART_TRACE=ON"));
+    EXPECT_THAT(read_contents(folder + "/reported"), HasSubstr("-DROBOCHART_TRACE=ON"));
     EXPECT_FALSE(fs::exists(folder + "/run.trace"));
 }
 

@@ -15,7 +15,7 @@
 namespace robochart::app {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 using testing::Folder;
@@ -25,7 +25,7 @@ using testing::run;
 
 /// Copies a case study with one replacement next to its scenario.
 void change(const Folder& folder, const std::string& study, const std::string& what, const std::string& with) {
-    std::string model = contents(repository("corpus/" + study + "/" + study + ".rct"));
+    std::string model = read_contents(repository("corpus/" + study + "/" + study + ".rct"));
     const std::size_t at = model.find(what);
     ASSERT_NE(at, std::string::npos) << what;
     model.replace(at, what.size(), with);
@@ -103,7 +103,7 @@ TEST(TestSuites, WriteStringsAsLogsHaveThem) {
     const auto emitted = run({"emit", "tests", model.path(), "--out", folder / "out"});
     EXPECT_EQ(emitted.exit, 0) << emitted.err;
     const auto checked = run({"conform", model.path(), "--traces", folder / "out/tests"});
-    EXPECT_EQ(checked.exit, 0) << checked.out << checked.err << contents(folder / "out/tests/S/S.trace");
+    EXPECT_EQ(checked.exit, 0) << checked.out << checked.err << read_contents(folder / "out/tests/S/S.trace");
 }
 
 /// A model that leaves a choice. The generated GoogleTest is linked with an implementation that takes the second
@@ -143,11 +143,11 @@ std::unique_ptr<Implementation> make_implementation() { return std::make_unique<
             "\"' M_adaptive_test.cpp mine.cpp -lgtest -lgtest_main -pthread -o tested && ./tested > reported 2>&1";
         return std::system(build.c_str());
     };
-    EXPECT_EQ(tested("right!"), 0) << contents(tests + "/reported");
-    EXPECT_THAT(contents(tests + "/reported"), HasSubstr("it does what the model allows unless it has more than"));
+    EXPECT_EQ(tested("right!"), 0) << read_contents(tests + "/reported");
+    EXPECT_THAT(read_contents(tests + "/reported"), HasSubstr("it does what the model allows unless it has more than"));
     EXPECT_NE(tested("up!"), 0);
-    EXPECT_THAT(contents(tests + "/reported"), HasSubstr("it did up!; the model allows one of\n"));
-    EXPECT_THAT(contents(tests + "/reported"), HasSubstr("\n    left!\n"));
+    EXPECT_THAT(read_contents(tests + "/reported"), HasSubstr("it did up!; the model allows one of\n"));
+    EXPECT_THAT(read_contents(tests + "/reported"), HasSubstr("\n    left!\n"));
 }
 
 /// Two machines that send each other a token indefinitely, with an output each time, without time passing.

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tune/certificate.hpp"
-#include "command.hpp"
 #include "base/diagnostics/files.hpp"
+#include "command.hpp"
 #include "tests/contents.hpp"
 
 namespace robochart::app {
@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::run;
 using testing::run_shell;
-using tests::contents;
+using tests::read_contents;
 
 /// A robot that drives along a curve, or spins. The way from (0, 0) to within 30 cm of a lamp at (100 cm, 0) is 70 cm
 /// straight ahead, so the best constants are no curve, no spinning, and the highest speed. Speeds above 8 reach the
@@ -105,7 +105,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_THAT(again.out, HasSubstr("  ranges: none\n  search: as recorded, not repeated\n"));
 
     // The certificate is altered without and with a new digest; then the model is altered.
-    const std::string text = contents(file);
+    const std::string text = read_contents(file);
     std::string error;
     std::string changed = text;
     changed.replace(changed.find("holds"), 5, "fails");
@@ -277,7 +277,7 @@ TEST(Certificates, AreReadStrictly) {
     const auto read = read_certificate(text, error);
     ASSERT_TRUE(read) << error;
     EXPECT_EQ(certificate_text(*read), text);
-    EXPECT_TRUE(differences(written.evidence, read->evidence).empty());
+    EXPECT_TRUE(evidence_differences(written.evidence, read->evidence).empty());
 
     const auto refused = [&](const std::string& changed) {
         std::string why;
@@ -311,13 +311,13 @@ TEST(Certificates, EachDifferenceIsNamed) {
     one.assertions = {{"A1", "holds"}, {"A2", "holds"}};
     one.claims = {{"P", "holds", 16, 16, 0.5, 1}};
     Evidence other = one;
-    EXPECT_TRUE(differences(one, other).empty());
+    EXPECT_TRUE(evidence_differences(one, other).empty());
     other.model = {{"a.rct", "3"}, {"c.rct", "2"}};
     other.assertions = {{"A1", "fails"}, {"A3", "holds"}};
     other.conformance = {{"S", "conforms"}};
     other.seed = 5;
     other.claims[0].low = 0.4;
-    EXPECT_EQ(differences(one, other).size(), 10U)
+    EXPECT_EQ(evidence_differences(one, other).size(), 10U)
         << "a and b changed or gone, c new; A1, A2, A3; S, a count; seed, claim";
 }
 

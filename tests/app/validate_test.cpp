@@ -10,7 +10,7 @@
 namespace robochart::app {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 using testing::run;
 using testing::TemporaryFile;
@@ -53,12 +53,12 @@ TEST(Validate, FixAppliesWhatIsCertainAndReportsTheRest) {
     // The second round reports errors that the syntax errors hid.
     ran = run({"validate", "--fix", file.path()});
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_EQ(contents(file.path()),
+    EXPECT_EQ(read_contents(file.path()),
               "stm S {\n  var counter : nat, b : boolean\n  initial i\n  state s { entry counter = 1 }\n"
               "  transition t { from i to s }\n  transition u { from s to s condition counter == 1 /\\ true }\n}\n");
-    const std::string before = contents(file.path());
+    const std::string before = read_contents(file.path());
     EXPECT_EQ(run({"validate", "--fix", file.path()}).exit, 0);
-    EXPECT_EQ(contents(file.path()), before);
+    EXPECT_EQ(read_contents(file.path()), before);
 }
 
 /// Notations of UML and C. Each run fixes the errors that it understands, so the next run finds more.
@@ -79,7 +79,7 @@ TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
         "  transition t3 { from Open to Closed when C > 20 }\n"
         "}\n");
     for (int pass = 0; pass < 4; ++pass) (void)run({"validate", "--fix", file.path()});
-    EXPECT_EQ(contents(file.path()),
+    EXPECT_EQ(read_contents(file.path()),
               "stm Door {\n"
               "  event open event close\n"
               "  clock C\n"
@@ -102,7 +102,7 @@ TEST(Validate, FixWritesOnlyWhatReadsBetter) {
     const testing::Folder folder({{"m.rct", good}, {"c.assertions", "prob property P1 : P=? [ F S is in S::s ]\n"}});
     const auto ran = run({"validate", "--fix", folder.path()});
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_EQ(contents(folder / "c.assertions"), "prob property P1 : Prob=? of [ Finally S is in S::s ]\n");
+    EXPECT_EQ(read_contents(folder / "c.assertions"), "prob property P1 : Prob=? of [ Finally S is in S::s ]\n");
 }
 
 // Blocks for an older generator: names of events, processes, calls and their returns, and of a type's values. What is
@@ -128,7 +128,7 @@ TEST(Validate, FixWritesTodaysNamesOfRoboTool) {
     EXPECT_EQ(before.exit, 2);
     const auto fixed = run({"validate", "--fix", folder.path()});
     EXPECT_EQ(fixed.exit, 0) << fixed.out << fixed.err;
-    const std::string text = contents(folder / "c.assertions");
+    const std::string text = read_contents(folder / "c.assertions");
     EXPECT_NE(text.find("nametype core_nat = {0..1}"), std::string::npos) << text;
     EXPECT_NE(text.find("Cars = Yard::Barrier::turnCall!1 -> Yard::Barrier::car.in -> Yard::Barrier::gone.out!1 -> "
                         "Cars"),

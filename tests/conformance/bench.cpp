@@ -21,7 +21,7 @@ Model::Model(const std::string& folder, const ir::InstantiationOptions& options)
     const std::string path = folder.front() == '/' ? folder : tests::source_folder().string() + "/" + folder;
     const auto model = frontend::load_project(sources, path, diagnostics);
     if (diagnostics.ok()) system = ir::lower(*model, sources, diagnostics);
-    if (diagnostics.ok()) instantiation = ir::instantiate(system, options, diagnostics);
+    if (diagnostics.ok()) instantiation = ir::instantiate_system(system, options, diagnostics);
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
 }
 
@@ -50,17 +50,17 @@ TemporaryFolder changed_copy(const std::string& file, const std::string& from, c
     return TemporaryFolder(text);
 }
 
-ir::ComponentRef Model::module() const {
+ir::ComponentRef Model::first_module() const {
     const ir::Module& module = system.modules.at(0);
     return {ir::ComponentKind::module, module.name, module.package, 0};
 }
 
-ir::ComponentRef Model::controller() const {
+ir::ComponentRef Model::first_controller() const {
     const ir::Controller& controller = system.controllers.at(0);
     return {ir::ComponentKind::controller, controller.name, controller.package, 0};
 }
 
-ir::ComponentRef Model::machine(const std::string& name) const {
+ir::ComponentRef Model::machine_named(const std::string& name) const {
     for (std::uint32_t m = 0; m < system.machines.size(); ++m) {
         if (system.machines[m].name == name) return {ir::ComponentKind::machine, name, system.machines[m].package, m};
     }
@@ -84,41 +84,41 @@ cpp_emit::Emission Bench::emit(cpp_emit::Fault fault, std::uint32_t site) {
     return cpp_emit::emit(model_.system, model_.instantiation, component_, options, model_.diagnostics);
 }
 
-std::uint32_t Bench::sites(cpp_emit::Fault fault) {
+std::uint32_t Bench::site_count(cpp_emit::Fault fault) {
     return emit(fault, 0).fault_sites;
 }
 
 Interface Bench::interface() {
     std::string error;
-    const auto object = build(emit(cpp_emit::Fault::none, 0), error);
+    const auto object = compile_quietly(emit(cpp_emit::Fault::none, 0), error);
     EXPECT_TRUE(object) << error;
     if (!object) return {};
     Interface interface = interface_of(object->interface());
-    complete(interface, model_.system, model_.instantiation, component_, script_.provenance);
+    complete_interface(interface, model_.system, model_.instantiation, component_, script_.provenance);
     return interface;
 }
 
-Result Bench::schedulability() {
+Result Bench::judge_schedulability() {
     const Alphabet alphabet(interface(), session_->event_table());
     ModelGraph graph(*system_, alphabet);
-    return schedulable(graph, alphabet, 1, {});
+    return check_schedulability(graph, alphabet, 1, {});
 }
 
-std::unique_ptr<SharedObject> Bench::compiled(cpp_emit::Fault fault, std::uint32_t site) {
+std::unique_ptr<SharedObject> Bench::compile_fault(cpp_emit::Fault fault, std::uint32_t site) {
     std::string error;
-    auto object = build(emit(fault, site), error);
+    auto object = compile_quietly(emit(fault, site), error);
     EXPECT_TRUE(object) << error;
     return object;
 }
 
-Result Bench::check(cpp_emit::Fault fault, std::uint32_t site) {
-    const auto object = compiled(fault, site);
-    return object ? check(object->interface()) : Result{};
+Result Bench::check_code(cpp_emit::Fault fault, std::uint32_t site) {
+    const auto object = compile_fault(fault, site);
+    return object ? check_code(object->interface()) : Result{};
 }
 
-Result Bench::check(const rc_interface& code, Relation relation) {
+Result Bench::check_code(const rc_interface& code, Relation relation) {
     Interface interface = interface_of(code);
-    complete(interface, model_.system, model_.instantiation, component_, script_.provenance);
+    complete_interface(interface, model_.system, model_.instantiation, component_, script_.provenance);
     const Alphabet alphabet(interface, session_->event_table());
     ModelGraph graph(*system_, alphabet);
     return refined_by(graph, alphabet, code, 1, {}, relation);

@@ -43,9 +43,9 @@ struct Model {
     ir::System system;
     ir::Instantiation instantiation;
 
-    [[nodiscard]] ir::ComponentRef module() const;      ///< the first module
-    [[nodiscard]] ir::ComponentRef controller() const;  ///< the first controller
-    [[nodiscard]] ir::ComponentRef machine(const std::string& name) const;
+    [[nodiscard]] ir::ComponentRef first_module() const;      ///< the first module
+    [[nodiscard]] ir::ComponentRef first_controller() const;  ///< the first controller
+    [[nodiscard]] ir::ComponentRef machine_named(const std::string& name) const;
 };
 
 /// A copy of a file of the corpus with every `from` replaced by `to`.
@@ -56,13 +56,13 @@ public:
     Bench(Model& model, ir::ComponentRef component);
 
     /// Generates, compiles and checks one controller; does not repeat the check of schedulability.
-    [[nodiscard]] Result check(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
-    [[nodiscard]] std::unique_ptr<SharedObject> compiled(cpp_emit::Fault fault, std::uint32_t site);
+    [[nodiscard]] Result check_code(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
+    [[nodiscard]] std::unique_ptr<SharedObject> compile_fault(cpp_emit::Fault fault, std::uint32_t site);
     /// Checks a controller that was compiled elsewhere.
-    [[nodiscard]] Result check(const rc_interface& code, Relation relation = Relation::failures_divergences);
+    [[nodiscard]] Result check_code(const rc_interface& code, Relation relation = Relation::failures_divergences);
     /// Checks schedulability for the interface of the generated code.
-    [[nodiscard]] Result schedulability();
-    [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault);
+    [[nodiscard]] Result judge_schedulability();
+    [[nodiscard]] std::uint32_t site_count(cpp_emit::Fault fault);
     /// Makes the generated code ask its platform at each choice of the model. The checks then explore every answer.
     void explore_choices() { choices_ = true; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }

@@ -9,7 +9,7 @@ namespace robochart::conformance::test {
 
 namespace {
 
-process::Event number(const std::string& event, process::EventTable& events) {
+process::Event event_number(const std::string& event, process::EventTable& events) {
     if (event == "tau") return process::tau;
     if (event == "tick") return process::tick;
     return events.intern(event);
@@ -25,7 +25,7 @@ std::string text_of(const std::string& path) {
 }  // namespace
 
 GraphSystem::GraphSystem(std::vector<Edge> edges, process::EventTable& events) : events_(&events) {
-    for (const Edge& edge : edges) edges_.push_back({edge.from, number(edge.event, events), edge.to});
+    for (const Edge& edge : edges) edges_.push_back({edge.from, event_number(edge.event, events), edge.to});
 }
 
 void GraphSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
@@ -77,7 +77,7 @@ std::unique_ptr<SharedObject> hand_made(const std::string& name, int fault, std:
     return SharedObject::build(files, {name + ".cpp"}, options, error);
 }
 
-std::unique_ptr<SharedObject> build(const cpp_emit::Emission& code, std::string& error) {
+std::unique_ptr<SharedObject> compile_quietly(const cpp_emit::Emission& code, std::string& error) {
     std::vector<std::string> sources = code.sources;
     sources.push_back(code.shim);
     BuildOptions options;

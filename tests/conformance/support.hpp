@@ -47,6 +47,6 @@ private:
 [[nodiscard]] std::unique_ptr<SharedObject> hand_made(const std::string& name, int fault, std::string& error);
 
 /// Compiles generated code as `conform` does, but without warnings, because a seeded fault may make variables unused.
-[[nodiscard]] std::unique_ptr<SharedObject> build(const cpp_emit::Emission& code, std::string& error);
+[[nodiscard]] std::unique_ptr<SharedObject> compile_quietly(const cpp_emit::Emission& code, std::string& error);
 
 }  // namespace robochart::conformance::test

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/syntax/reader.hpp"
 #include "base/diagnostics/splitmix64.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/counterexample/animation.hpp"
 #include "tests/source_folder.hpp"
 
@@ -23,7 +23,7 @@ struct ScriptSpace {
 
     Exploration explore(const ExplorationLimits& limits = {}) {
         const cspm::ExprPtr process = session.assertions().front()->assertion.specification;
-        return runs::explore(reader, session.process(process), limits, budget);
+        return runs::explore_process(reader, session.process(process), limits, budget);
     }
 
     diagnostics::SourceManager sources;
@@ -125,13 +125,13 @@ TEST(Exploration, SaysWhoKeepsAnEventFromHappening) {
 // In On the machine accepts f once the clock allows it. The clock saturates above the largest number with which it is
 // compared (semantics 3.10).
 TEST(Exploration, HasMachinesWithTheirActiveStatesAndAbsences) {
-    Animation animation(csp_emit::testing::model(R"(stm S { event e event f initial i clock T
+    Animation animation(csp_emit::testing::load_model(R"(stm S { event e event f initial i clock T
 state Off { } state On { }
 transition t0 { from i to Off #T } transition t1 { from Off to On trigger e #T }
 transition t2 { from On to Off trigger f condition since(T) >= 2 } })"),
                         Time::timed, "S");
     diagnostics::Budget budget;
-    const Exploration space = explore(animation.reader, animation.stepper->here(), {}, budget);
+    const Exploration space = explore_process(animation.reader, animation.stepper->current_term(), {}, budget);
     ASSERT_EQ(space.states.front().machines.size(), 1U) << "behind the definitions of the composition";
     std::vector<std::string> on;
     for (const Exploration::State& state : space.states) {
@@ -162,13 +162,14 @@ TEST(Exploration, OffersWhatTheStepperOffersOnWalksByChance) {
                             "");
         diagnostics::Budget budget;
         Stepper& stepper = *animation.stepper;
-        const Exploration space = explore(animation.reader, stepper.here(), {}, budget);
+        const Exploration space = explore_process(animation.reader, stepper.current_term(), {}, budget);
         RecordProperty(time == Time::timed ? "timed" : "untimed", static_cast<int>(space.states.size()));
         std::size_t here = 0;
         std::uint64_t chance = 1;
         for (int i = 0; i < 2000; ++i) {
             std::vector<std::string> offered, embedded;
-            for (const Offer& each : stepper.offers()) offered.push_back(seen(each.happening, each.name, each.hidden));
+            for (const Offer& each : stepper.current_offers())
+                offered.push_back(seen(each.happening, each.name, each.hidden));
             for (const auto& each : space.states.at(here).offers) {
                 const Exploration::Label& label = space.labels.at(each.label);
                 embedded.push_back(seen(label.happening, label.name, label.hidden));
@@ -180,7 +181,7 @@ TEST(Exploration, OffersWhatTheStepperOffersOnWalksByChance) {
                 here = 0;
                 continue;
             }
-            stepper.take(chosen);
+            stepper.take_offer(chosen);
             here = *space.states[here].offers[chosen].target;
         }
     }

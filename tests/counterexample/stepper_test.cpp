@@ -11,9 +11,9 @@
 #include <set>
 
 #include "base/diagnostics/splitmix64.hpp"
+#include "tests/counterexample/animation.hpp"
 #include "tests/random_models/models/well_formed.hpp"
 #include "tests/rounds.hpp"
-#include "tests/counterexample/animation.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::runs {
@@ -98,7 +98,7 @@ struct Offered {
 std::size_t walk(Animation& animation, std::size_t steps, std::uint64_t seed) {
     const auto system = animation.session.system(animation.process);
     Shadow shadow(*system);
-    const process::TermId initial = animation.stepper->here();
+    const process::TermId initial = animation.stepper->current_term();
     process::TermId here = initial;
     std::map<process::TermId, Offered> known;
     for (std::size_t i = 0; i < steps; ++i) {
@@ -150,7 +150,7 @@ transition t2 { from On to Off trigger f condition since(T) >= 3 } })";
 
 /// The index of the offer with this text.
 std::size_t offer(Stepper& stepper, const std::string& text) {
-    const auto& offers = stepper.offers();
+    const auto& offers = stepper.current_offers();
     for (std::size_t i = 0; i < offers.size(); ++i)
         if (offers[i].happening.event.text.find(text) != std::string::npos) return i;
     ADD_FAILURE() << "no offer " << text;
@@ -158,56 +158,57 @@ std::size_t offer(Stepper& stepper, const std::string& text) {
 }
 
 TEST(Stepper, GoesAndComesBack) {
-    Animation animation(csp_emit::testing::model(lamp), Time::timed, "S");
+    Animation animation(csp_emit::testing::load_model(lamp), Time::timed, "S");
     Stepper& stepper = *animation.stepper;
-    stepper.settle(100);
-    const process::TermId rest = stepper.here();
-    const std::size_t steps = stepper.way().size();
-    ASSERT_EQ(stepper.machines().size(), 1U);
-    EXPECT_EQ(stepper.machines().front().text, "in Off");
-    EXPECT_EQ(stepper.offers().back().happening.event.kind, Kind::tock) << "time comes last";
-    stepper.take(offer(stepper, "input e with 2"));
-    EXPECT_NE(stepper.here(), rest);
+    stepper.take_forced_steps(100);
+    const process::TermId rest = stepper.current_term();
+    const std::size_t steps = stepper.steps_taken().size();
+    ASSERT_EQ(stepper.current_machines().size(), 1U);
+    EXPECT_EQ(stepper.current_machines().front().text, "in Off");
+    EXPECT_EQ(stepper.current_offers().back().happening.event.kind, Kind::tock) << "time comes last";
+    stepper.take_offer(offer(stepper, "input e with 2"));
+    EXPECT_NE(stepper.current_term(), rest);
     stepper.back_to(steps);
-    EXPECT_EQ(stepper.here(), rest);
-    EXPECT_EQ(stepper.way().size(), steps);
+    EXPECT_EQ(stepper.current_term(), rest);
+    EXPECT_EQ(stepper.steps_taken().size(), steps);
     stepper.back_to(0);
-    EXPECT_TRUE(stepper.way().empty());
-    EXPECT_EQ(stepper.time(), 0);
+    EXPECT_TRUE(stepper.steps_taken().empty());
+    EXPECT_EQ(stepper.elapsed_time(), 0);
 }
 
 TEST(Stepper, SaysWhyATransitionIsNotOnOffer) {
-    Animation animation(csp_emit::testing::model(lamp), Time::timed, "S");
+    Animation animation(csp_emit::testing::load_model(lamp), Time::timed, "S");
     Stepper& stepper = *animation.stepper;
-    stepper.settle(100);
-    EXPECT_TRUE(stepper.absences().empty());
-    stepper.take(offer(stepper, "input e with 2"));
-    stepper.settle(100);
-    ASSERT_EQ(stepper.absences().size(), 1U);
-    EXPECT_THAT(stepper.absences().front().reason,
+    stepper.take_forced_steps(100);
+    EXPECT_TRUE(stepper.explain_absences().empty());
+    stepper.take_offer(offer(stepper, "input e with 2"));
+    stepper.take_forced_steps(100);
+    ASSERT_EQ(stepper.explain_absences().size(), 1U);
+    EXPECT_THAT(stepper.explain_absences().front().reason,
                 ::testing::HasSubstr("the machine is not at rest: entry action of On"));
-    while (stepper.machines().front().text != "in On") {
-        stepper.take(stepper.offers().size() - 1);
-        stepper.settle(100);
+    while (stepper.current_machines().front().text != "in On") {
+        stepper.take_offer(stepper.current_offers().size() - 1);
+        stepper.take_forced_steps(100);
     }
-    EXPECT_EQ(stepper.time(), 2);
-    ASSERT_EQ(stepper.absences().size(), 1U);
-    EXPECT_EQ(stepper.absences().front().text, "t2: On -> Off");
-    EXPECT_EQ(stepper.absences().front().reason, "its condition `since(T) >= 3` does not hold (since(T) = 2)");
-    stepper.take(stepper.offers().size() - 1);
-    EXPECT_TRUE(stepper.absences().empty()) << "three units after the reset";
+    EXPECT_EQ(stepper.elapsed_time(), 2);
+    ASSERT_EQ(stepper.explain_absences().size(), 1U);
+    EXPECT_EQ(stepper.explain_absences().front().text, "t2: On -> Off");
+    EXPECT_EQ(stepper.explain_absences().front().reason, "its condition `since(T) >= 3` does not hold (since(T) = 2)");
+    stepper.take_offer(stepper.current_offers().size() - 1);
+    EXPECT_TRUE(stepper.explain_absences().empty()) << "three units after the reset";
 }
 
 // `Silent` could send, but the controller connects no receiver.
 TEST(Stepper, KnowsWhereTheSurroundingsDoNotTakePart) {
-    Animation animation(csp_emit::testing::model(R"(
+    Animation animation(csp_emit::testing::load_model(R"(
 stm A { event e initial i state S { } state T { } transition t0 { from i to S } transition t1 { from S to T trigger e } }
 stm B { event e initial i state S { entry wait(5); send e } transition t0 { from i to S } }
 controller C { sref a = A sref b = B connection b on e to a on e })"),
                         Time::timed, "C");
     Stepper& stepper = *animation.stepper;
-    for (int i = 0; i < 20 && (stepper.machines().empty() || stepper.time() < 1); ++i) stepper.take(0);
-    const auto absences = stepper.absences();
+    for (int i = 0; i < 20 && (stepper.current_machines().empty() || stepper.elapsed_time() < 1); ++i)
+        stepper.take_offer(0);
+    const auto absences = stepper.explain_absences();
     ASSERT_EQ(absences.size(), 1U);
     EXPECT_EQ(absences.front().text, "t1: S -> T");
     EXPECT_THAT(absences.front().reason, ::testing::HasSubstr("its surroundings do not take part"));
@@ -215,7 +216,7 @@ controller C { sref a = A sref b = B connection b on e to a on e })"),
 
 // After the first step one machine has moved, and the other is still inside its initial definition.
 TEST(Stepper, HasAllMachinesAtEveryStep) {
-    Animation animation(csp_emit::testing::model(R"(
+    Animation animation(csp_emit::testing::load_model(R"(
 stm A { initial i state S { } transition t0 { from i to S } }
 stm B { initial i state S { } transition t0 { from i to S } }
 controller C { sref a = A sref b = B })"),
@@ -223,19 +224,19 @@ controller C { sref a = A sref b = B })"),
     Stepper& stepper = *animation.stepper;
     for (int i = 0; i < 3; ++i) {
         std::vector<std::string> components;
-        for (const Machine& each : stepper.machines()) components.push_back(each.component);
+        for (const Machine& each : stepper.current_machines()) components.push_back(each.component);
         EXPECT_EQ(components, (std::vector<std::string>{"C::a", "C::b"})) << "step " << i;
-        stepper.take(0);
+        stepper.take_offer(0);
     }
 }
 
 TEST(Stepper, MakesARunOfTheWay) {
-    Animation animation(csp_emit::testing::model(lamp), Time::timed, "S");
+    Animation animation(csp_emit::testing::load_model(lamp), Time::timed, "S");
     Stepper& stepper = *animation.stepper;
-    stepper.settle(100);
-    stepper.take(offer(stepper, "input e with 1"));
-    stepper.settle(100);
-    stepper.take(offer(stepper, "time unit"));
+    stepper.take_forced_steps(100);
+    stepper.take_offer(offer(stepper, "input e with 1"));
+    stepper.take_forced_steps(100);
+    stepper.take_offer(offer(stepper, "time unit"));
     const runs::Run run = stepper.run(Time::timed);
     EXPECT_EQ(run.time, 1);
     ASSERT_GE(run.steps.size(), 3U);

@@ -36,7 +36,7 @@ TEST(Text, TimeIsSaidInTimedRunsOnly) {
     run.steps[0].event.place = Place{"s.rct", 3, 1, 3, 9};
     run.steps[0].time.reset();
     run.end.why = "it has been reached";
-    EXPECT_EQ(text(run, "  "),
+    EXPECT_EQ(text_of(run, "  "),
               "  t0: i -> A   s.rct:3\n"
               "  now in A\n"
               "  why it has been reached\n");
@@ -44,7 +44,7 @@ TEST(Text, TimeIsSaidInTimedRunsOnly) {
     run.steps.insert(run.steps.begin(), tock(4, {machine("S", "at initial node i")}, 0));
     run.steps[1].time = 4;
     run.time = 4;
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "t=4    t0: i -> A   s.rct:3\n"
               "now at t=4: in A\n"
               "why it has been reached\n");
@@ -56,7 +56,7 @@ TEST(Text, TimeThatPassesAtTheEndIsALineOfItsOwn) {
     run.time = 5;
     run.steps = {step(Kind::transition, "t0: i -> A", {machine("S", "in A")}, 3), tock(2, {machine("S", "in A")}, 3)};
     run.end.why = "w";
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "t=3    t0: i -> A\n"
               "t=3    2 time units pass\n"
               "now at t=5: in A\n"
@@ -70,7 +70,7 @@ TEST(Text, WhatIsAssignedWhenTimeHasPassedIsSaidAfterIt) {
     run.steps = {tock(2, {machine("S", "in A")}, 0)};
     run.steps[0].changes = {{"S", "x", std::nullopt, "2"}, {"S", "y", "0", "1"}};
     run.end.why = "w";
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "t=2    x = 2, y = 1\n"
               "now at t=2: in A\n"
               "why w\n");
@@ -83,14 +83,14 @@ TEST(Text, SeveralMachinesAreNamed) {
     run.steps[0].with = {{Kind::input, "input b", "P::M::c::two", "", "", {}, {}}};
     run.steps[0].changes = {{"P::M::c::two", "x", "0", "1"}};
     run.end.why = "w";
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "one   output a; two: input b   [x = 1]\n"
               "now one: in A; two: in B\n"
               "why w\n");
     // Two components with the same name are distinguished.
     run.initial[1].component = run.steps[0].machines[1].component = "P::M::d::one";
     run.steps[0].with[0].component = "P::M::d::one";
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "P::M::c::one   output a; P::M::d::one: input b   [x = 1]\n"
               "now P::M::c::one: in A; P::M::d::one: in B\n"
               "why w\n");
@@ -104,7 +104,7 @@ TEST(Text, ALoopIsSaidBehindTheStateInWhichItBegins) {
     run.steps = {tock(1, here, 0), tock(1, here, 1)};
     run.loop_start = 1;
     run.end.why = "w";
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "t=0    1 time unit passes\n"
               "now at t=1: in A\n"
               "then for ever:\n"
@@ -119,7 +119,7 @@ TEST(Text, StepsInsideWithoutNewsAreLeftOut) {
                  step(Kind::external_write, "others write x = 1", here), step(Kind::internal, "x = 1", here)};
     run.steps[3].changes = {{"S", "x", "0", "1"}};
     run.end.why = "w";
-    EXPECT_EQ(text(run, ""),
+    EXPECT_EQ(text_of(run, ""),
               "x = 1\n"
               "now in A\n"
               "why w\n");

@@ -31,7 +31,7 @@ std::vector<std::string> reported(const std::string& text) {
     const auto place = [&](const std::optional<process::TermId>& term) {
         return term ? process::describe(session.terms(), *term) : std::string("-");
     };
-    for (const Moment& moment : timeline(*behaviour, found.steps.size() + found.loop.size()).moments) {
+    for (const Moment& moment : timeline_of(*behaviour, found.steps.size() + found.loop.size()).moments) {
         std::string line = moment.shown ? "" : "inside: ";
         for (const Mover& mover : moment.movers)
             line += session.event_table().name(mover.event) + "/" + std::to_string(mover.leaf) + " ";

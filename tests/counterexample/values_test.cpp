@@ -72,8 +72,8 @@ TEST_F(Values, AnEventsValuesTakeTheDotsOfTheirTypes) {
 }
 
 TEST(Split, LeavesBracketsAndQuotesAlone) {
-    EXPECT_THAT(split("a,(b,c),<d,e>,\"f,)\"", ","), ElementsAre("a", "(b,c)", "<d,e>", "\"f,)\""));
-    EXPECT_THAT(split("A(1) ‖ B", "‖"), ElementsAre("A(1) ", " B"));
+    EXPECT_THAT(split_outside_brackets("a,(b,c),<d,e>,\"f,)\"", ","), ElementsAre("a", "(b,c)", "<d,e>", "\"f,)\""));
+    EXPECT_THAT(split_outside_brackets("A(1) ‖ B", "‖"), ElementsAre("A(1) ", " B"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace robochart::cpp_emit {
 namespace {
 
-using testing::component;
+using testing::component_named;
 using testing::Controller;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -19,7 +19,7 @@ using testing::Registers;
 class Machine : public ::testing::Test {
 protected:
     const ir::System system_ = ir::samples::aggregation();
-    Controller controller_{system_, component(system_, "AggregationFSM")};
+    Controller controller_{system_, component_named(system_, "AggregationFSM")};
 };
 
 TEST_F(Machine, ListsInputsAndOutputs) {
@@ -61,7 +61,7 @@ TEST_F(Machine, BothInputsInOneCycleGoThereAndBack) {
 class Module : public ::testing::Test {
 protected:
     const ir::System system_ = ir::samples::aggregation();
-    Controller controller_{system_, component(system_, "Aggregation")};
+    Controller controller_{system_, component_named(system_, "Aggregation")};
 };
 
 TEST_F(Module, OperationWritesTheSpeedsAndTakesACycle) {
@@ -94,7 +94,7 @@ TEST_F(Module, EqualStatesHaveEqualBytes) {
 }
 
 TEST_F(Module, ControllerAndModuleAgree) {
-    Controller inner(system_, component(system_, "AggregationController"));
+    Controller inner(system_, component_named(system_, "AggregationController"));
     const Registers robot = {{"seeRobot.in", ""}};
     for (const Registers& inputs : {Registers{}, robot, robot, Registers{{"seeWall.in", ""}}})
         EXPECT_EQ(inner.cycle(inputs), controller_.cycle(inputs));

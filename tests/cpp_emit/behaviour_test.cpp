@@ -11,7 +11,7 @@
 namespace robochart::cpp_emit {
 namespace {
 
-using testing::component;
+using testing::component_named;
 using testing::Controller;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -22,8 +22,8 @@ using testing::Registers;
 class Machine : public Controller {
 public:
     explicit Machine(const std::string& body, const std::string& around = "")
-        : Machine(testing::model("package p\n" + around + "stm M {\n" + body + "\n}\n"), "M") {}
-    Machine(const ir::System& system, const std::string& name) : Controller(system, component(system, name)) {}
+        : Machine(testing::load_model("package p\n" + around + "stm M {\n" + body + "\n}\n"), "M") {}
+    Machine(const ir::System& system, const std::string& name) : Controller(system, component_named(system, name)) {}
 };
 
 /// An operation of the platform: unlike an output, it may be called several times in a cycle.
@@ -293,11 +293,11 @@ TEST(Time, WaitsTakeWholeCycles) {
 
 TEST(Time, LongerCyclesAdvanceByTheirLength) {
     const ir::System system =
-        testing::model(std::string("package p stm M { event x clock T ") + start +
-                       "state A {} state B {} transition t1 { from A to B condition since(T) >= 3 action x } }");
+        testing::load_model(std::string("package p stm M { event x clock T ") + start +
+                            "state A {} state B {} transition t1 { from A to B condition since(T) >= 3 action x } }");
     Options options;
     options.cycle_length = 2;
-    Controller m(system, component(system, "M"), options);
+    Controller m(system, component_named(system, "M"), options);
     EXPECT_THAT(m.cycle(), IsEmpty());
     EXPECT_THAT(m.cycle(), IsEmpty());
     EXPECT_THAT(m.cycle(), ElementsAre("x.out"));  // 4 units after the start
@@ -419,14 +419,14 @@ operation op(a : nat) {
 })";
 
 TEST(Operations, StartAfreshAtEachCall) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         with_operation(counting, std::string(start) + "state A { entry op(1) } transition t1 { from A to A }"));
     Machine m(system, "C");
     for (int i = 0; i < 3; ++i) EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)"));
 }
 
 TEST(Operations, LeaveNoTraceInTheState) {
-    const ir::System system = testing::model(with_operation(
+    const ir::System system = testing::load_model(with_operation(
         counting, std::string(start) + "state A {} state B { entry op(1) } state D { entry op(2) }"
                                        "transition t1 { from A to B trigger e } transition t2 { from B to D trigger e }"
                                        "transition t3 { from D to A trigger e }"));
@@ -442,7 +442,8 @@ TEST(Operations, LeaveNoTraceInTheState) {
 }
 
 TEST(Operations, OutsideTheirPreconditionAreReported) {
-    const ir::System system = testing::model(with_operation(counting, std::string(start) + "state A { entry op(0) }"));
+    const ir::System system =
+        testing::load_model(with_operation(counting, std::string(start) + "state A { entry op(0) }"));
     Machine m(system, "C");
     m.cycle();
     EXPECT_EQ(m.result(), RC_PRECONDITION);
@@ -456,7 +457,7 @@ operation op(a : nat) {
     initial i state S {} final F
     transition t0 { from i to S } transition t1 { from S to F trigger b?v condition v == a }
 })";
-    const ir::System system = testing::model(with_operation(
+    const ir::System system = testing::load_model(with_operation(
         receiving,
         std::string(start) + "state A { entry op(2) ; x!1 } state B {} transition t1 { from A to B trigger e }"));
     Machine m(system, "C");
@@ -466,7 +467,7 @@ operation op(a : nat) {
 }
 
 TEST(Operations, InADuringActionAreCutWithIt) {
-    const ir::System system = testing::model(with_operation(
+    const ir::System system = testing::load_model(with_operation(
         counting,
         std::string(start) + "state A { during op(1) ; x!2 } state B {} transition t1 { from A to B trigger e }"));
     Machine m(system, "C");

@@ -57,11 +57,11 @@ std::string run(Platform& platform) {
 )";
 
 TEST(Choices, RecordedAnswersAreRepeated) {
-    const ir::System system = testing::model(text);
+    const ir::System system = testing::load_model(text);
     Options options;
     options.choices = true;
     Folder folder;
-    folder.write(testing::emit_ok(system, testing::component(system, "M"), options));
+    folder.write(testing::emit_ok(system, testing::component_named(system, "M"), options));
     std::ofstream(folder.path() + "/main.cpp") << program << R"(
 int main() {
     Plain plain;
@@ -78,8 +78,8 @@ int main() {
 
 /// Without the option the code takes the first alternative and does not ask the platform.
 TEST(Choices, WithoutTheOptionNobodyIsAsked) {
-    const ir::System system = testing::model(text);
-    const Emission emission = testing::emit_ok(system, testing::component(system, "M"));
+    const ir::System system = testing::load_model(text);
+    const Emission emission = testing::emit_ok(system, testing::component_named(system, "M"));
     for (const OutputFile& file : emission.files) {
         if (file.path == "M_core.hpp") {
             EXPECT_EQ(file.text.find("in_turn"), std::string::npos);
@@ -99,11 +99,11 @@ int main() {
 
 /// In the class API, `pick` is a virtual method.
 TEST(Choices, TheClassApiPicks) {
-    const ir::System system = testing::model(text);
+    const ir::System system = testing::load_model(text);
     Options options;
     options.choices = true;
     Folder folder;
-    folder.write(testing::emit_ok(system, testing::component(system, "M"), options));
+    folder.write(testing::emit_ok(system, testing::component_named(system, "M"), options));
     std::ofstream(folder.path() + "/main.cpp") << R"(#include <string>
 #include "M.hpp"
 struct Robot : p::M {
@@ -130,15 +130,15 @@ int main() {
 /// The console program of a model, in a folder with the files that it writes.
 class ChoicesConsole : public ::testing::Test {
 protected:
-    void build(const char* model_text, bool choices = true) {
-        const ir::System system = testing::model(model_text);
+    void build_console(const char* model_text, bool choices = true) {
+        const ir::System system = testing::load_model(model_text);
         Options options;
         options.choices = choices;
-        folder_.write(testing::emit_ok(system, testing::component(system, "M"), options));
+        folder_.write(testing::emit_ok(system, testing::component_named(system, "M"), options));
         folder_.run("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp M.cpp -o console");
     }
     /// Runs the program with these lines of input; returns its output and error output.
-    std::string drive(const std::string& lines, const std::string& options = "", bool good = true) {
+    std::string run_console(const std::string& lines, const std::string& options = "", bool good = true) {
         std::ofstream(folder_.path() + "/lines") << lines;
         std::string output;
         const int status = folder_.status("./console " + options + " < lines", output);
@@ -160,8 +160,8 @@ protected:
 constexpr const char* recorded = "robochart-record 1\ncontroller M\n\ngo pick=2/3\ngo\ngo pick=1/3\ngo\ngo pick=0/3\n";
 
 TEST_F(ChoicesConsole, TheWordsOfACycleAnswer) {
-    build(text);
-    const std::string output = drive("\ngo pick=2\ngo\npick=1 go\ngo\ngo\n", "--record run.record");
+    build_console(text);
+    const std::string output = run_console("\ngo pick=2\ngo\npick=1 go\ngo\ngo\n", "--record run.record");
     EXPECT_EQ(output,
               "cycle 1\n  state A\n"
               "cycle 2\n  picks 2 of 0..2\n  right()\n  state D\n"
@@ -170,14 +170,14 @@ TEST_F(ChoicesConsole, TheWordsOfACycleAnswer) {
               "cycle 5\n  state A\n"
               "cycle 6\n  picks 0 of 0..2\n  left()\n  state B\n");  // no answer is given: the first alternative
     EXPECT_EQ(file("run.record"), recorded);
-    EXPECT_EQ(drive("", "--replay run.record --record again.record"), output);
+    EXPECT_EQ(run_console("", "--replay run.record --record again.record"), output);
     EXPECT_EQ(file("again.record"), recorded);
 }
 
 TEST_F(ChoicesConsole, APersonIsAsked) {
-    build(text);
+    build_console(text);
     const std::string output =
-        drive("\ngo\nthree\n3\n2\ngo\ngo pick=1\ngo\ngo\n\ngo\ngo\n", "--ask --record run.record");
+        run_console("\ngo\nthree\n3\n2\ngo\ngo pick=1\ngo\ngo\n\ngo\ngo\n", "--ask --record run.record");
     EXPECT_NE(output.find("  which of 0..2? "), std::string::npos);
     EXPECT_NE(output.find("not a choice: three of 0..2\n"), std::string::npos) << output;
     EXPECT_NE(output.find("not a choice: 3 of 0..2\n"), std::string::npos) << output;
@@ -185,21 +185,22 @@ TEST_F(ChoicesConsole, APersonIsAsked) {
 }
 
 TEST_F(ChoicesConsole, WrongAnswersAreReported) {
-    build(text);
-    EXPECT_NE(drive("\ngo pick=3\n").find("not a choice: 3 of 0..2\n"), std::string::npos);
-    EXPECT_NE(drive("\ngo pick=many\n").find("not a choice: pick=many\n"), std::string::npos);
-    EXPECT_NE(drive("\ngo pick=1 pick=2\n").find("nothing to choose: pick=2\n"), std::string::npos);
-    EXPECT_NE(drive("\ngo=1\n").find("not an input: go=1\n"), std::string::npos);
-    EXPECT_NE(drive("\n", "--ask 100", false).find("usage: "), std::string::npos);
-    EXPECT_NE(drive("\n", "--replay run.record 100", false).find("usage: "), std::string::npos);
-    EXPECT_NE(drive("\n", "--replay run.record --record run.record", false).find("usage: "), std::string::npos);
-    EXPECT_NE(drive("\n", "--record /no/such/folder", false).find("cannot write /no/such/folder"), std::string::npos);
+    build_console(text);
+    EXPECT_NE(run_console("\ngo pick=3\n").find("not a choice: 3 of 0..2\n"), std::string::npos);
+    EXPECT_NE(run_console("\ngo pick=many\n").find("not a choice: pick=many\n"), std::string::npos);
+    EXPECT_NE(run_console("\ngo pick=1 pick=2\n").find("nothing to choose: pick=2\n"), std::string::npos);
+    EXPECT_NE(run_console("\ngo=1\n").find("not an input: go=1\n"), std::string::npos);
+    EXPECT_NE(run_console("\n", "--ask 100", false).find("usage: "), std::string::npos);
+    EXPECT_NE(run_console("\n", "--replay run.record 100", false).find("usage: "), std::string::npos);
+    EXPECT_NE(run_console("\n", "--replay run.record --record run.record", false).find("usage: "), std::string::npos);
+    EXPECT_NE(run_console("\n", "--record /no/such/folder", false).find("cannot write /no/such/folder"),
+              std::string::npos);
 }
 
 /// Invalid records of this controller, and records of cycles that did not happen. The message names the line.
 TEST_F(ChoicesConsole, RecordsThatDoNotFitAreReported) {
-    build(text);
-    EXPECT_EQ(drive("", "--replay missing", false), "missing: cannot be read\n");
+    build_console(text);
+    EXPECT_EQ(run_console("", "--replay missing", false), "missing: cannot be read\n");
     const std::string head = "robochart-record 1\ncontroller M\n";
     for (const auto& [contents, reported] : std::vector<std::pair<std::string, std::string>>{
              {"", "run.record:1: expected `robochart-record 1`, found ``\n"},
@@ -213,12 +214,12 @@ TEST_F(ChoicesConsole, RecordsThatDoNotFitAreReported) {
              {head + "\ngo pick=1/\n", "run.record:4: not a choice: pick=1/\n"},
              {head + "\ngone\n", "run.record:4: not an input: gone\n"}}) {
         file("run.record", contents);
-        const std::string output = drive("", "--replay run.record", false);
+        const std::string output = run_console("", "--replay run.record", false);
         EXPECT_TRUE(output.size() >= reported.size() && output.substr(output.size() - reported.size()) == reported)
             << output << "expected " << reported;
     }
     file("run.record", head + "\ngo pick=1/3\n");
-    drive("", "--replay run.record");
+    run_console("", "--replay run.record");
 }
 
 constexpr const char* chances = R"(package p
@@ -234,24 +235,24 @@ stm M { requires O event pick : nat var n : nat initial i probabilistic p
 /// The same answers determine alternatives that are drawn, also without --choices. An input called `pick` keeps its
 /// name. The controller may terminate before its record ends.
 TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
-    build(chances, false);
-    const std::string output = drive("\npick=7 pick_=1\n", "--record run.record");
+    build_console(chances, false);
+    const std::string output = run_console("\npick=7 pick_=1\n", "--record run.record");
     EXPECT_NE(output.find("  picks 1 of 0..1\n  right()\n"), std::string::npos) << output;
     EXPECT_EQ(file("run.record"), "robochart-record 1\ncontroller M\n\npick=7 pick_=1/2\n");
     file("run.record", file("run.record") + "\n\n\n\n");
-    const std::string refused = drive("\npick=7 pick=x pick=7x pick_=1\n");
+    const std::string refused = run_console("\npick=7 pick=x pick=7x pick_=1\n");
     for (const char* const wrong : {"not an input: pick=x\n", "not an input: pick=7x\n"})
         EXPECT_NE(refused.find(wrong), std::string::npos) << refused;
-    EXPECT_NE(drive("", "--replay run.record", false).find("the controller has ended, the record goes on\n"),
+    EXPECT_NE(run_console("", "--replay run.record", false).find("the controller has ended, the record goes on\n"),
               std::string::npos);
 }
 
 /// A program without choices has none of these options.
 TEST_F(ChoicesConsole, WithoutChoicesThereIsNothingToAnswer) {
-    build(text, false);
-    EXPECT_NE(drive("\ngo pick=2\n").find("not an input: pick=2\n"), std::string::npos);
+    build_console(text, false);
+    EXPECT_NE(run_console("\ngo pick=2\n").find("not an input: pick=2\n"), std::string::npos);
     EXPECT_EQ(file("main.cpp").find("console_choices"), std::string::npos);
-    EXPECT_NE(drive("", "--replay run.record", false).find("usage: "), std::string::npos);
+    EXPECT_NE(run_console("", "--replay run.record", false).find("usage: "), std::string::npos);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ protected:
     /// Compiles and runs a user's program with a component's classes.
     void run(const char* model, const char* name, const char* machine, const std::string& program,
              const char* flags = "") {
-        const ir::System system = testing::corpus(model);
-        folder_.write(testing::emit_ok(system, testing::component(system, name)));
+        const ir::System system = testing::load_corpus(model);
+        folder_.write(testing::emit_ok(system, testing::component_named(system, name)));
         std::ofstream(folder_.path() + "/user.cpp")
             << "#include \"" << machine << ".hpp\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
             << program;
@@ -159,14 +159,14 @@ int main() {
 /// The comment of an event in the generated class, for a machine whose entry action calls an operation with this
 /// statement.
 std::string comment_of_event(const std::string& statement) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "package p interface O { go() wait_or_not() } operation wait_or_not() { requires O initial i final F "
         "transition t { from i to F action go() ; " +
         statement +
         " } } stm M { requires O event e initial i state A { entry wait_or_not() } state B { } "
         "transition t0 { from i to A } transition t1 { from A to B trigger e } } "
         "controller K { requires O event e opref o = wait_or_not sref m = M connection K on e to m on e }");
-    for (const OutputFile& file : testing::emit_ok(system, testing::component(system, "K")).files) {
+    for (const OutputFile& file : testing::emit_ok(system, testing::component_named(system, "K")).files) {
         const std::size_t at = file.text.find("event e: ");
         if (at != std::string::npos) return file.text.substr(at, file.text.find('\n', at) - at);
     }
@@ -181,12 +181,12 @@ TEST(GeneratedEvents, AreLostInActionsOnlyWhereOneTakesTime) {
 }
 
 TEST_F(GeneratedClasses, EventsAreRaisedAndHeardByMethods) {
-    const ir::System system = testing::model(R"(package p
+    const ir::System system = testing::load_model(R"(package p
 interface I { event ask : int event answer : int event done var value : int }
 stm M { uses I var n : int initial i state S { }
     transition t0 { from i to S } transition t1 { from S to S trigger ask?n action answer!(n + 1) ; done } }
 )");
-    folder_.write(testing::emit_ok(system, testing::component(system, "M")));
+    folder_.write(testing::emit_ok(system, testing::component_named(system, "M")));
     std::ofstream(folder_.path() + "/user.cpp") << R"(#include "M.hpp"
 struct Robot : p::M {
     void on_answer(std::int64_t heard) override { answered = heard; }
@@ -208,12 +208,12 @@ int main() {
 }
 
 TEST_F(GeneratedClasses, PreconditionsGoToTheHook) {
-    const ir::System system = testing::model(R"(package p
+    const ir::System system = testing::load_model(R"(package p
 interface I { op(a : int) }
 operation op(a : int) { precondition a < 0 }
 stm M { requires I initial i transition t0 { from i to A } state A { entry op(1) } }
 controller C { sref m = M opref o = op })");
-    folder_.write(testing::emit_ok(system, testing::component(system, "C")));
+    folder_.write(testing::emit_ok(system, testing::component_named(system, "C")));
     std::ofstream(folder_.path() + "/user.cpp") << R"(#include "M.hpp"
 int main() { p::M m; return m.step() == robochart::StepResult::precondition ? 0 : 1; })";
     folder_.run("c++ -std=c++17 -I. user.cpp M.cpp -o asserting");

@@ -31,8 +31,8 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 class Compiles : public ::testing::TestWithParam<Case> {
 protected:
     void SetUp() override {
-        const ir::System system = testing::corpus(GetParam().model);
-        folder_.write(testing::emit_ok(system, testing::component(system, GetParam().component)));
+        const ir::System system = testing::load_corpus(GetParam().model);
+        folder_.write(testing::emit_ok(system, testing::component_named(system, GetParam().component)));
     }
 
     void expect_clean(const std::string& compiler) const {
@@ -93,10 +93,10 @@ controller C { requires I requires J event out : Light sref m = M opref o = op o
 )";
 
 TEST(Compile, OddMachines) {
-    const ir::System system = testing::model(odd);
+    const ir::System system = testing::load_model(odd);
     for (const char* name : {"M", "C"}) {
         Folder folder;
-        folder.write(testing::emit_ok(system, testing::component(system, name)));
+        folder.write(testing::emit_ok(system, testing::component_named(system, name)));
         for (const char* compiler : {"g++", "clang++"}) {
             std::string ignored;
             if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;
@@ -111,7 +111,7 @@ TEST(Compile, OddMachines) {
 /// Sets have more places in deployed code than in code for `conform`. In both, the layout asserts that the state has no
 /// padding.
 TEST(Compile, StatesWhoseSizeDependsOnTheTypesHaveNoPadding) {
-    const ir::System system = testing::model(R"(
+    const ir::System system = testing::load_model(R"(
 type ID
 record Seen { ids : Set(ID) far : real }
 interface I { event hear : ID event tell : Seen }
@@ -124,7 +124,7 @@ controller K { uses I sref m = M connection K on hear to m on hear connection K 
 )");
     for (const char* name : {"M", "K"}) {
         Folder folder;
-        folder.write(testing::emit_ok(system, testing::component(system, name)));
+        folder.write(testing::emit_ok(system, testing::component_named(system, name)));
         folder.run(
             "for f in *_layout.hpp *_explore.cpp; do echo \"#include \\\"$f\\\"\" |"
             " c++ -std=c++17 -Wall -Wextra -Werror -I. -fsyntax-only -x c++ - || exit 1; done");
@@ -133,7 +133,7 @@ controller K { uses I sref m = M connection K on hear to m on hear connection K 
 
 /// Operations and functions with a parameter that has the name of a class variable.
 TEST(Compile, ParametersMayBeCalledAsVariables) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "function far(speed : real) : boolean { }\n"
         "interface I { var speed : real go(speed : real) }\ninterface J { turn(speed : real) }\n"
         "operation turn(speed : real) { initial i final f transition t { from i to f } }\n"
@@ -142,7 +142,7 @@ TEST(Compile, ParametersMayBeCalledAsVariables) {
         "controller C { requires I uses E sref m = M opref o = turn connection C on e to m on e }\n"
         "interface E { event e }\n");
     Folder folder;
-    folder.write(testing::emit_ok(system, testing::component(system, "C")));
+    folder.write(testing::emit_ok(system, testing::component_named(system, "C")));
     for (const char* compiler : {"g++", "clang++"}) {
         std::string ignored;
         if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;
@@ -255,9 +255,9 @@ TEST(Compile, ComparisonsThatAreSettled) {
             text += fmt::format("action c = ({}); if {} then c = b end }}\n", condition, condition);
         }
     }
-    const ir::System system = testing::model(text + "}");
+    const ir::System system = testing::load_model(text + "}");
     Folder folder;
-    folder.write(testing::emit_ok(system, testing::component(system, "S")));
+    folder.write(testing::emit_ok(system, testing::component_named(system, "S")));
     for (const char* compiler : {"g++", "clang++"}) {
         std::string ignored;
         if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;

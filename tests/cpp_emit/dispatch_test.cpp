@@ -127,7 +127,7 @@ TEST_P(Dispatch, DoesWhatACycleDoes) {
     ASSERT_TRUE(diagnostics.ok());
     Options options;
     options.strategy = strategy;
-    const Emission code = testing::emit_ok(system, testing::component(system, wanted.component), options);
+    const Emission code = testing::emit_ok(system, testing::component_named(system, wanted.component), options);
     std::string core;
     for (const OutputFile& file : code.files)
         if (file.path == std::string(wanted.component) + "_core.hpp") core = file.text;
@@ -162,7 +162,7 @@ TEST(Strategies, CodeThatAsksRunsAsInACycle) {
         Options options;
         options.strategy = Strategy::table;
         options.choices = choices;
-        const Emission code = testing::emit_ok(system, testing::component(system, "Reacts"), options);
+        const Emission code = testing::emit_ok(system, testing::component_named(system, "Reacts"), options);
         for (const OutputFile& file : code.files) {
             if (file.path != "Reacts_core.hpp") continue;
             EXPECT_EQ(file.text.find(" cases[") == std::string::npos, choices);
@@ -180,7 +180,7 @@ TEST(Strategies, TheStrategyFollowsTheSize) {
             sources, tests::source_folder().string() + "/benchmarks/models/" + name + ".rct", diagnostics);
         const ir::System system = ir::lower(*model, sources, diagnostics);
         const std::string machine = name == std::string("m2") ? "M2" : "M4";
-        const Emission code = testing::emit_ok(system, testing::component(system, machine));
+        const Emission code = testing::emit_ok(system, testing::component_named(system, machine));
         for (const OutputFile& file : code.files) {
             if (file.path != machine + "_core.hpp") continue;
             EXPECT_EQ(file.text.find(" cases[") != std::string::npos, table) << name;

@@ -172,8 +172,8 @@ TEST(Eigen, ControllersComputeWhatEigenComputes) {
     ROBOCHART_NEEDS(
         folder.status("echo '#include <Eigen/Core>' | c++ -I/usr/include/eigen3 -fsyntax-only -x c++ -", output) == 0,
         "Eigen (Debian: libeigen3-dev)");
-    const ir::System system = testing::model(text);
-    folder.write(testing::emit_ok(system, testing::component(system, "M")));
+    const ir::System system = testing::load_model(text);
+    folder.write(testing::emit_ok(system, testing::component_named(system, "M")));
     std::ofstream(folder.path() + "/main.cpp") << program;
     folder.run(
         "c++ -std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror -isystem /usr/include/eigen3 -I . main.cpp "

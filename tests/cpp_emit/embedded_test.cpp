@@ -34,8 +34,8 @@ protected:
     }
 
     void emit(const char* model, const char* name, const Options& options = {}) {
-        const ir::System system = testing::corpus(model);
-        folder_.write(testing::emit_ok(system, testing::component(system, name), options));
+        const ir::System system = testing::load_corpus(model);
+        folder_.write(testing::emit_ok(system, testing::component_named(system, name), options));
     }
 
     /// Writes the file that a robot's author would write: a control cycle over the lean core.

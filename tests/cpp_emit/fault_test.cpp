@@ -11,7 +11,7 @@
 namespace robochart::cpp_emit {
 namespace {
 
-using testing::component;
+using testing::component_named;
 using testing::Controller;
 using testing::Registers;
 
@@ -86,10 +86,11 @@ const std::vector<Registers> three = {{}, {{"a.in", ""}}, {}, {}, {}, {}};
 
 class Faults : public ::testing::TestWithParam<Case> {
 protected:
-    ir::System system_ = testing::model(std::string("package p import sequence_toolkit::*\n"
-                                                    "function some(n : nat) : nat { precondition n > 0 }\ninterface I "
-                                                    "{ op(a : nat, b : nat) tell(v : nat) }\nstm M {") +
-                                        GetParam().body + "}");
+    ir::System system_ =
+        testing::load_model(std::string("package p import sequence_toolkit::*\n"
+                                        "function some(n : nat) : nat { precondition n > 0 }\ninterface I "
+                                        "{ op(a : nat, b : nat) tell(v : nat) }\nstm M {") +
+                            GetParam().body + "}");
 };
 
 std::vector<std::string> run(Controller& controller, const std::vector<Registers>& script) {
@@ -104,14 +105,14 @@ std::vector<std::string> run(Controller& controller, const std::vector<Registers
 TEST_P(Faults, ChangeBehaviour) {
     Options options;
     options.fault = GetParam().fault;
-    Controller good(system_, component(system_, "M"));
-    Controller bad(system_, component(system_, "M"), options);
+    Controller good(system_, component_named(system_, "M"));
+    Controller bad(system_, component_named(system_, "M"), options);
     EXPECT_GE(bad.fault_sites(), 1U);
     EXPECT_NE(run(good, GetParam().script), run(bad, GetParam().script));
 }
 
 TEST_P(Faults, HaveOneTextForEachSite) {
-    const ir::ComponentRef ref = component(system_, "M");
+    const ir::ComponentRef ref = component_named(system_, "M");
     const std::string production = testing::emit_ok(system_, ref).files.front().text;
     Options options;
     options.fault = GetParam().fault;
@@ -197,7 +198,7 @@ TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
                                    {"prefix(<v>, <1>)", "prefix", "suffix"},
                                    {"suffix(<v>, <1>)", "suffix", "prefix"}};
     for (const Exchanged& pair : pairs) {
-        const ir::System system = testing::model(
+        const ir::System system = testing::load_model(
             "package p import set_toolkit::* import relation_toolkit::* import sequence_toolkit::*\n"
             "stm M { event a : nat var v : nat initial i transition t0 { from i to A } state A { } state B { }\n"
             "transition t1 { from A to B trigger a?v condition " +
@@ -205,7 +206,7 @@ TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
         Options options;
         options.fault = Fault::set_operation_wrong;
         const auto has = [&](const char* function) {
-            const Emission emission = testing::emit_ok(system, component(system, "M"), options);
+            const Emission emission = testing::emit_ok(system, component_named(system, "M"), options);
             return std::ranges::any_of(emission.files, [&](const OutputFile& file) {
                 return file.path == "M_core.hpp" &&
                        file.text.find("toolkit::" + std::string(function) + "<") != std::string::npos;

@@ -36,20 +36,21 @@ protected:
     void SetUp() override { ASSERT_TRUE(component_); }
 
     /// The text of the model with a fault.
-    std::string text(Fault fault, std::uint32_t site) {
+    std::string faulty_text(Fault fault, std::uint32_t site) {
         Mutation mutation(fault, site);
         const FaultyModel faulty(system_, inst_, *component_, mutation);
-        sites_ = mutation.sites();
-        initials_ = faulty.component().root().initials;
+        sites_ = mutation.site_count();
+        initials_ = faulty.component().root_unit().initials;
         ir::System changed = faulty.system();
-        changed.machines.front() = *faulty.component().root().machine;
-        return ir::dump(changed);
+        changed.machines.front() = *faulty.component().root_unit().machine;
+        return ir::dump_text(changed);
     }
 
-    ir::System system_ = testing::model(model);
+    ir::System system_ = testing::load_model(model);
     diagnostics::Diagnostics diagnostics_;
-    ir::Instantiation inst_ = ir::instantiate(system_, {}, diagnostics_);
-    std::optional<Component> component_ = resolve(system_, inst_, testing::component(system_, "M"), diagnostics_);
+    ir::Instantiation inst_ = ir::instantiate_system(system_, {}, diagnostics_);
+    std::optional<Component> component_ =
+        resolve_component(system_, inst_, testing::component_named(system_, "M"), diagnostics_);
     std::uint32_t sites_ = 0;
     std::vector<ir::Value> initials_;
 };
@@ -59,24 +60,24 @@ TEST_F(FaultyModels, WithoutFaultAreTheModelItself) {
     const FaultyModel same(system_, inst_, *component_, none);
     EXPECT_EQ(&same.system(), &system_);
     EXPECT_EQ(&same.component(), &*component_);
-    EXPECT_EQ(none.sites(), 0U);
+    EXPECT_EQ(none.site_count(), 0U);
 }
 
 TEST_F(FaultyModels, AreTheModelBeyondTheLastSite) {
-    const std::string right = ir::dump(system_);
-    for (const FaultKind& kind : all_faults()) EXPECT_EQ(text(kind.fault, 0xffffffffU), right) << kind.name;
+    const std::string right = ir::dump_text(system_);
+    for (const FaultKind& kind : all_faults()) EXPECT_EQ(faulty_text(kind.fault, 0xffffffffU), right) << kind.name;
 }
 
 TEST_F(FaultyModels, DifferAtEverySite) {
     std::set<Fault> expressed;
     for (const FaultKind& kind : all_faults()) {
         if (kind.fault == Fault::initial_lost) continue;
-        std::set<std::string> texts = {ir::dump(system_)};
-        (void)text(kind.fault, 0xffffffffU);
+        std::set<std::string> texts = {ir::dump_text(system_)};
+        (void)faulty_text(kind.fault, 0xffffffffU);
         const std::uint32_t sites = sites_;
         if (sites > 0) expressed.insert(kind.fault);
         for (std::uint32_t site = 0; site < sites; ++site)
-            EXPECT_TRUE(texts.insert(text(kind.fault, site)).second) << kind.name << " at " << site;
+            EXPECT_TRUE(texts.insert(faulty_text(kind.fault, site)).second) << kind.name << " at " << site;
     }
     EXPECT_GE(expressed.size(), 20U);
 }
@@ -97,11 +98,12 @@ TEST_F(FaultyModels, HaveTheFaultInTheirText) {
         {Fault::wait_early, 0, "wait 3"},
         {Fault::wait_late, 0, "wait 1"},
     };
-    const std::string right = ir::dump(system_);
+    const std::string right = ir::dump_text(system_);
     for (const Expected& each : all) {
         EXPECT_EQ(right.find(each.text), std::string::npos) << each.text;
-        EXPECT_NE(text(each.fault, each.site).find(each.text), std::string::npos) << each.text << " in\n"
-                                                                                  << text(each.fault, each.site);
+        EXPECT_NE(faulty_text(each.fault, each.site).find(each.text), std::string::npos)
+            << each.text << " in\n"
+            << faulty_text(each.fault, each.site);
     }
     const Expected gone[] = {
         {Fault::guard_dropped, 0, "(received > 9)"}, {Fault::entry_dropped, 0, "v = (w + 3)"},
@@ -109,14 +111,14 @@ TEST_F(FaultyModels, HaveTheFaultInTheirText) {
         {Fault::wait_dropped, 0, "wait 4"},          {Fault::assignment_dropped, 0, "v = (w + 3)"}};
     for (const Expected& each : gone) {
         EXPECT_NE(right.find(each.text), std::string::npos) << each.text << " in\n" << right;
-        EXPECT_EQ(text(each.fault, each.site).find(each.text), std::string::npos) << each.text;
+        EXPECT_EQ(faulty_text(each.fault, each.site).find(each.text), std::string::npos) << each.text;
     }
 }
 
 TEST_F(FaultyModels, BeginWithTheDefaultOfAType) {
-    (void)text(Fault::none, 0);
+    (void)faulty_text(Fault::none, 0);
     const std::vector<ir::Value> right = initials_;
-    (void)text(Fault::initial_lost, 0);
+    (void)faulty_text(Fault::initial_lost, 0);
     EXPECT_EQ(sites_, 2U);  // v and w
 }
 
@@ -136,23 +138,23 @@ const char* const code = R"(class Step {
 };
 )";
 
-std::string with(Fault fault) {
+std::string code_with(Fault fault) {
     Mutation mutation(fault, 0);
     return faulty_code(code, mutation);
 }
 
 TEST(FaultyCode, ChangesOneLine) {
     const std::string right = code;
-    EXPECT_EQ(with(Fault::none), right);
-    EXPECT_EQ(with(Fault::guard_negated), right) << "none of lines";
-    EXPECT_NE(with(Fault::outer_first).find("return from_C(f) || from_B(f) || from_A(f);"), std::string::npos);
-    EXPECT_NE(with(Fault::clock_saturated).find("cycle_length, 3 - 1);"), std::string::npos);
-    EXPECT_NE(with(Fault::clock_twice).find("3); advance_clock(f.T, cycle_length, 3);\n"), std::string::npos);
-    EXPECT_EQ(with(Fault::clock_stopped).find("advance_clock"), std::string::npos);
-    EXPECT_EQ(with(Fault::dispatch_event_kept).find("event = nothing"), std::string::npos);
+    EXPECT_EQ(code_with(Fault::none), right);
+    EXPECT_EQ(code_with(Fault::guard_negated), right) << "none of lines";
+    EXPECT_NE(code_with(Fault::outer_first).find("return from_C(f) || from_B(f) || from_A(f);"), std::string::npos);
+    EXPECT_NE(code_with(Fault::clock_saturated).find("cycle_length, 3 - 1);"), std::string::npos);
+    EXPECT_NE(code_with(Fault::clock_twice).find("3); advance_clock(f.T, cycle_length, 3);\n"), std::string::npos);
+    EXPECT_EQ(code_with(Fault::clock_stopped).find("advance_clock"), std::string::npos);
+    EXPECT_EQ(code_with(Fault::dispatch_event_kept).find("event = nothing"), std::string::npos);
     Mutation beyond(Fault::clock_stopped, 1);
     EXPECT_EQ(faulty_code(code, beyond), right);
-    EXPECT_EQ(beyond.sites(), 1U);
+    EXPECT_EQ(beyond.site_count(), 1U);
 }
 
 }  // namespace

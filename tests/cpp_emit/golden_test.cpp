@@ -17,7 +17,7 @@ namespace {
 
 const std::string folder = tests::source_folder().string() + "/tests/cpp_emit/golden/";
 
-std::string read(const std::string& name) {
+std::string read_golden(const std::string& name) {
     std::ostringstream text;
     text << std::ifstream(folder + name).rdbuf();
     return text.str();
@@ -31,10 +31,10 @@ TEST(Golden, TheDoorsCodeIsLaidOutAsStored) {
     ASSERT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
     Options options;
     options.sources = &sources;
-    const Emission emission = testing::emit_ok(system, testing::component(system, "Door"), options);
+    const Emission emission = testing::emit_ok(system, testing::component_named(system, "Door"), options);
     for (const OutputFile& file : emission.files) {
         if (file.path != "Door_core.hpp" && file.path != "Door.hpp") continue;
-        EXPECT_EQ(file.text, read(file.path)) << file.path;
+        EXPECT_EQ(file.text, read_golden(file.path)) << file.path;
         if (const char* target = std::getenv("ROBOCHART_STORE_GOLDEN"))
             std::ofstream(std::string(target) + "/" + file.path) << file.text;
     }

@@ -17,7 +17,7 @@ namespace {
 using testing::Folder;
 
 /// The next block of a language after a position of the page.
-std::string block(const std::string& page, const std::string& language, std::size_t& from) {
+std::string next_block(const std::string& page, const std::string& language, std::size_t& from) {
     const std::string fence = "```" + language + "\n";
     const std::size_t begin = page.find(fence, from);
     EXPECT_NE(begin, std::string::npos);
@@ -27,18 +27,18 @@ std::string block(const std::string& page, const std::string& language, std::siz
     return page.substr(begin + fence.size(), end - begin - fence.size());
 }
 
-void run(const std::string& program, const std::string& model, const std::string& component,
-         const std::string& sources) {
+void run_guide_program(const std::string& program, const std::string& model, const std::string& component,
+                       const std::string& sources) {
     std::ostringstream page;
     page << std::ifstream(tests::source_folder().string() + "/docs/cpp.md").rdbuf();
     std::size_t at = page.str().find("// program: " + program);
     ASSERT_NE(at, std::string::npos) << "docs/cpp.md has no program " << program;
     at = page.str().rfind("```cpp", at);
-    const std::string text = block(page.str(), "cpp", at);
-    const std::string expected = block(page.str(), "text", at);
-    const ir::System system = testing::corpus(model);
+    const std::string text = next_block(page.str(), "cpp", at);
+    const std::string expected = next_block(page.str(), "text", at);
+    const ir::System system = testing::load_corpus(model);
     Folder folder;
-    folder.write(testing::emit_ok(system, testing::component(system, component)));
+    folder.write(testing::emit_ok(system, testing::component_named(system, component)));
     std::ofstream(folder.path() + "/program.cpp") << text;
     for (const char* standard : {"17", "20"}) {
         folder.run(std::string("c++ -O0 -Wall -Wextra -Wpedantic -Werror -std=c++") + standard + " -I. program.cpp " +
@@ -48,26 +48,26 @@ void run(const std::string& program, const std::string& model, const std::string
 }
 
 TEST(Guide, TheClassApi) {
-    run("paper", "swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM.cpp");
+    run_guide_program("paper", "swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM.cpp");
 }
 
 TEST(Guide, TheCoreApi) {
-    run("lean", "aggregation", "Aggregation", "");
+    run_guide_program("lean", "aggregation", "Aggregation", "");
 }
 
 TEST(Guide, OneEventAtATime) {
-    run("events", "aggregation", "AggregationFSM", "");
+    run_guide_program("events", "aggregation", "AggregationFSM", "");
 }
 
 TEST(Guide, TheTraceHook) {
-    run("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
+    run_guide_program("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
 }
 
 /// In C++20 the compiler names a method that a platform lacks or that may throw.
 TEST(Guide, ThePlatformIsAConcept) {
-    const ir::System system = testing::corpus("aggregation");
+    const ir::System system = testing::load_corpus("aggregation");
     Folder folder;
-    folder.write(testing::emit_ok(system, testing::component(system, "Aggregation")));
+    folder.write(testing::emit_ok(system, testing::component_named(system, "Aggregation")));
     std::ofstream(folder.path() + "/user.cpp") << R"(#include "Aggregation_core.hpp"
 namespace core = aggregation::Aggregation_core;
 using Types = robochart::Deployment;
@@ -95,7 +95,7 @@ int main() { auto state = core::init<Types>(); core::Inputs<Types> inputs; Lacki
 /// Records, sequences, several machines and buffers: every byte belongs to exactly one row of the table, for both kinds
 /// of types.
 TEST(Guide, TheLayoutCoversEveryState) {
-    const ir::System system = testing::model(R"(package p
+    const ir::System system = testing::load_model(R"(package p
 enumeration Light { Red Green Blue }
 datatype Point { x : int  y : int }
 interface I { var shown : Light }
@@ -109,7 +109,7 @@ controller C { requires I uses E event out : nat sref a = A sref b = B
 )");
     for (const char* name : {"A", "B", "C"}) {
         Folder folder;
-        folder.write(testing::emit_ok(system, testing::component(system, name)));
+        folder.write(testing::emit_ok(system, testing::component_named(system, name)));
         const std::string core = std::string("p::") + name + "_core";
         std::ofstream(folder.path() + "/user.cpp")
             << "#include \"" << name << "_layout.hpp\"\n#include \"robochart/finite.hpp\"\n"

@@ -50,7 +50,7 @@ std::string Folder::run(const std::string& command) const {
     return output;
 }
 
-ir::ComponentRef component(const ir::System& system, const std::string& name) {
+ir::ComponentRef component_named(const ir::System& system, const std::string& name) {
     ir::ComponentRef ref;
     ref.path = name;
     const auto look = [&](const auto& items, ir::ComponentKind kind) {
@@ -69,9 +69,9 @@ ir::ComponentRef component(const ir::System& system, const std::string& name) {
 Emission emit_ok(const ir::System& system, const ir::ComponentRef& ref, const Options& options,
                  const ir::InstantiationOptions& instantiation) {
     diagnostics::Diagnostics diagnostics;
-    const ir::Instantiation inst = ir::instantiate(system, instantiation, diagnostics);
+    const ir::Instantiation inst = ir::instantiate_system(system, instantiation, diagnostics);
     Emission emission = emit(system, inst, ref, options, diagnostics);
-    for (const auto& each : diagnostics.sorted())
+    for (const auto& each : diagnostics.sorted_findings())
         if (each.rule->severity != diagnostics::Severity::note)
             ADD_FAILURE() << each.rule->code << ": " << each.message();
     return emission;

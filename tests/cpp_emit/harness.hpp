@@ -65,7 +65,7 @@ private:
 };
 
 /// A reference to a machine, controller or module by its name.
-[[nodiscard]] ir::ComponentRef component(const ir::System&, const std::string& name);
+[[nodiscard]] ir::ComponentRef component_named(const ir::System&, const std::string& name);
 /// Generates code; findings other than notes fail the test.
 [[nodiscard]] Emission emit_ok(const ir::System&, const ir::ComponentRef&, const Options& = {},
                                const ir::InstantiationOptions& = {});

@@ -34,8 +34,8 @@ module Mod { rref r = R cref c = C connection r on see to c on see (_async) conn
 
 namespace {
 
-ir::System lowered(const diagnostics::SourceManager& sources, const frontend::Model& model,
-                   diagnostics::Diagnostics& diagnostics) {
+ir::System lower_model(const diagnostics::SourceManager& sources, const frontend::Model& model,
+                       diagnostics::Diagnostics& diagnostics) {
     if (!diagnostics.ok()) {
         ADD_FAILURE() << diagnostics::render_text(sources, diagnostics);
         return {};
@@ -47,15 +47,15 @@ ir::System lowered(const diagnostics::SourceManager& sources, const frontend::Mo
 
 }  // namespace
 
-ir::System corpus(const std::string& name) {
+ir::System load_corpus(const std::string& name) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto model =
         frontend::load_project(sources, tests::source_folder().string() + "/corpus/" + name, diagnostics);
-    return lowered(sources, *model, diagnostics);
+    return lower_model(sources, *model, diagnostics);
 }
 
-ir::System model(const std::string& text) {
+ir::System load_model(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const diagnostics::SourceId source = sources.add("test.rct", text);
@@ -63,7 +63,7 @@ ir::System model(const std::string& text) {
     model.files.push_back(frontend::parse(sources, source, false, diagnostics));
     frontend::add_toolkits(sources, model, diagnostics);
     frontend::resolve(model, diagnostics);
-    return lowered(sources, model, diagnostics);
+    return lower_model(sources, model, diagnostics);
 }
 
 std::size_t emit_all(const std::string& project, const Folder& folder, const Options& options) {
@@ -73,7 +73,7 @@ std::size_t emit_all(const std::string& project, const Folder& folder, const Opt
     if (!diagnostics.ok()) return 0;
     const ir::System system = ir::lower(*model, sources, diagnostics);
     if (!diagnostics.ok()) return 0;  // invalid models are never generated
-    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    const ir::Instantiation inst = ir::instantiate_system(system, {}, diagnostics);
     std::size_t generated = 0;
     const auto emit_each = [&](const auto& items, ir::ComponentKind kind) {
         for (std::uint32_t i = 0; i < items.size(); ++i) {

@@ -10,9 +10,9 @@
 namespace robochart::cpp_emit::testing {
 
 /// Loads a project of corpus/ as IR; errors fail the test.
-[[nodiscard]] ir::System corpus(const std::string& name);
+[[nodiscard]] ir::System load_corpus(const std::string& name);
 /// Loads RoboChart text as IR; errors fail the test.
-[[nodiscard]] ir::System model(const std::string& text);
+[[nodiscard]] ir::System load_model(const std::string& text);
 
 /// A module `Mod` with an enumeration, whole numbers, several arguments, a sent event, and termination.
 extern const char* const typed_model;

@@ -58,15 +58,15 @@ TEST(Names, NoMacroOfTheHeadersIsAName) {
 
 TEST(Names, ReservedOnesGetAnUnderscoreThenANumber) {
     NameScope scope(std::set<std::string>{"step", "union_"});
-    EXPECT_EQ(scope.unique("speed"), "speed");
-    EXPECT_EQ(scope.unique("BUFSIZ"), "BUFSIZ_");
-    EXPECT_EQ(scope.unique("union"), "union_2");
-    EXPECT_EQ(scope.unique("step"), "step_2");
-    EXPECT_EQ(scope.unique("ROBOCHART_TRACE"), "model_ROBOCHART_TRACE");
+    EXPECT_EQ(scope.unique_name("speed"), "speed");
+    EXPECT_EQ(scope.unique_name("BUFSIZ"), "BUFSIZ_");
+    EXPECT_EQ(scope.unique_name("union"), "union_2");
+    EXPECT_EQ(scope.unique_name("step"), "step_2");
+    EXPECT_EQ(scope.unique_name("ROBOCHART_TRACE"), "model_ROBOCHART_TRACE");
     NameScope outside(reserved_at_global_scope);
-    EXPECT_EQ(outside.unique("time"), "time_");
-    EXPECT_EQ(outside.unique("abort"), "abort_");
-    EXPECT_EQ(outside.unique("swarm_taxis"), "swarm_taxis");
+    EXPECT_EQ(outside.unique_name("time"), "time_");
+    EXPECT_EQ(outside.unique_name("abort"), "abort_");
+    EXPECT_EQ(outside.unique_name("swarm_taxis"), "swarm_taxis");
 }
 
 TEST(Names, BoundVariablesStayApart) {
@@ -117,7 +117,7 @@ bool of_the_model(std::string word) {
     return word.find("zq") != std::string::npos;
 }
 
-bool numbered(const std::string& word, const std::string& stem) {
+bool is_numbered(const std::string& word, const std::string& stem) {
     return word.starts_with(stem) && std::all_of(word.begin() + static_cast<std::ptrdiff_t>(stem.size()), word.end(),
                                                  [](unsigned char c) { return std::isdigit(c) != 0; });
 }
@@ -143,8 +143,8 @@ void expect_listed(const Emission& emission) {
                           file.path.ends_with("_layout.hpp") || file.path.ends_with("_explore.cpp");
         for (const std::string& word : own_identifiers(file.text)) {
             if (of_the_model(word) || apart.count(word) != 0 || reserved_in_cpp(word)) continue;
-            if (numbered(word, "all_values_") || numbered(word, "deadline_") || numbered(word, "step_") ||
-                numbered(word, "stuck_"))
+            if (is_numbered(word, "all_values_") || is_numbered(word, "deadline_") || is_numbered(word, "step_") ||
+                is_numbered(word, "stuck_"))
                 continue;
             EXPECT_TRUE((core ? types : members).count(word) != 0) << word << " in " << file.path;
         }
@@ -153,7 +153,7 @@ void expect_listed(const Emission& emission) {
 
 TEST(Names, WhatGeneratedCodeCallsItsOwnThingsIsListed) {
     for (const char* name : {"marked", "marked_messages"}) {
-        const ir::System system = testing::model(contents(std::string("tests/cpp_emit/models/") + name + ".rct"));
+        const ir::System system = testing::load_model(contents(std::string("tests/cpp_emit/models/") + name + ".rct"));
         for (const Target target :
              {Target::sources, Target::library, Target::main, Target::ros2, Target::enki, Target::argos})
             for (const bool choices : {false, true})
@@ -162,14 +162,14 @@ TEST(Names, WhatGeneratedCodeCallsItsOwnThingsIsListed) {
                     Options options;
                     options.target = target;
                     options.choices = choices;
-                    expect_listed(testing::emit_ok(system, testing::component(system, component), options));
+                    expect_listed(testing::emit_ok(system, testing::component_named(system, component), options));
                 }
     }
 }
 
 // ---- models with such names in every position
 
-std::string listed(const std::vector<std::string>& names, const std::string& before, const std::string& after) {
+std::string list_names(const std::vector<std::string>& names, const std::string& before, const std::string& after) {
     std::string text;
     for (const std::string& name : names) text += before + "^" + name + after;
     return text;
@@ -178,8 +178,8 @@ std::string listed(const std::vector<std::string>& names, const std::string& bef
 /// The text of a project that uses each of the names for a package, a type, a literal, a field, an interface, a
 /// variable, a clock, an event, an operation, a parameter, a function, a state, a transition and a machine. Keywords of
 /// RoboChart get the `^` that makes them names.
-std::string everywhere(const std::string& package, const std::vector<std::string>& names) {
-    std::string literals = listed(names, " ", "");
+std::string project_with_names(const std::string& package, const std::vector<std::string>& names) {
+    std::string literals = list_names(names, " ", "");
     std::string types, shown, states, uses;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::string n = "^" + names[i];
@@ -199,10 +199,10 @@ std::string everywhere(const std::string& package, const std::vector<std::string
     }
     const std::string begin = " initial ii state A { } transition tt { from ii to A }\n";
     std::string text = "package ^" + package + "\n" + types + "enumeration Literals {" + literals + " }\n";
-    text += "datatype Fields {" + listed(names, " ", " : nat") + " }\n";
-    text += "interface Calls {" + listed(names, " ", "(^" + names.front() + " : nat)") + " }\n";
-    text += "interface Changes {" + listed(names, " var ", " : nat") + " }\n";
-    text += listed(names, "interface ", " { event e }\n");
+    text += "datatype Fields {" + list_names(names, " ", " : nat") + " }\n";
+    text += "interface Calls {" + list_names(names, " ", "(^" + names.front() + " : nat)") + " }\n";
+    text += "interface Changes {" + list_names(names, " var ", " : nat") + " }\n";
+    text += list_names(names, "interface ", " { event e }\n");
     text += "stm Types {\n" + shown + begin + uses + "}\n";
     text += "stm OfLiterals { var l : Literals event l1 : Literals event l2" + begin +
             " transition t { from A to A trigger l1?l condition l == Literals::^" + names.front() +
@@ -214,27 +214,27 @@ std::string everywhere(const std::string& package, const std::vector<std::string
             "skip } }\n";
     text += "stm Holder { event e requires Changes" + begin + " transition t { from A to A trigger e action " +
             assigned + "skip } }\n";
-    text += "stm Own { event e event f : nat" + listed(names, " var ", " : nat") + begin +
+    text += "stm Own { event e event f : nat" + list_names(names, " var ", " : nat") + begin +
             " transition t { from A to A trigger e action " + assigned + "f!^" + names.front() + " } }\n";
-    text += "stm Clocks { event e" + listed(names, " clock ", "") + begin;
+    text += "stm Clocks { event e" + list_names(names, " clock ", "") + begin;
     for (std::size_t i = 0; i < names.size(); ++i)
         text += " transition c" + std::to_string(i) + " { from A to A trigger e condition since(^" + names[i] +
                 ") > 1 action #^" + names[i] + " }\n";
-    text += "}\nstm Events { var x : nat" + listed(names, " event ", " : nat") + begin + gotten + "}\n";
+    text += "}\nstm Events { var x : nat" + list_names(names, " event ", " : nat") + begin + gotten + "}\n";
     text += "stm States { event e initial ii state A { } transition tt { from ii to A }\n" + states + "}\n";
     return text;
 }
 
 void compile_all(const std::string& text, const std::string& compiler) {
     const Folder folder;
-    const ir::System system = testing::model(text);
+    const ir::System system = testing::load_model(text);
     std::string sources;
     for (const ir::Machine& machine : system.machines) {
         if (machine.kind != ir::MachineKind::state_machine) continue;
         Options options;
         if (machine.name == "OfFields") options.target = Target::main;  // it has too many values to be explored
         options.explored = options.target == Target::sources;
-        const Emission emission = testing::emit_ok(system, testing::component(system, machine.name), options);
+        const Emission emission = testing::emit_ok(system, testing::component_named(system, machine.name), options);
         Emission placed = emission;
         for (OutputFile& file : placed.files) file.path = machine.name + "_dir/" + file.path;
         folder.write(placed);
@@ -247,7 +247,7 @@ void compile_all(const std::string& text, const std::string& compiler) {
     EXPECT_EQ(folder.status(sources + "true", output), 0) << compiler << "\n" << output.substr(0, 4000);
 }
 
-std::vector<std::string> sample(std::span<const std::string_view> names, std::size_t step) {
+std::vector<std::string> sample_names(std::span<const std::string_view> names, std::size_t step) {
     std::vector<std::string> result;
     for (std::size_t i = 0; i < names.size(); i += step) result.emplace_back(names[i]);
     return result;
@@ -256,12 +256,12 @@ std::vector<std::string> sample(std::span<const std::string_view> names, std::si
 class NamesEverywhere : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NamesEverywhere, OfGeneratedCode) {
-    std::vector<std::string> names = sample(reserved_own_types(), 2);
-    for (const std::string& name : sample(reserved_own_members(), 2))
+    std::vector<std::string> names = sample_names(reserved_own_types(), 2);
+    for (const std::string& name : sample_names(reserved_own_members(), 2))
         if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     for (const char* name : {"Int", "Nat", "Real", "Types", "inputs", "value", "step", "Robot", "Body"})
         if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
-    compile_all(everywhere("read", names), GetParam());
+    compile_all(project_with_names("read", names), GetParam());
 }
 
 TEST_P(NamesEverywhere, OfTheLanguageAndItsHeaders) {
@@ -270,9 +270,9 @@ TEST_P(NamesEverywhere, OfTheLanguageAndItsHeaders) {
         "new",     "operator", "override",        "requires",   "template", "this",   "union",  "while",
         "xor",     "std",      "robochart",       "assert",     "errno",    "BUFSIZ", "EOF",    "EXIT_SUCCESS",
         "NULL",    "SEEK_SET", "ROBOCHART_TRACE", "RC_REQUIRE", "stdin",    "time",   "abort"};
-    for (const std::string& name : sample(reserved_macros(), 60))
+    for (const std::string& name : sample_names(reserved_macros(), 60))
         if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-    compile_all(everywhere("time", names), GetParam());
+    compile_all(project_with_names("time", names), GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Compilers, NamesEverywhere, ::testing::Values("g++", "clang++"),

@@ -36,7 +36,7 @@ ir::Instantiation instantiation() {
 }
 
 /// The value of `left kind right` according to the semantics; variables 0 and 1 contain the operands.
-std::int64_t expected(ir::ExprKind kind, ir::TypeId type, std::int64_t left, std::int64_t right) {
+std::int64_t evaluate_semantics(ir::ExprKind kind, ir::TypeId type, std::int64_t left, std::int64_t right) {
     static const ir::System system = ir::samples::aggregation();
     const auto operand = [&](std::uint32_t index) {
         ir::Expr expr;
@@ -52,11 +52,11 @@ std::int64_t expected(ir::ExprKind kind, ir::TypeId type, std::int64_t left, std
     if (kind != ir::ExprKind::negate) expr.args.push_back(operand(1));
     ir::Environment environment;
     environment.variables = {{left, {}}, {right, {}}};
-    return ir::evaluate(system, instantiation(), nullptr, environment, expr).number;
+    return ir::evaluate_expression(system, instantiation(), nullptr, environment, expr).number;
 }
 
 template <class Number>
-std::int64_t computed(ir::ExprKind kind, std::int64_t left, std::int64_t right) {
+std::int64_t compute_number(ir::ExprKind kind, std::int64_t left, std::int64_t right) {
     const Number a = Number::from_raw(left);
     const Number b = Number::from_raw(right);
     switch (kind) {
@@ -82,7 +82,7 @@ void compare_all(std::int64_t low, std::int64_t high, ir::TypeId type, std::init
         for (std::int64_t left = low; left <= high; ++left) {
             for (std::int64_t right = low; right <= high; ++right) {
                 if (!Carrier::contains(left) || !Carrier::contains(right) || (divides && right == 0)) continue;
-                EXPECT_EQ(computed<Number>(kind, left, right), expected(kind, type, left, right))
+                EXPECT_EQ(compute_number<Number>(kind, left, right), evaluate_semantics(kind, type, left, right))
                     << static_cast<int>(kind) << ": " << left << ", " << right;
             }
         }
@@ -120,22 +120,22 @@ TEST(Numbers, DurationsAreNotNegative) {
 }
 
 /// Computes with 8 bits, because all pairs of operands of such a type can be tested.
-std::int8_t fitting(int exact, std::int8_t first) {
+std::int8_t fit_result(int exact, std::int8_t first) {
     return exact >= INT8_MIN && exact <= INT8_MAX ? static_cast<std::int8_t>(exact) : first;
 }
 
 TEST(Numbers, AResultThatTheTypeDoesNotHaveIsTheFirstOperand) {
     for (int left = INT8_MIN; left <= INT8_MAX; ++left) {
         const auto a = static_cast<std::int8_t>(left);
-        ASSERT_EQ(negative(a), fitting(-left, a)) << left;
+        ASSERT_EQ(negative(a), fit_result(-left, a)) << left;
         for (int right = INT8_MIN; right <= INT8_MAX; ++right) {
             const auto b = static_cast<std::int8_t>(right);
-            ASSERT_EQ(plus(a, b), fitting(left + right, a)) << left << ", " << right;
-            ASSERT_EQ(minus(a, b), fitting(left - right, a)) << left << ", " << right;
-            ASSERT_EQ(times(a, b), fitting(left * right, a)) << left << ", " << right;
+            ASSERT_EQ(plus(a, b), fit_result(left + right, a)) << left << ", " << right;
+            ASSERT_EQ(minus(a, b), fit_result(left - right, a)) << left << ", " << right;
+            ASSERT_EQ(times(a, b), fit_result(left * right, a)) << left << ", " << right;
             if (right == 0) continue;
             const int quotient = static_cast<int>(std::floor(static_cast<double>(left) / right));
-            ASSERT_EQ(divide(a, b), fitting(quotient, a)) << left << ", " << right;
+            ASSERT_EQ(divide(a, b), fit_result(quotient, a)) << left << ", " << right;
             ASSERT_EQ(modulus(a, b), left - quotient * right) << left << ", " << right;
         }
     }

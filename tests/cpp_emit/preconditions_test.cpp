@@ -11,10 +11,10 @@
 namespace robochart::cpp_emit {
 namespace {
 
-using testing::component;
+using testing::component_named;
 
 std::string core_of(const std::string& body) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "package p import set_toolkit::* import sequence_toolkit::*\n"
         "function sure(n : nat) : nat { precondition true precondition true \\/ n > 0 }\n"
         "function some(n : nat) : nat { precondition n > 0 }\n"
@@ -22,11 +22,11 @@ std::string core_of(const std::string& body) {
         "stm M { event a : nat event x : nat var v : nat var s : Seq(nat) const two : nat = 2 initial i state A { }\n"
         "transition t0 { from i to A }\n" +
         body + "}");
-    const Emission emission = testing::emit_ok(system, component(system, "M"));
+    const Emission emission = testing::emit_ok(system, component_named(system, "M"));
     return std::ranges::find_if(emission.files, [](const OutputFile& file) { return file.path == "M_core.hpp"; })->text;
 }
 
-bool asks(const std::string& text) {
+bool has_checks(const std::string& text) {
     return text.find("stuck") != std::string::npos || text.find("pre_") != std::string::npos ||
            text.find(".size() > 0") != std::string::npos;
 }
@@ -34,13 +34,14 @@ bool asks(const std::string& text) {
 TEST(PreconditionsOfFunctions, ThatAreSeenToHoldAddNoCode) {
     for (const std::string value :
          {"sure(v)", "some(2)", "some(two)", "max({1, 2})", "min({v, 1})", "head(<v>)", "size(tail(<v>))"})
-        EXPECT_FALSE(asks(core_of("transition t1 { from A to A trigger a?v action x!(" + value + ") }"))) << value;
+        EXPECT_FALSE(has_checks(core_of("transition t1 { from A to A trigger a?v action x!(" + value + ") }")))
+            << value;
 }
 
 TEST(PreconditionsOfFunctions, ThatCanBeFalseAreAsked) {
     for (const std::string value :
          {"some(v)", "some(0)", "above(v)", "head(s)", "head(tail(<v>))", "min({k : nat | k < v})", "max({})"})
-        EXPECT_TRUE(asks(core_of("transition t1 { from A to A trigger a?v action x!(" + value + ") }"))) << value;
+        EXPECT_TRUE(has_checks(core_of("transition t1 { from A to A trigger a?v action x!(" + value + ") }"))) << value;
 }
 
 TEST(PreconditionsOfFunctions, OfInnerCallsComeFirst) {

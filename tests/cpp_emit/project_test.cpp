@@ -33,11 +33,11 @@ protected:
     void emit(const ir::System& system, const char* name, Target target) {
         Options options;
         options.target = target;
-        const Emission emission = testing::emit_ok(system, testing::component(system, name), options);
+        const Emission emission = testing::emit_ok(system, testing::component_named(system, name), options);
         EXPECT_FALSE(emission.files.empty());
         folder_.write(emission);
     }
-    void emit(const char* model, const char* name, Target target) { emit(testing::corpus(model), name, target); }
+    void emit(const char* model, const char* name, Target target) { emit(testing::load_corpus(model), name, target); }
 
     void build(const std::string& options = "") const {
         folder_.run("cmake -S . -B build -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS='" + flags + "' " + options +
@@ -71,7 +71,7 @@ int main() {
 /// Probabilistic junctions draw alternatives with their probabilities. The frequency in 100,000 draws must be within
 /// five standard deviations (0.00685) of 0.75.
 TEST_F(Project, JunctionsAreDrawnByTheirChances) {
-    emit(testing::model(R"(package p
+    emit(testing::load_model(R"(package p
 interface O { left() right() never() }
 stm M { requires O event go initial i probabilistic p
     state A { } state B { entry left() } state C { entry right() } state D { entry never() }
@@ -140,10 +140,10 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
 }
 
 TEST(ProjectText, APackageIsWellFormed) {
-    const ir::System system = testing::corpus("swarm_taxis");
+    const ir::System system = testing::load_corpus("swarm_taxis");
     Options options;
     options.target = Target::ros2;
-    const Emission emission = testing::emit_ok(system, testing::component(system, "SwarmTaxis"), options);
+    const Emission emission = testing::emit_ok(system, testing::component_named(system, "SwarmTaxis"), options);
     std::string text;
     for (const OutputFile& file : emission.files)
         if (file.path == "package.xml") text = file.text;
@@ -181,17 +181,18 @@ stm M { requires I uses E var s : Seq(nat) initial i
     state A { entry path(<>) }
     transition t0 { from i to A } transition t1 { from A to A trigger found?s } }
 )";
-    const ir::System system = testing::model(text);
+    const ir::System system = testing::load_model(text);
     diagnostics::Diagnostics diagnostics;
-    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    const ir::Instantiation inst = ir::instantiate_system(system, {}, diagnostics);
     for (const Target target : {Target::library, Target::main, Target::enki, Target::argos, Target::ros2}) {
         Options options;
         options.target = target;
-        const Emission emission = emit(system, inst, testing::component(system, "M"), options, diagnostics);
+        const Emission emission = emit(system, inst, testing::component_named(system, "M"), options, diagnostics);
         EXPECT_EQ(emission.files.empty(), target == Target::ros2);
     }
     std::string codes;
-    for (const auto& each : diagnostics.sorted()) codes += std::string(each.rule->code) + " " + each.message() + "\n";
+    for (const auto& each : diagnostics.sorted_findings())
+        codes += std::string(each.rule->code) + " " + each.message() + "\n";
     EXPECT_NE(codes.find("RC-G14 no ros2 project for 'M': std_msgs has no message for the event 'found'"),
               std::string::npos)
         << codes;
@@ -243,7 +244,7 @@ TEST_F(Project, RobotsInEnki) {
 
 TEST_F(Project, RobotsOfOtherModelsInEnki) {
     ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
-    emit(testing::model(testing::typed_model), "Mod", Target::enki);
+    emit(testing::load_model(testing::typed_model), "Mod", Target::enki);
     build();
     const std::string output = folder_.run("build/M_enki 1 1");
     EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;
@@ -305,7 +306,7 @@ class AwkwardNames : public Project, public ::testing::WithParamInterface<Target
 
 TEST_P(AwkwardNames, BuildWithBothCompilers) {
     if (GetParam() == Target::enki) ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
-    emit(testing::model(awkward), "Robot", GetParam());
+    emit(testing::load_model(awkward), "Robot", GetParam());
     const std::string found = GetParam() == Target::ros2 ? " -DCMAKE_PREFIX_PATH=" + stub + "/cmake" : "";
     for (const char* compiler : {"g++", "clang++"}) {
         folder_.run("rm -rf build");

@@ -15,24 +15,24 @@
 namespace robochart::cpp_emit {
 namespace {
 
-using testing::component;
+using testing::component_named;
 
 /// The codes of the findings for a component.
-std::vector<std::string> codes(const ir::System& system, const ir::ComponentRef& ref) {
+std::vector<std::string> reported_codes(const ir::System& system, const ir::ComponentRef& ref) {
     diagnostics::Diagnostics diagnostics;
-    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    const ir::Instantiation inst = ir::instantiate_system(system, {}, diagnostics);
     const Emission emission = emit(system, inst, ref, {}, diagnostics);
     EXPECT_TRUE(emission.files.empty());
     std::vector<std::string> result;
-    for (const auto& each : diagnostics.sorted()) result.emplace_back(each.rule->code);
+    for (const auto& each : diagnostics.sorted_findings()) result.emplace_back(each.rule->code);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 
 std::vector<std::string> machine_codes(const std::string& body, const std::string& around = "") {
-    const ir::System system =
-        testing::model("package p\n" + around + "stm M { initial i transition t0 { from i to A }\n" + body + "\n}\n");
-    return codes(system, component(system, "M"));
+    const ir::System system = testing::load_model("package p\n" + around +
+                                                  "stm M { initial i transition t0 { from i to A }\n" + body + "\n}\n");
+    return reported_codes(system, component_named(system, "M"));
 }
 
 using Codes = std::vector<std::string>;
@@ -42,25 +42,25 @@ TEST(Refusals, NoSuchComponent) {
     ir::ComponentRef ref;
     ref.kind = ir::ComponentKind::machine;
     ref.path = "Nowhere";
-    EXPECT_EQ(codes(system, ref), Codes{"RC-G01"});
+    EXPECT_EQ(reported_codes(system, ref), Codes{"RC-G01"});
     ref.kind = ir::ComponentKind::process;
-    EXPECT_EQ(codes(system, ref), Codes{"RC-G01"});
-    EXPECT_EQ(codes(system, component(system, "MoveClockwise")), Codes{"RC-G01"});
+    EXPECT_EQ(reported_codes(system, ref), Codes{"RC-G01"});
+    EXPECT_EQ(reported_codes(system, component_named(system, "MoveClockwise")), Codes{"RC-G01"});
 }
 
 TEST(Refusals, NoBody) {
     ir::System system = ir::samples::aggregation();
     system.machines[2].initial = {};
-    EXPECT_EQ(codes(system, component(system, "AggregationFSM")), Codes{"RC-G03"});
+    EXPECT_EQ(reported_codes(system, component_named(system, "AggregationFSM")), Codes{"RC-G03"});
 }
 
 TEST(Refusals, Types) {
     std::string deep = "nat";
     for (int i = 0; i < 16; ++i) deep = "vector(" + deep + ", 1)";
     EXPECT_EQ(machine_codes("var s : vector(" + deep + ", 1) state A {}"), Codes{"RC-G04"});
-    const ir::System system =
-        testing::model("package p stm M { var s : " + deep + " initial i state A {} transition t0 { from i to A } }");
-    EXPECT_FALSE(testing::emit_ok(system, component(system, "M")).files.empty());
+    const ir::System system = testing::load_model("package p stm M { var s : " + deep +
+                                                  " initial i state A {} transition t0 { from i to A } }");
+    EXPECT_FALSE(testing::emit_ok(system, component_named(system, "M")).files.empty());
 }
 
 TEST(Refusals, Expressions) {
@@ -78,10 +78,10 @@ TEST(Refusals, Preconditions) {
                             "<{ h(n) } }",
                             functions),
               Codes{"RC-G05"});
-    const ir::System system = testing::model("package p\n" + functions +
-                                             "stm M { event e initial i state A {} transition t0 { from i to A }\n"
-                                             "transition t1 { from A to A trigger e <{ h(2) } } }");
-    EXPECT_FALSE(testing::emit_ok(system, component(system, "M")).files.empty());
+    const ir::System system = testing::load_model("package p\n" + functions +
+                                                  "stm M { event e initial i state A {} transition t0 { from i to A }\n"
+                                                  "transition t1 { from A to A trigger e <{ h(2) } } }");
+    EXPECT_FALSE(testing::emit_ok(system, component_named(system, "M")).files.empty());
 }
 
 TEST(Refusals, SetsThatMayHaveTooManyMembers) {
@@ -89,24 +89,24 @@ TEST(Refusals, SetsThatMayHaveTooManyMembers) {
 }
 
 TEST(Refusals, CompositeStatesWithoutInitialNode) {
-    ir::System system = testing::model(
+    ir::System system = testing::load_model(
         "package p stm M { initial i state A { initial j state B {} transition u { from j to B } }\n"
         "transition t0 { from i to A } }");
     for (ir::Node& node : system.machines[0].nodes) node.initial = {};
-    const auto got = codes(system, component(system, "M"));
+    const auto got = reported_codes(system, component_named(system, "M"));
     EXPECT_EQ(std::ranges::count(got, "RC-G07"), 1);
 }
 
 TEST(Refusals, TriggersThatDoNotOnlyReceive) {
     ir::System system = ir::samples::aggregation();
     system.machines[2].transitions[1].trigger->kind = ir::CommKind::output;
-    EXPECT_EQ(codes(system, component(system, "AggregationFSM")), Codes{"RC-G08"});
+    EXPECT_EQ(reported_codes(system, component_named(system, "AggregationFSM")), Codes{"RC-G08"});
 }
 
 TEST(Refusals, TriggersOutOfJunctions) {
     ir::System system = ir::samples::aggregation();
     system.machines[2].transitions[0].trigger = system.machines[2].transitions[1].trigger;
-    EXPECT_EQ(codes(system, component(system, "AggregationFSM")), Codes{"RC-G08"});
+    EXPECT_EQ(reported_codes(system, component_named(system, "AggregationFSM")), Codes{"RC-G08"});
 }
 
 TEST(Refusals, Recursion) {
@@ -117,36 +117,36 @@ TEST(Refusals, Recursion) {
     ir::Stmt sequence = *entry;
     sequence.body[0] = std::make_shared<const ir::Stmt>(call);
     entry = std::make_shared<const ir::Stmt>(sequence);
-    EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G10"});
-    EXPECT_TRUE(testing::emit_ok(system, component(system, "AggregationFSM")).files.size() >
+    EXPECT_EQ(reported_codes(system, component_named(system, "Aggregation")), Codes{"RC-G10"});
+    EXPECT_TRUE(testing::emit_ok(system, component_named(system, "AggregationFSM")).files.size() >
                 1);  // in this component the operation belongs to the platform
 }
 
 TEST(Refusals, ConditionsOnTheValueOfAnUnconnectedEvent) {
     const auto controller = [](const std::string& condition) {
-        return testing::model(
+        return testing::load_model(
             "package p\ncontroller C { sref m = M }\nstm M { event e : nat var x : nat initial i state A {} state B "
             "{}\n"
             "transition t0 { from i to A } transition t1 { from A to B trigger e?x" +
             condition + " } }");
     };
     const ir::System asking = controller(" condition x > 0");
-    EXPECT_EQ(codes(asking, component(asking, "C")), Codes{"RC-G11"});
+    EXPECT_EQ(reported_codes(asking, component_named(asking, "C")), Codes{"RC-G11"});
     const ir::System taking = controller("");
-    EXPECT_FALSE(testing::emit_ok(taking, component(taking, "C")).files.empty());
+    EXPECT_FALSE(testing::emit_ok(taking, component_named(taking, "C")).files.empty());
 }
 
 TEST(Refusals, ConnectionsOfAMachineWithItself) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "package p\ncontroller C { sref m = M connection m on e to m on f }\nstm M { event e event f initial i\n"
         "state A { entry e } transition t0 { from i to A } transition t1 { from A to A trigger f } }");
-    EXPECT_EQ(codes(system, component(system, "C")), Codes{"RC-G11"});
+    EXPECT_EQ(reported_codes(system, component_named(system, "C")), Codes{"RC-G11"});
 }
 
 TEST(Refusals, TransitionsAcrossStates) {
     ir::System system = ir::samples::aggregation();
     system.machines[2].nodes[2].parent = ir::NodeId{1};
-    const auto got = codes(system, component(system, "AggregationFSM"));
+    const auto got = reported_codes(system, component_named(system, "AggregationFSM"));
     EXPECT_EQ(std::ranges::count(got, "RC-G12"), 1);
 }
 
@@ -168,11 +168,11 @@ TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
         return "package p stm M { event out : " + type + " var m : " + type +
                " initial i state A { entry out!m } transition t0 { from i to A } }";
     };
-    const ir::System large = testing::model(sends("4, 4"));
-    EXPECT_EQ(codes(large, component(large, "M")), Codes{"RC-G13"});
+    const ir::System large = testing::load_model(sends("4, 4"));
+    EXPECT_EQ(reported_codes(large, component_named(large, "M")), Codes{"RC-G13"});
     for (const char* size : {"2, 2", "3, 3"}) {
-        const ir::System system = testing::model(sends(size));
-        EXPECT_FALSE(testing::emit_ok(system, component(system, "M")).shim.empty()) << size;
+        const ir::System system = testing::load_model(sends(size));
+        EXPECT_FALSE(testing::emit_ok(system, component_named(system, "M")).shim.empty()) << size;
     }
     EXPECT_EQ(machine_codes("event e : matrix(nat, 3, 3) var m : matrix(nat, 3, 3) state A { }\n"
                             "transition t1 { from A to A trigger e?m }"),
@@ -184,24 +184,24 @@ TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
 TEST(Refusals, ValuesOfManyPartsAreNotListed) {
     EXPECT_EQ(machine_codes("event out : Set(Set(nat)) var n : nat = 3 var s : Set(Set(nat)) state A { entry out!s }"),
               Codes{"RC-G13"});
-    const ir::System small = testing::model(
+    const ir::System small = testing::load_model(
         "stm M { event out : Set(nat) var n : nat = 3 var s : Set(nat) initial i transition t0 { from i to A }\n"
         "state A { entry out!s } }");
-    EXPECT_FALSE(testing::emit_ok(small, component(small, "M")).shim.empty());
+    EXPECT_FALSE(testing::emit_ok(small, component_named(small, "M")).shim.empty());
 }
 
 TEST(Refusals, NeedNotBeExplored) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "package p stm M { event e : matrix(nat, 3, 3) var m : matrix(nat, 3, 3) initial i state A { } transition t0 { "
         "from i to A }\n"
         "transition t1 { from A to A trigger e?m } }");
     diagnostics::Diagnostics diagnostics;
     Options options;
     options.explored = false;
-    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
-    const Emission emission = emit(system, inst, component(system, "M"), options, diagnostics);
-    ASSERT_EQ(diagnostics.sorted().size(), 1U);
-    EXPECT_EQ(diagnostics.sorted().front().rule->code, "RC-G15");
+    const ir::Instantiation inst = ir::instantiate_system(system, {}, diagnostics);
+    const Emission emission = emit(system, inst, component_named(system, "M"), options, diagnostics);
+    ASSERT_EQ(diagnostics.sorted_findings().size(), 1U);
+    EXPECT_EQ(diagnostics.sorted_findings().front().rule->code, "RC-G15");
     EXPECT_TRUE(diagnostics.ok());
     EXPECT_TRUE(emission.shim.empty());
     EXPECT_FALSE(emission.files.empty());
@@ -226,8 +226,8 @@ TEST(Refusals, StatesThatGrowWithNestedOperations) {
         "stm M { requires I initial i state A { entry op17() } transition t0 { from i to A } }\ncontroller C { sref m "
         "= M" +
         references + " }";
-    const ir::System system = testing::model(text);
-    EXPECT_EQ(codes(system, component(system, "C")), Codes{"RC-G13"});
+    const ir::System system = testing::load_model(text);
+    EXPECT_EQ(reported_codes(system, component_named(system, "C")), Codes{"RC-G13"});
 }
 
 TEST(Rules, AreAllDistinctAndExplained) {

@@ -11,7 +11,7 @@
 namespace robochart::cpp_emit {
 namespace {
 
-using testing::component;
+using testing::component_named;
 using testing::Controller;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -20,13 +20,13 @@ using testing::Registers;
 
 class SwarmTaxis : public ::testing::Test {
 protected:
-    std::string scaled(double value) const {
+    std::string scale_value(double value) const {
         const double units = value * static_cast<double>(controller_.interface().scale);
         return std::to_string(static_cast<long long>(units + (value < 0 ? -0.5 : 0.5)));
     }
 
-    const ir::System system_ = testing::corpus("swarm_taxis");
-    Controller controller_{system_, component(system_, "SwarmTaxis")};
+    const ir::System system_ = testing::load_corpus("swarm_taxis");
+    Controller controller_{system_, component_named(system_, "SwarmTaxis")};
 };
 
 TEST_F(SwarmTaxis, StartsForward) {
@@ -47,9 +47,9 @@ TEST_F(SwarmTaxis, ARobotNearbyIsAvoided) {
     controller_.cycle();
     EXPECT_THAT(controller_.cycle({{"robotDetected.in", ""}}), ElementsAre("CalcAvoidanceHeadingCall"));
     EXPECT_THAT(controller_.cycle(), IsEmpty());  // the entry action waits for the heading
-    EXPECT_THAT(controller_.cycle({{"heading.in", scaled(0.2)}}),
-                ElementsAre("set_desiredTurningDegree(" + scaled(0.2) + ")", "set_reached(0)",
-                            "StartTurningCall(" + scaled(0.2) + ")"));
+    EXPECT_THAT(controller_.cycle({{"heading.in", scale_value(0.2)}}),
+                ElementsAre("set_desiredTurningDegree(" + scale_value(0.2) + ")", "set_reached(0)",
+                            "StartTurningCall(" + scale_value(0.2) + ")"));
     EXPECT_THAT(controller_.cycle(), IsEmpty());  // Turn waits for `turned`
     EXPECT_THAT(controller_.cycle({{"turned.in", ""}}),
                 ElementsAre("set_reached(1)", "MoveForwardCall", "CheckIlluminationStatusCall"));
@@ -69,10 +69,10 @@ TEST_F(SwarmTaxis, AvoidanceResetsTheClock) {
 TEST_F(SwarmTaxis, LightSetsTheAvoidanceRadius) {
     controller_.cycle();
     EXPECT_THAT(controller_.cycle({{"illumination.in", "true"}}),
-                ElementsAre("set_illuminated(1)", "set_avoidanceRadius(" + scaled(0.2) + ")", "MoveForwardCall",
+                ElementsAre("set_illuminated(1)", "set_avoidanceRadius(" + scale_value(0.2) + ")", "MoveForwardCall",
                             "CheckIlluminationStatusCall"));
     EXPECT_THAT(controller_.cycle({{"illumination.in", "false"}}),
-                ElementsAre("set_illuminated(0)", "set_avoidanceRadius(" + scaled(0.1) + ")", "MoveForwardCall",
+                ElementsAre("set_illuminated(0)", "set_avoidanceRadius(" + scale_value(0.1) + ")", "MoveForwardCall",
                             "CheckIlluminationStatusCall"));
 }
 

@@ -10,28 +10,28 @@ namespace robochart::cpp_emit {
 namespace {
 
 TEST(Names, BecomeIdentifiers) {
-    EXPECT_EQ(identifier("O::P"), "O_P");
-    EXPECT_EQ(identifier("__x__"), "x_");
-    EXPECT_EQ(identifier("2d"), "n2d");
-    EXPECT_EQ(identifier(""), "unnamed");
-    EXPECT_EQ(identifier("caf\xc3\xa9"), "caf_");
+    EXPECT_EQ(to_identifier("O::P"), "O_P");
+    EXPECT_EQ(to_identifier("__x__"), "x_");
+    EXPECT_EQ(to_identifier("2d"), "n2d");
+    EXPECT_EQ(to_identifier(""), "unnamed");
+    EXPECT_EQ(to_identifier("caf\xc3\xa9"), "caf_");
 }
 
 TEST(Names, AvoidKeywordsAndEachOther) {
     NameScope scope({"at"});
-    EXPECT_EQ(scope.unique("class"), "class_");
-    EXPECT_EQ(scope.unique("class"), "class_2");
-    EXPECT_EQ(scope.unique("at"), "at_2");
-    EXPECT_EQ(scope.unique("x"), "x");
-    EXPECT_EQ(scope.numbered("x"), "x_1");
-    EXPECT_EQ(scope.numbered("x"), "x_2");
+    EXPECT_EQ(scope.unique_name("class"), "class_");
+    EXPECT_EQ(scope.unique_name("class"), "class_2");
+    EXPECT_EQ(scope.unique_name("at"), "at_2");
+    EXPECT_EQ(scope.unique_name("x"), "x");
+    EXPECT_EQ(scope.numbered_name("x"), "x_1");
+    EXPECT_EQ(scope.numbered_name("x"), "x_2");
 }
 
 TEST(CodeWriter, IndentsBlocks) {
     CodeWriter out;
     out.open("if (a) {");
     out.line("b();");
-    out.reopen("} else {");
+    out.reopen_block("} else {");
     out.line("c();");
     out.close();
     EXPECT_EQ(out.text(), "if (a) {\n    b();\n} else {\n    c();\n}\n");

@@ -18,8 +18,8 @@ using testing::Folder;
 class TraceHook : public ::testing::Test {
 protected:
     TraceHook() {
-        const ir::System system = testing::corpus("aggregation");
-        folder_.write(testing::emit_ok(system, testing::component(system, "Aggregation")));
+        const ir::System system = testing::load_corpus("aggregation");
+        folder_.write(testing::emit_ok(system, testing::component_named(system, "Aggregation")));
         std::ofstream(folder_.path() + "/user.cpp") << R"(#include "Aggregation_core.hpp"
 namespace core = aggregation::Aggregation_core;
 struct Wheels {
@@ -41,7 +41,7 @@ robochart::StepResult cycle(core::State<robochart::Deployment>& state,
     }
 
     /// The assembly code of the machine.
-    std::string assembly(const std::string& options) const {
+    std::string compile_to_assembly(const std::string& options) const {
         folder_.run("c++ -std=c++17 -O2 -S " + options + " -I . user.cpp -o user.s");
         std::ostringstream text;
         text << std::ifstream(folder_.path() + "/user.s").rdbuf();
@@ -52,11 +52,11 @@ robochart::StepResult cycle(core::State<robochart::Deployment>& state,
 };
 
 TEST_F(TraceHook, NothingIsLeftOfItWhereNobodyListens) {
-    const std::string as_emitted = assembly("");
-    const std::string heard = assembly("-DLISTENS");
+    const std::string as_emitted = compile_to_assembly("");
+    const std::string heard = compile_to_assembly("-DLISTENS");
     folder_.run("grep -q 'taken([0-9]*);' Aggregation_core.hpp");
     folder_.run("sed -i '/^ *taken([0-9]*);$/d' Aggregation_core.hpp");
-    const std::string without = assembly("");
+    const std::string without = compile_to_assembly("");
     EXPECT_EQ(as_emitted, without);
     EXPECT_NE(heard, without);
 }

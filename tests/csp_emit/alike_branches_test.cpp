@@ -16,7 +16,7 @@ namespace {
 namespace b = cspm::build;
 using ::testing::ElementsAre;
 
-cspm::ExprPtr expression(const std::string& text) {
+cspm::ExprPtr parse_expression(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     return cspm::read(sources, sources.add("t.csp", "X__ = " + text), diagnostics).decls.at(0)->body;
@@ -27,9 +27,9 @@ struct Gathered {
     std::vector<NamedSet> sets;
 };
 
-Gathered gathered(const std::string& body) {
-    std::vector<Function> functions{{"P", {"v"}, expression(body)}};
-    Gathered result{"", {{"others", expression("{| a, b |}")}}};
+Gathered gather_branches(const std::string& body) {
+    std::vector<Function> functions{{"P", {"v"}, parse_expression(body)}};
+    Gathered result{"", {{"others", parse_expression("{| a, b |}")}}};
     NameManager names;
     gather_alike_branches(functions, names, result.sets);
     result.body = cspm::print(functions[0].body);
@@ -37,14 +37,14 @@ Gathered gathered(const std::string& body) {
 }
 
 TEST(AlikeBranches, OfOneChoiceBecomeOneBranchOverASetOfEvents) {
-    const Gathered result = gathered("c!v -> P(v + 1) [] a?x -> P(v) [] b?y -> P(v) [] tock -> P(v)");
+    const Gathered result = gather_branches("c!v -> P(v + 1) [] a?x -> P(v) [] b?y -> P(v) [] tock -> P(v)");
     EXPECT_EQ(result.body, "c!v -> P(v + 1) [] ([] e__:alike__ @ e__ -> P(v))");
     ASSERT_EQ(result.sets.size(), 2U);
     EXPECT_EQ(cspm::print(result.sets[1].events), "{| a, b, tock |}");
 }
 
 TEST(AlikeBranches, UseTheNameThatASetHasAlready) {
-    const Gathered result = gathered("a?x -> P(v) [] b?y -> P(v) [] c!v -> P(0)");
+    const Gathered result = gather_branches("a?x -> P(v) [] b?y -> P(v) [] c!v -> P(0)");
     EXPECT_EQ(result.body, "([] e__:others @ e__ -> P(v)) [] c!v -> P(0)");
     EXPECT_EQ(result.sets.size(), 1U);
 }
@@ -53,11 +53,11 @@ TEST(AlikeBranches, AreThoseWithoutGuardOutputOrUseOfTheirValue) {
     for (const std::string kept :
          {"a?x -> P(x) [] b?x -> P(x)", "v > 0 & a?x -> P(v) [] b?x -> P(v)", "c!v -> P(v) [] c!0 -> P(v)",
           "a?x:{0} -> P(v) [] b?x -> P(v)", "a?x -> P(v) [] b?x -> P(v + 1)"})
-        EXPECT_EQ(gathered(kept).body, kept);
+        EXPECT_EQ(gather_branches(kept).body, kept);
 }
 
 TEST(AlikeBranches, AreFoundBehindGuardsAndPrefixes) {
-    EXPECT_EQ(gathered("go -> (if v > 0 then a?x -> P(v) [] b?x -> P(v) else STOP)").body,
+    EXPECT_EQ(gather_branches("go -> (if v > 0 then a?x -> P(v) [] b?x -> P(v) else STOP)").body,
               "go -> (if v > 0 then [] e__:others @ e__ -> P(v) else STOP)");
 }
 
@@ -79,7 +79,7 @@ TEST(AlikeBranches, KeepTheMeaning) {
     const auto q = b::call("Q", {b::number(0)});
     script.decls.push_back(b::assert_refines(p, cspm::Model::failures_divergences, q));
     script.decls.push_back(b::assert_refines(q, cspm::Model::failures_divergences, p));
-    EXPECT_THAT(testing::decide(script), ElementsAre("holds", "holds"));
+    EXPECT_THAT(testing::decide_script(script), ElementsAre("holds", "holds"));
 }
 
 }  // namespace

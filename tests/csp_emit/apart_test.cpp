@@ -29,7 +29,7 @@ std::set<std::string> taken_names() {
     return result;
 }
 
-std::string with(std::string text, const std::string& name) {
+std::string insert_name(std::string text, const std::string& name) {
     for (std::size_t at = text.find("NAME"); at != std::string::npos; at = text.find("NAME", at + name.size()))
         text.replace(at, 4, name);
     return text;
@@ -96,10 +96,10 @@ TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
                 const bool section = std::string(block).find("Timed") != std::string::npos;
                 if (section && (name == "OneStep" || std::string(form).find("module") != std::string::npos)) continue;
                 std::string text = block;
-                text.replace(text.find("TEXT"), 4, with(form, name));
+                text.replace(text.find("TEXT"), 4, insert_name(form, name));
                 // All blocks are type checked; every 97th is also decided.
                 const bool decide = ++number % 97 == 0;
-                const auto m = testing::model(variety, text + claims);
+                const auto m = testing::load_model(variety, text + claims);
                 ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
                 const Emission emission = m->emit(Time::timed);
                 ASSERT_TRUE(m->diagnostics.ok()) << text << m->messages();
@@ -111,7 +111,7 @@ TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
                 }
                 ASSERT_TRUE(m->diagnostics.ok()) << text << m->messages();
                 if (!decide) continue;
-                EXPECT_THAT(testing::claims(*m, Time::timed), ElementsAre("fails", "holds")) << text;
+                EXPECT_THAT(testing::decide_obligations(*m, Time::timed), ElementsAre("fails", "holds")) << text;
             }
     }
 }
@@ -119,11 +119,11 @@ TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
 // Decides the claims for each name that an Instantiations block defines as a function.
 TEST(Apart, InstantiationsDoNotChangeWhatIsDecided) {
     for (const std::string& name : taken_names()) {
-        const std::string block = with("csp Instantiations csp-begin\nNAME(x__y) = 0\ncsp-end\n", name);
-        const auto m = testing::model(variety, block + claims);
+        const std::string block = insert_name("csp Instantiations csp-begin\nNAME(x__y) = 0\ncsp-end\n", name);
+        const auto m = testing::load_model(variety, block + claims);
         ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
         if (name == "InOut" || name == "in" || name == "out" || name == "tock" || name == "tock'") continue;
-        EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("fails", "holds", "holds")) << block;
+        EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("fails", "holds", "holds")) << block;
     }
 }
 
@@ -132,21 +132,22 @@ TEST(Apart, ABlocksFunctionIsTheModels) {
         if (name.find('\'') != std::string::npos || name == "Seq" || name == "Set") continue;  // not a RoboChart name
         if (name == "InOut" || name == "in" || name == "out" || name == "tock") continue;      // declared twice in CSPM
         const std::string function = frontend::is_reserved(name) ? "^" + name : name;
-        const auto m = testing::model(
-            with("function NAME(a : Set(nat)) : nat { } stm S { event o : nat var s : Set(nat) initial i0 state A { } "
-                 "transition t0 { from i0 to A action s = {0, 1} ; o ! NAME(s) } }",
-                 function),
-            with("csp Instantiations csp-begin\nNAME(a) = 1\ncsp-end\n"
-                 "csp Q csp-begin\nQ = S::o.out!1 -> Q\ncsp-end\n"
-                 "untimed assertion T1 : S refines Q in the traces model\n",
-                 name));
+        const auto m = testing::load_model(
+            insert_name(
+                "function NAME(a : Set(nat)) : nat { } stm S { event o : nat var s : Set(nat) initial i0 state A { } "
+                "transition t0 { from i0 to A action s = {0, 1} ; o ! NAME(s) } }",
+                function),
+            insert_name("csp Instantiations csp-begin\nNAME(a) = 1\ncsp-end\n"
+                        "csp Q csp-begin\nQ = S::o.out!1 -> Q\ncsp-end\n"
+                        "untimed assertion T1 : S refines Q in the traces model\n",
+                        name));
         ASSERT_TRUE(m->diagnostics.ok()) << name << m->messages();
-        EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds")) << name;
+        EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds")) << name;
     }
 }
 
 TEST(Apart, BlocksCallElementsByTheirNamesInTheModel) {
-    const auto m = testing::model(
+    const auto m = testing::load_model(
         R"(
         stm S { event union : nat event halt initial i state A { } state halt { initial i state entered_ { } transition t { from i to entered_ } }
                 transition t0 { from i to A } transition t1 { from A to halt trigger halt action union ! 1 } }
@@ -174,7 +175,8 @@ TEST(Apart, BlocksCallElementsByTheirNamesInTheModel) {
         untimed assertion C : _T is not deadlock-free
     )");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds", "holds", "holds")) << m->messages();
+    EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds", "holds", "holds"))
+        << m->messages();
     const Emission emission = m->emit(Time::untimed);
     cspm::check_types(emission.script, m->diagnostics);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -192,7 +194,7 @@ TEST(Apart, FilesAreScopesOfTheirOwn) {
                                        "untimed assertion A2 : S equals Spec\n"}});
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     EXPECT_THAT(m->codes(), IsEmpty());
-    EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds", "fails"));
+    EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds", "fails"));
     const Emission emission = m->emit(Time::untimed);
     cspm::check_types(emission.script, m->diagnostics);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -289,7 +291,7 @@ const char* const everywhere[] = {
 /// If the name rules accept the model, no name in its scripts is captured. The models differ only in one name, so only
 /// some of them are type checked and parsed again.
 void expect_apart(const std::string& text, bool and_read_again) {
-    const auto m = testing::model(text);
+    const auto m = testing::load_model(text);
     if (!m->diagnostics.ok()) return;  // rejected by the name rules: no script is generated
     for (const Time time : {Time::untimed, Time::timed}) {
         const Emission emission = m->emit(time, time == Time::timed);
@@ -309,7 +311,7 @@ TEST(Apart, EveryNameMayStandEverywhere) {
     const std::size_t share = is_long_run() ? 1 : 3;
     std::size_t number = 0;
     for (const char* text : everywhere) {
-        const auto m = testing::model(with(text, "plain"));
+        const auto m = testing::load_model(insert_name(text, "plain"));
         (void)m->emit(Time::timed, true);
         ASSERT_TRUE(m->diagnostics.ok()) << text << m->messages();
     }
@@ -402,7 +404,7 @@ TEST(Apart, EveryNameMayStandEverywhere) {
         ++turn;
         const bool literal = plain == "True" || plain == "False";  // the only names whose plain form is also a literal
         for (std::size_t i = literal ? 0 : turn % share; i < std::size(everywhere); i += literal ? 1 : share)
-            expect_apart(with(everywhere[i], name), ++number % 7 == 0);
+            expect_apart(insert_name(everywhere[i], name), ++number % 7 == 0);
     }
 }
 
@@ -413,7 +415,7 @@ TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
          {"b.rct", "stm S { event b initial i state A { entry b } transition t { from i to A } }"},
          {"c.assertions",
           "untimed csp Q csp-begin\nQ = S::a.out -> STOP\ncsp-end\nuntimed assertion A : S equals Q\n"}});
-    EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds")) << m->messages();
+    EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds")) << m->messages();
     Emission emission = m->emit(Time::untimed, true);
     cspm::check_types(emission.script, m->diagnostics);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();

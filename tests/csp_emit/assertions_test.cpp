@@ -9,11 +9,11 @@
 namespace robochart::csp_emit {
 namespace {
 
-using testing::claims;
+using testing::decide_obligations;
+using testing::decide_with;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::model;
-using testing::verdicts;
+using testing::load_model;
 
 // Ready offers a and b, and the environment chooses; Chosen chooses internally; More offers a third event.
 const char* const machines = R"(
@@ -113,95 +113,95 @@ stm OnlyA {
 }
 )";
 
-std::vector<std::string> decided(const std::string& assertions, Time time) {
-    const auto m = model(machines, assertions);
+std::vector<std::string> decide_claims(const std::string& assertions, Time time) {
+    const auto m = load_model(machines, assertions);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
-    return claims(*m, time);
+    return decide_obligations(*m, time);
 }
 
 TEST(Assertions, ComponentsAreComparedByTheNamesOfTheirEvents) {
     for (const Time time : {Time::untimed, Time::timed})
-        EXPECT_THAT(decided("assertion A : Ready equals Twin\n"
-                            "assertion B : Ready refines Chosen\n"
-                            "assertion C : Chosen does not refine Ready\n"
-                            "assertion D : Chosen refines Ready in the traces model\n"
-                            "assertion E : Ready refines Chosen in the failures model\n"
-                            "assertion F : Chosen does not refine Ready in the failures model\n",
-                            time),
+        EXPECT_THAT(decide_claims("assertion A : Ready equals Twin\n"
+                                  "assertion B : Ready refines Chosen\n"
+                                  "assertion C : Chosen does not refine Ready\n"
+                                  "assertion D : Chosen refines Ready in the traces model\n"
+                                  "assertion E : Ready refines Chosen in the failures model\n"
+                                  "assertion F : Chosen does not refine Ready in the failures model\n",
+                                  time),
                     ElementsAre("holds", "holds", "holds", "holds", "holds", "holds"));
 }
 
 // `not equal` holds if at least one of the two refinements fails.
 TEST(Assertions, NotEqualIsTheFailureOfOneRefinement) {
     for (const Time time : {Time::untimed, Time::timed})
-        EXPECT_THAT(decided("assertion A : Ready is not equal to Twin\n"
-                            "assertion B : Ready is not equal to Chosen\n"
-                            "assertion C : Chosen is not equal to Ready\n"
-                            "assertion D : Ready is not equal to Chosen in the traces model\n"
-                            "assertion E : OnlyA is not equal to Chosen in the traces model\n"
-                            "assertion F : Ready is not equal to Chosen in the failures model\n",
-                            time),
+        EXPECT_THAT(decide_claims("assertion A : Ready is not equal to Twin\n"
+                                  "assertion B : Ready is not equal to Chosen\n"
+                                  "assertion C : Chosen is not equal to Ready\n"
+                                  "assertion D : Ready is not equal to Chosen in the traces model\n"
+                                  "assertion E : OnlyA is not equal to Chosen in the traces model\n"
+                                  "assertion F : Ready is not equal to Chosen in the failures model\n",
+                                  time),
                     ElementsAre("fails", "holds", "holds", "fails", "holds", "holds"));
 }
 
 TEST(Assertions, TickTockComparesComponents) {
-    EXPECT_THAT(decided("timed assertion A : Ready equals Twin in the tick-tock model\n"
-                        "timed assertion B : Ready refines Chosen in the tick-tock model\n"
-                        "timed assertion C : Chosen refines Ready in the tick-tock model\n"
-                        "timed assertion D : Chosen is not equal to Ready in the tick-tock model\n"
-                        "timed assertion E : Ready is not equal to Twin in the tick-tock model\n",
-                        Time::timed),
+    EXPECT_THAT(decide_claims("timed assertion A : Ready equals Twin in the tick-tock model\n"
+                              "timed assertion B : Ready refines Chosen in the tick-tock model\n"
+                              "timed assertion C : Chosen refines Ready in the tick-tock model\n"
+                              "timed assertion D : Chosen is not equal to Ready in the tick-tock model\n"
+                              "timed assertion E : Ready is not equal to Twin in the tick-tock model\n",
+                              Time::timed),
                 ElementsAre("holds", "holds", "fails", "holds", "fails"));
 }
 
 TEST(Assertions, WhatAModelCannotTellIsSaid) {
-    EXPECT_THAT(decided("untimed assertion A : Ready equals Twin in the tick-tock model\n"
-                        "untimed assertion B : Ready is deadlock-free in the traces model\n"
-                        "untimed assertion C : Ready is divergence-free in the failures model\n"
-                        "untimed assertion D : Ready is timelock-free\n",
-                        Time::untimed),
+    EXPECT_THAT(decide_claims("untimed assertion A : Ready equals Twin in the tick-tock model\n"
+                              "untimed assertion B : Ready is deadlock-free in the traces model\n"
+                              "untimed assertion C : Ready is divergence-free in the failures model\n"
+                              "untimed assertion D : Ready is timelock-free\n",
+                              Time::untimed),
                 ::testing::Each(HasSubstr("no check: ")));
     EXPECT_THAT(
-        decided("timed assertion A : Ready is deterministic in the tick-tock model\n"
-                "timed assertion B : P refines Ready in the tick-tock model\n"
-                "timed csp P csp-begin\nP = STOP\ncsp-end\n",
-                Time::timed),
+        decide_claims("timed assertion A : Ready is deterministic in the tick-tock model\n"
+                      "timed assertion B : P refines Ready in the tick-tock model\n"
+                      "timed csp P csp-begin\nP = STOP\ncsp-end\n",
+                      Time::timed),
         ElementsAre(HasSubstr("no check: "), ::testing::AllOf(HasSubstr("P__sem__events is not defined"),
                                                               HasSubstr("`P__sem__events = Ready::sem__events`"))));
 }
 
 TEST(Assertions, PropertiesInTheFailuresModel) {
-    EXPECT_THAT(decided("untimed assertion A : Ready is not deadlock-free in the failures model\n"
-                        "untimed assertion B : Ready is deterministic in the failures model\n"
-                        "untimed assertion C : Chosen is not deterministic in the failures model\n"
-                        "untimed assertion D : Ready terminates in the failures model\n",
-                        Time::untimed),
+    EXPECT_THAT(decide_claims("untimed assertion A : Ready is not deadlock-free in the failures model\n"
+                              "untimed assertion B : Ready is deterministic in the failures model\n"
+                              "untimed assertion C : Chosen is not deterministic in the failures model\n"
+                              "untimed assertion D : Ready terminates in the failures model\n",
+                              Time::untimed),
                 ElementsAre("holds", "holds", "holds", "holds"));
-    EXPECT_THAT(decided("timed assertion A : Ready is timelock-free in the tick-tock model\n", Time::timed),
+    EXPECT_THAT(decide_claims("timed assertion A : Ready is timelock-free in the tick-tock model\n", Time::timed),
                 ElementsAre("fails"));  // the machine can terminate, and a terminated process lets no time pass
 }
 
 // A machine that terminates has ✓ in its traces. Even then, a state without incoming transitions is not reachable.
 TEST(Assertions, StatesOfMachinesThatTerminate) {
-    const auto m = model(
+    const auto m = load_model(
         "stm S { initial i state A { } state B { } final f transition t0 { from i to A } "
         "transition t1 { from A to f } transition t2 { from B to f } }",
         "assertion A : S::A is reachable in S\nassertion B : S::B is not reachable in S\n"
         "assertion C : S::B is reachable in S\n");
     for (const Time time : {Time::untimed, Time::timed})
-        EXPECT_THAT(claims(*m, time), ElementsAre("holds", "holds", "fails"));
+        EXPECT_THAT(decide_obligations(*m, time), ElementsAre("holds", "holds", "fails"));
 }
 
 /// The verdicts of "C is initialised" and "C is not initialised", for a machine with this body.
-std::vector<std::string> initialised(const std::string& body, Time time) {
-    const auto m = model(
+std::vector<std::string> decide_initialisation(const std::string& body, Time time) {
+    const auto m = load_model(
         "interface W { clock C }\noperation start() { requires W initial i final f "
         "transition t { from i to f #C } }\ninterface O { start() }\n"
         "controller K { opref o = start stm S { requires O clock C clock D event a event b initial i " +
             body + " } }",
         "assertion A : clock K::S::C is initialised\nassertion B : clock K::S::C is not initialised\n");
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
-    return claims(*m, time);
+    return decide_obligations(*m, time);
 }
 
 TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
@@ -210,7 +210,7 @@ TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
     const std::string states = "state A { } state B { } state X { } ";
     const std::string read = "transition r { from B to B trigger a condition since(C) > 1 } ";
     for (const Time time : {Time::untimed, Time::timed}) {
-        const auto check = [&](const std::string& body) { return initialised(states + body, time); };
+        const auto check = [&](const std::string& body) { return decide_initialisation(states + body, time); };
         EXPECT_THAT(check("transition t { from i to B }" + read), no) << "read at once";
         EXPECT_THAT(check("transition t { from i to B #C }" + read), yes) << "reset on the way";
         EXPECT_THAT(check("transition t { from i to A } transition u { from A to B #C }" + read), yes) << "later";
@@ -232,15 +232,15 @@ TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
                              "transition t { from i to A } transition u { from A to B condition since(D) >= 2 } "
                              "transition v { from A to B #C condition since(D) >= 1 }" +
                              read;
-    EXPECT_THAT(initialised(race, Time::timed), yes);
-    EXPECT_THAT(initialised(race, Time::untimed), no);
+    EXPECT_THAT(decide_initialisation(race, Time::timed), yes);
+    EXPECT_THAT(decide_initialisation(race, Time::untimed), no);
 }
 
 // Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): a refusal before time passes is part of a trace, a refusal before
 // another event is not.
 TEST(TickTock, Laws) {
-    const auto m = model(machines, "timed csp Shift csp-begin\n-- model_shifting\ncsp-end\n");
-    const auto results = verdicts(*m, Time::timed, R"(
+    const auto m = load_model(machines, "timed csp Shift csp-begin\n-- model_shifting\ncsp-end\n");
+    const auto results = decide_with(*m, Time::timed, R"(
 channel a, b, c, d
 instance M = model_shifting({a,b,c,d})
 Timed(OneStep) {

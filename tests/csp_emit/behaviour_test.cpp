@@ -11,19 +11,19 @@
 namespace robochart::csp_emit {
 namespace {
 
-using testing::equal;
-using testing::model;
+using testing::check_equivalence;
+using testing::load_model;
 
-std::string untimed(const std::string& rct, const std::string& definitions) {
-    const auto m = model(rct);
+std::string compare_untimed(const std::string& rct, const std::string& definitions) {
+    const auto m = load_model(rct);
     if (!m->diagnostics.ok()) return m->messages();
-    return equal(*m, Time::untimed, "S::D__(0)", "Spec", definitions);
+    return check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", definitions);
 }
 
-std::string timed(const std::string& rct, const std::string& definitions) {
-    const auto m = model(rct);
+std::string compare_timed(const std::string& rct, const std::string& definitions) {
+    const auto m = load_model(rct);
     if (!m->diagnostics.ok()) return m->messages();
-    return equal(*m, Time::timed, "S::D__(0)", "Spec", definitions);
+    return check_equivalence(*m, Time::timed, "S::D__(0)", "Spec", definitions);
 }
 
 /// A machine S with events a to f without values.
@@ -32,8 +32,8 @@ std::string machine(const std::string& body) {
 }
 
 TEST(States, CompositeEntersOutsideInAndExitsInsideOut) {
-    EXPECT_EQ(
-        untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(
+                  machine(R"(
         initial i
         state C {
             entry a
@@ -46,23 +46,23 @@ TEST(States, CompositeEntersOutsideInAndExitsInsideOut) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger f action n ! 1 }
     )"),
-                "Spec = S::a.out -> S::b.out -> S::f.in -> S::c.out -> S::d.out -> S::n.out.1 -> S::g.out -> STOP"),
-        "holds");
+                  "Spec = S::a.out -> S::b.out -> S::f.in -> S::c.out -> S::d.out -> S::n.out.1 -> S::g.out -> STOP"),
+              "holds");
 }
 
 TEST(States, SelfTransitionRunsExitAndEntry) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state A { entry a exit b }
         transition t0 { from i to A }
         transition t1 { from A to A trigger c }
     )"),
-                      "Spec = S::a.out -> S::c.in -> S::b.out -> Spec"),
+                              "Spec = S::a.out -> S::c.in -> S::b.out -> Spec"),
               "holds");
 }
 
 TEST(States, OuterTransitionsCompeteWithInnerOnes) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state C {
             initial j
@@ -75,14 +75,14 @@ TEST(States, OuterTransitionsCompeteWithInnerOnes) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger a action c }
     )"),
-                      // In the inner state, `a` may trigger either transition; while `b` is offered, the outer
-                      // transition is not possible.
-                      "Spec = S::a.in -> (S::b.out -> S::a.in -> S::c.out -> STOP |~| S::c.out -> STOP)"),
+                              // In the inner state, `a` may trigger either transition; while `b` is offered, the outer
+                              // transition is not possible.
+                              "Spec = S::a.in -> (S::b.out -> S::a.in -> S::c.out -> STOP |~| S::c.out -> STOP)"),
               "holds");
 }
 
 TEST(States, InnerFinalLeavesTheCompositeWaiting) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state C {
             initial j
@@ -93,22 +93,22 @@ TEST(States, InnerFinalLeavesTheCompositeWaiting) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger b action c }
     )"),
-                      "Spec = S::a.out -> S::b.in -> S::c.out -> STOP"),
+                              "Spec = S::a.out -> S::b.in -> S::c.out -> STOP"),
               "holds");
 }
 
 TEST(States, TopLevelFinalTerminates) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         final k
         transition t0 { from i to k action a }
     )"),
-                      "Spec = S::a.out -> S::terminate -> SKIP"),
+                              "Spec = S::a.out -> S::terminate -> SKIP"),
               "holds");
 }
 
 TEST(Transitions, GuardOnTheIncomingValueRefusesTheOthers) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         var x:nat
         initial i
         state A { }
@@ -116,7 +116,7 @@ TEST(Transitions, GuardOnTheIncomingValueRefusesTheOthers) {
         transition t0 { from i to A }
         transition t1 { from A to B trigger n ? x condition x > 0 }
     )"),
-                      "Spec = S::n.in?v:{1,2} -> S::m.out!v -> STOP"),
+                              "Spec = S::n.in?v:{1,2} -> S::m.out!v -> STOP"),
               "holds");
 }
 
@@ -137,26 +137,27 @@ const char* const racing_machine = R"(
 TEST(Transitions, InnerExitsRaceWithTheStore) {
     // semantics 3.4: the value is stored while the inner states are left; the source state's own exit action follows
     // both.
-    EXPECT_EQ(untimed(machine(racing_machine),
-                      "Spec = S::n.in?v -> S::a.out -> (S::m.out.0 -> Rest(v) |~| S::m.out!v -> Rest(v))\n"
-                      "Rest(v) = S::g.out -> S::m.out!v -> STOP"),
+    EXPECT_EQ(compare_untimed(machine(racing_machine),
+                              "Spec = S::n.in?v -> S::a.out -> (S::m.out.0 -> Rest(v) |~| S::m.out!v -> Rest(v))\n"
+                              "Rest(v) = S::g.out -> S::m.out!v -> STOP"),
               "holds");
 }
 
 TEST(Transitions, AStoreIsDoneBeforeTimePasses) {
     // The store is hidden: after one time unit, `m` sends the new value.
-    EXPECT_EQ(timed(machine(racing_machine),
-                    "Timed(OneStep) {\n"
-                    "Run = S::n.in?v -> ((S::a.out -> (S::m.out.0 -> Rest(v) |~| New(v))) [> S::a.out -> New(v))\n"
-                    "New(v) = S::m.out!v -> Rest(v)\n"
-                    "Rest(v) = S::g.out -> S::m.out!v -> STOP\n"
-                    "Spec = timed_priority(Run)\n}\n"),
-              "holds");
+    EXPECT_EQ(
+        compare_timed(machine(racing_machine),
+                      "Timed(OneStep) {\n"
+                      "Run = S::n.in?v -> ((S::a.out -> (S::m.out.0 -> Rest(v) |~| New(v))) [> S::a.out -> New(v))\n"
+                      "New(v) = S::m.out!v -> Rest(v)\n"
+                      "Rest(v) = S::g.out -> S::m.out!v -> STOP\n"
+                      "Spec = timed_priority(Run)\n}\n"),
+        "holds");
 }
 
 TEST(Transitions, DeadlinesReadTheVariableThatTheGuardAsksTheInputFor) {
     // x is always 0, so the guard is false for the monitor, which never stops time (semantics 3.10).
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         var x:nat
         initial i
         state A { }
@@ -164,12 +165,12 @@ TEST(Transitions, DeadlinesReadTheVariableThatTheGuardAsksTheInputFor) {
         transition t0 { from i to A }
         transition t1 { from A to B trigger n ? x <{ 1 } condition x > 0 }
     )"),
-                    "Timed(OneStep) {\nSpec = S::n.in?v:{1,2} -> STOP\n}\n"),
+                            "Timed(OneStep) {\nSpec = S::n.in?v:{1,2} -> STOP\n}\n"),
               "holds");
 }
 
 TEST(Transitions, TheSameTriggerTwiceIsAnInternalChoice) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state A { }
         state B { }
@@ -177,12 +178,12 @@ TEST(Transitions, TheSameTriggerTwiceIsAnInternalChoice) {
         transition t1 { from A to B trigger a action b }
         transition t2 { from A to B trigger a action c }
     )"),
-                      "Spec = S::a.in -> (S::b.out -> STOP |~| S::c.out -> STOP)"),
+                              "Spec = S::a.in -> (S::b.out -> STOP |~| S::c.out -> STOP)"),
               "holds");
 }
 
 TEST(Transitions, OneWithoutTriggerCompetesWithATrigger) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state A { }
         state B { }
@@ -190,12 +191,12 @@ TEST(Transitions, OneWithoutTriggerCompetesWithATrigger) {
         transition t1 { from A to B trigger a action b }
         transition t2 { from A to B action c }
     )"),
-                      "Spec = (S::a.in -> S::b.out -> STOP) [> (S::c.out -> STOP)"),
+                              "Spec = (S::a.in -> S::b.out -> STOP) [> (S::c.out -> STOP)"),
               "holds");
 }
 
 TEST(Transitions, JunctionWithTwoTrueGuardsChooses) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         junction j
         state A { }
@@ -204,60 +205,60 @@ TEST(Transitions, JunctionWithTwoTrueGuardsChooses) {
         transition t2 { from j to A condition 2 > 1 action b }
         transition t3 { from j to A condition 2 > 3 action c }
     )"),
-                      "Spec = S::a.out -> STOP |~| S::b.out -> STOP"),
+                              "Spec = S::a.out -> STOP |~| S::b.out -> STOP"),
               "holds");
 }
 
 TEST(Transitions, JunctionWithoutTrueGuardBlocks) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         junction j
         state A { }
         transition t0 { from i to j action a }
         transition t1 { from j to A condition 1 > 2 action b }
     )"),
-                      "Spec = S::a.out -> STOP"),
+                              "Spec = S::a.out -> STOP"),
               "holds");
 }
 
 TEST(Actions, PrivateAssignmentsAndConditionals) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         var x:nat = 1, y:nat
         initial i
         state A { entry x = x + 1 ; y = x ; if y == 2 then m ! y else m ! 0 end ; if x == 0 then a else skip end ; b }
         transition t0 { from i to A }
     )"),
-                      "Spec = S::m.out.2 -> S::b.out -> STOP"),
+                              "Spec = S::m.out.2 -> S::b.out -> STOP"),
               "holds");
 }
 
 TEST(Actions, ArithmeticIsClippedToTheType) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         var x:nat = 2
         initial i
         state A { entry x = x + 1 ; m ! x }
         transition t0 { from i to A }
     )"),
-                      "Spec = S::m.out.2 -> STOP"),
+                              "Spec = S::m.out.2 -> STOP"),
               "holds");
 }
 
 TEST(Actions, DuringActionsAreCutAtAnyPoint) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state A { during a ; b }
         state B { }
         transition t0 { from i to A }
         transition t1 { from A to B trigger c action d }
     )"),
-                      R"(
+                              R"(
         Cut = S::c.in -> S::d.out -> STOP
         Spec = S::a.out -> (S::b.out -> Cut [] Cut) [] Cut)"),
               "holds");
 }
 
 TEST(Actions, AssignmentsOfDuringActionsMayComeTooLate) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         var x:nat
         initial i
         state A { during a ; x = 1 }
@@ -265,14 +266,14 @@ TEST(Actions, AssignmentsOfDuringActionsMayComeTooLate) {
         transition t0 { from i to A }
         transition t1 { from A to B trigger c condition x == 0 action d }
     )"),
-                      R"(
+                              R"(
         Cut = S::c.in -> S::d.out -> STOP
         Spec = S::a.out -> (Cut [> STOP) [] Cut)"),
               "holds");
 }
 
 TEST(Actions, DuringOfACompositeRunsBesideItsInside) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state C {
             during a
@@ -284,14 +285,14 @@ TEST(Actions, DuringOfACompositeRunsBesideItsInside) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger c }
     )"),
-                      R"(
+                              R"(
         Spec = (S::a.out -> SKIP ||| S::b.out -> SKIP ; STOP) /\ S::c.in -> STOP)"),
               "holds");
 }
 
 TEST(Memory, OthersMayWriteRequiredVariablesAtAnyTime) {
     // Reading is one hidden step; later writes of other machines do not change the value that was read.
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         stm S {
             requires I
@@ -299,7 +300,7 @@ TEST(Memory, OthersMayWriteRequiredVariablesAtAnyTime) {
             state A { entry x = x + 1 }
             transition t0 { from i to A }
         })",
-                      R"(
+                              R"(
         Before(x) = (S::set_EXT_x?y -> Before(y)) [> Pending(Plus(x,1,core_nat))
         Pending(v) = S::set_x!v -> After [] S::set_EXT_x?y -> Pending(v)
         After = S::set_EXT_x?y -> After
@@ -308,7 +309,7 @@ TEST(Memory, OthersMayWriteRequiredVariablesAtAnyTime) {
 }
 
 TEST(Memory, GuardsSeeExternalWrites) {
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         stm S {
             requires I
@@ -319,7 +320,7 @@ TEST(Memory, GuardsSeeExternalWrites) {
             transition t0 { from i to A }
             transition t1 { from A to B trigger a condition x == 1 }
         })",
-                      R"(
+                              R"(
         A(x) = S::set_EXT_x?y -> A(y) [] x == 1 & S::a.in -> B
         B = S::set_EXT_x?y -> B
         Spec = A(0))"),
@@ -329,7 +330,7 @@ TEST(Memory, GuardsSeeExternalWrites) {
 TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
     // RoboTool: share__choice(exited -> SKIP) ; share__choice(get_x?x -> goCall.x -> SKIP), where goCall.x is outside a
     // share__choice.
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         interface O { go(v:nat) }
         stm S {
@@ -341,7 +342,7 @@ TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
             transition t0 { from i to A }
             transition t1 { from A to B trigger a action go(1) ; go(x) }
         })",
-                      R"(
+                              R"(
         A(x) = S::set_EXT_x?y -> A(y) [] S::a.in -> Left(x)
         Left(x) = (S::set_EXT_x?y -> Left(y)) [> S::goCall.1 -> Read(x)
         Read(x) = (S::set_EXT_x?y -> Read(y)) [> S::goCall.x -> B
@@ -353,7 +354,7 @@ TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
 TEST(Memory, OthersMayWriteAtTheExitsOfATransitionAndNotBetweenItsCalls) {
     // Active = ENTRY ; ... share__choice(exit -> SKIP) ; EXIT ; share__choice(exited -> SKIP), then the action and
     // enter.
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         interface O { go(v:nat) }
         stm S {
@@ -365,7 +366,7 @@ TEST(Memory, OthersMayWriteAtTheExitsOfATransitionAndNotBetweenItsCalls) {
             transition t0 { from i to A }
             transition t1 { from A to B trigger a action go(1) }
         })",
-                      R"(
+                              R"(
         A = S::set_EXT_x?y -> A [] S::a.in -> Exit
         Exit = (S::set_EXT_x?y -> Exit) [> S::goCall.0 -> Exited
         Exited = (S::set_EXT_x?y -> Exited) [> S::goCall.1 -> S::goCall.2 -> B
@@ -375,7 +376,7 @@ TEST(Memory, OthersMayWriteAtTheExitsOfATransitionAndNotBetweenItsCalls) {
 }
 
 TEST(Operations, UndefinedOnesAreOneEvent) {
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_untimed(R"(
         interface O { go(x:nat, y:boolean) stop() }
         stm S {
             requires O
@@ -384,24 +385,24 @@ TEST(Operations, UndefinedOnesAreOneEvent) {
             state A { entry go(v, false) ; stop() }
             transition t0 { from i to A }
         })",
-                      "Spec = S::goCall.2.false -> S::stopCall -> STOP"),
+                              "Spec = S::goCall.2.false -> S::stopCall -> STOP"),
               "holds");
 }
 
 // A value that violates the condition is refused, as in a trigger: x is 1 when the machine waits for the second value.
 TEST(Actions, ReceiveOnlyWhatSatisfiesTheCondition) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         var x : nat = 1 var y : nat
         initial i
         state A { entry n [| y > x |] ? y ; m ! y ; n [| x == y - x |] ? y ; m ! y }
         transition t0 { from i to A }
     )"),
-                      "Spec = S::n.in.2 -> S::m.out.2 -> S::n.in.2 -> S::m.out.2 -> STOP"),
+                              "Spec = S::n.in.2 -> S::m.out.2 -> S::n.in.2 -> S::m.out.2 -> STOP"),
               "holds");
 }
 
 TEST(Actions, AConditionOnWhatIsSentIsRefused) {
-    const auto m = model(machine(R"(
+    const auto m = load_model(machine(R"(
         var x : nat initial i state A { entry n [| x == 0 |] ! x } transition t0 { from i to A })"));
     EXPECT_NE(m->messages().find("a condition on a communication that receives no value in an action"),
               std::string::npos)
@@ -409,12 +410,12 @@ TEST(Actions, AConditionOnWhatIsSentIsRefused) {
 }
 
 TEST(Time, WaitsCountTocksAndOutputsAreNotUrgent) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         initial i
         state A { entry a ; wait(2) ; b }
         transition t0 { from i to A }
     )"),
-                    R"(
+                            R"(
         A0 = S::a.out -> tock -> tock -> B0 [] tock -> A0
         B0 = S::b.out -> Rest [] tock -> B0
         Rest = tock -> Rest
@@ -423,17 +424,17 @@ TEST(Time, WaitsCountTocksAndOutputsAreNotUrgent) {
 }
 
 TEST(Time, PlatformCallsAreUrgent) {
-    EXPECT_EQ(timed(R"(
+    EXPECT_EQ(compare_timed(R"(
         interface O { go() }
         stm S { requires O initial i state A { entry go() } transition t0 { from i to A } })",
-                    R"(
+                            R"(
         Rest = tock -> Rest
         Spec = S::goCall -> Rest)"),
               "holds");
 }
 
 TEST(Time, ATransitionFiresAsSoonAsItsClockAllows) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         clock T
         initial i
         state A { }
@@ -442,7 +443,7 @@ TEST(Time, ATransitionFiresAsSoonAsItsClockAllows) {
         transition t1 { from A to B trigger b condition since(T) < 2 }
         transition t2 { from A to B condition since(T) >= 3 }
     )"),
-                    R"(
+                            R"(
         In = S::b.in -> Out
         Spec = In [] tock -> (In [] tock -> tock -> Out)
         Out = S::a.out -> Rest [] tock -> Out
@@ -451,24 +452,24 @@ TEST(Time, ATransitionFiresAsSoonAsItsClockAllows) {
 }
 
 TEST(Time, AMissedDeadlineStopsTime) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         initial i
         state A { entry a <{1} }
         transition t0 { from i to A }
     )"),
-                    R"(
+                            R"(
         Spec = S::a.out -> Rest [] tock -> S::a.out -> Rest
         Rest = tock -> Rest)"),
               "holds");
 }
 
 TEST(Time, WaitIntervalsChoose) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         initial i
         state A { entry wait([1,2]) ; a }
         transition t0 { from i to A }
     )"),
-                    R"(
+                            R"(
         Spec = tock -> Out |~| tock -> tock -> Out
         Out = S::a.out -> Rest [] tock -> Out
         Rest = tock -> Rest)"),
@@ -476,24 +477,24 @@ TEST(Time, WaitIntervalsChoose) {
 }
 
 TEST(Time, TerminationIsNotUrgentInAMachine) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         initial i
         final k
         transition t0 { from i to k }
     )"),
-                    "Spec = S::terminate -> SKIP [] tock -> Spec"),
+                            "Spec = S::terminate -> SKIP [] tock -> Spec"),
               "holds");
 }
 
 TEST(Time, SinceEntryCountsFromTheEndOfTheEntryAction) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         initial i
         state A { entry wait(2) }
         state B { }
         transition t0 { from i to A }
         transition t1 { from A to B condition sinceEntry(A) >= 1 action a }
     )"),
-                    R"(
+                            R"(
         Spec = tock -> tock -> tock -> Out
         Out = S::a.out -> Rest [] tock -> Out
         Rest = tock -> Rest)"),
@@ -501,14 +502,14 @@ TEST(Time, SinceEntryCountsFromTheEndOfTheEntryAction) {
 }
 
 TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         initial i
         state A { }
         state B { }
         transition t0 { from i to A }
         transition t1 { from A to B trigger a <{1} }
     )"),
-                    R"(
+                            R"(
         Spec = S::a.in -> Rest [] tock -> S::a.in -> Rest
         Rest = tock -> Rest)"),
               "holds");
@@ -516,7 +517,7 @@ TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
 
 /// While the output b waits, x is false.
 TEST(Time, ATransitionsDeadlineBeginsAnewWhereItsGuardIsFalse) {
-    EXPECT_EQ(timed(machine(R"(
+    EXPECT_EQ(compare_timed(machine(R"(
         var x:boolean = true
         initial i
         state A {
@@ -529,7 +530,7 @@ TEST(Time, ATransitionsDeadlineBeginsAnewWhereItsGuardIsFalse) {
         transition t0 { from i to A }
         transition t1 { from A to D trigger c <{1} condition x }
     )"),
-                    R"(
+                            R"(
         Spec = Left(1)
         Left(k) = S::a.in -> Waiting [] S::c.in -> Rest [] k > 0 & tock -> Left(k - 1)
         Waiting = S::b.out -> Left(1) [] tock -> Waiting
@@ -538,7 +539,7 @@ TEST(Time, ATransitionsDeadlineBeginsAnewWhereItsGuardIsFalse) {
 }
 
 TEST(Time, UntimedTreatmentDropsIt) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         clock T
         var x:nat
         initial i
@@ -547,14 +548,14 @@ TEST(Time, UntimedTreatmentDropsIt) {
         transition t0 { from i to A }
         transition t1 { from A to B trigger b condition since(T) < 2 /\ x == 0 }
     )"),
-                      "Spec = S::a.out -> S::b.in -> STOP"),
+                              "Spec = S::a.out -> S::b.in -> STOP"),
               "holds");
 }
 
 // x is 0, so the remaining guard of t1 is false in both cases. The guard of t2 disappears, because the clock alone may
 // make it true.
 TEST(Time, UntimedGuardsKeepWhatReadsNoClock) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         clock T
         var x:nat
         initial i
@@ -564,9 +565,9 @@ TEST(Time, UntimedGuardsKeepWhatReadsNoClock) {
         transition t1 { from A to B trigger b condition since(T) < 2 /\ x == 1 }
         transition t2 { from A to B trigger a condition since(T) < 2 \/ x == 1 }
     )"),
-                      "Spec = S::a.in -> STOP"),
+                              "Spec = S::a.in -> STOP"),
               "holds");
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(compare_untimed(machine(R"(
         clock T
         var x:nat
         initial i
@@ -576,13 +577,13 @@ TEST(Time, UntimedGuardsKeepWhatReadsNoClock) {
         transition t1 { from A to B trigger b condition not (since(T) < 2 \/ x == 0) }
         transition t2 { from A to B trigger a condition not (since(T) < 2 /\ x == 0) }
     )"),
-                      "Spec = S::a.in -> STOP"),
+                              "Spec = S::a.in -> STOP"),
               "holds");
 }
 
 // The guard may also depend on the received value.
 TEST(Time, UntimedGuardsKeepConditionsOnTheIncomingValue) {
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_untimed(R"(
         stm S {
             event v : nat
             clock T
@@ -593,12 +594,12 @@ TEST(Time, UntimedGuardsKeepConditionsOnTheIncomingValue) {
             transition t0 { from i to A }
             transition t1 { from A to B trigger v ? x condition since(T) > 1 /\ x == 1 }
         })",
-                      "Spec = S::v.in.1 -> STOP"),
+                              "Spec = S::v.in.1 -> STOP"),
               "holds");
 }
 
 TEST(Provenance, KeysAreWhatTheCheckerPrints) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         interface I { var x:nat }
         stm S {
             requires I
@@ -633,9 +634,9 @@ TEST(Receptions, WholeNumbersBecomeReals) {
         transition t1 { from A to B trigger n ? x condition x > 0.5 }
         transition t2 { from A to C trigger m ? x condition x < 0.5 }
     )";
-    EXPECT_EQ(untimed(machine(body),
-                      "Spec = S::r.out.5 -> (S::n.in?v:{1, 2} -> S::high.out -> STOP\n"
-                      "       [] S::m.in.0 -> S::n.in?v:{0..2} -> S::r.out.(10 * v) -> STOP)"),
+    EXPECT_EQ(compare_untimed(machine(body),
+                              "Spec = S::r.out.5 -> (S::n.in?v:{1, 2} -> S::high.out -> STOP\n"
+                              "       [] S::m.in.0 -> S::n.in?v:{0..2} -> S::r.out.(10 * v) -> STOP)"),
               "holds");
 }
 
@@ -650,7 +651,7 @@ TEST(Receptions, RealsDoNotBecomeWholeNumbers) {
         transition t0 { from i to A }
         transition t1 { from A to A trigger h ? y }
     )");
-    const auto m = model(text);
+    const auto m = load_model(text);
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
 }

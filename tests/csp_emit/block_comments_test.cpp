@@ -10,7 +10,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-std::string again(const std::string& text) {
+std::string print_with_comments(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const cspm::Script script = cspm::read(sources, sources.add("block.csp", text), diagnostics);
@@ -21,29 +21,32 @@ std::string again(const std::string& text) {
 }
 
 TEST(BlockComments, StandAboveTheDeclarationThatTheyBelongTo) {
-    EXPECT_EQ(again("-- first\n--second\nP = STOP -- beside\n-- of Q\nQ = -- within\n  P\n\n-- behind all\n"),
-              "-- first\n-- second\n-- beside\nP = STOP\n\n-- of Q\n-- within\n-- behind all\nQ = P\n");
+    EXPECT_EQ(
+        print_with_comments("-- first\n--second\nP = STOP -- beside\n-- of Q\nQ = -- within\n  P\n\n-- behind all\n"),
+        "-- first\n-- second\n-- beside\nP = STOP\n\n-- of Q\n-- within\n-- behind all\nQ = P\n");
 }
 
 TEST(BlockComments, OfBlocksNestAndHaveLines) {
-    EXPECT_EQ(again("{- one {- two -}\n   three -}\nP = STOP\n"), "-- one {- two -}\n-- three\nP = STOP\n");
-    EXPECT_EQ(again("P = STOP\n{--}\n{- -}\n--\nQ = P\n"), "P = STOP\nQ = P\n");
+    EXPECT_EQ(print_with_comments("{- one {- two -}\n   three -}\nP = STOP\n"),
+              "-- one {- two -}\n-- three\nP = STOP\n");
+    EXPECT_EQ(print_with_comments("P = STOP\n{--}\n{- -}\n--\nQ = P\n"), "P = STOP\nQ = P\n");
 }
 
 TEST(BlockComments, InStringsAreNone) {
-    EXPECT_EQ(again("s = \"-- no {- comment\"\nt = 1 -- yes\n"), "s = \"-- no {- comment\"\n\n-- yes\nt = 1\n");
+    EXPECT_EQ(print_with_comments("s = \"-- no {- comment\"\nt = 1 -- yes\n"),
+              "s = \"-- no {- comment\"\n\n-- yes\nt = 1\n");
 }
 
 TEST(BlockComments, OfSectionsStayInside) {
-    EXPECT_EQ(again("-- outside\nTimed(OneStep) {\n  -- inside\n  P = STOP\n}\n-- of Q\nQ = STOP\n"),
+    EXPECT_EQ(print_with_comments("-- outside\nTimed(OneStep) {\n  -- inside\n  P = STOP\n}\n-- of Q\nQ = STOP\n"),
               "-- outside\nTimed(OneStep) {\n    -- inside\n    P = STOP\n}\n\n-- of Q\nQ = STOP\n");
-    EXPECT_EQ(again("module M\n-- own\nx = 1\nexports\n-- shown\ny = x\nendmodule -- end\n"),
+    EXPECT_EQ(print_with_comments("module M\n-- own\nx = 1\nexports\n-- shown\ny = x\nendmodule -- end\n"),
               "-- end\nmodule M\n    -- own\n    x = 1\nexports\n    -- shown\n    y = x\nendmodule\n");
 }
 
 /// Characters that other programs treat as line ends are removed from comments.
 TEST(BlockComments, HoldNoControlCharacters) {
-    EXPECT_EQ(again("-- a\rassert STOP\x1b[2J\r\nP = STOP\n"), "-- a\\rassert STOP\\x1b[2J\nP = STOP\n");
+    EXPECT_EQ(print_with_comments("-- a\rassert STOP\x1b[2J\r\nP = STOP\n"), "-- a\\rassert STOP\\x1b[2J\nP = STOP\n");
 }
 
 TEST(BlockComments, AreNothingToTextWithoutDeclarations) {

@@ -3,6 +3,7 @@
 // RoboTool's scripts a claim about a controller or a module starts with `let const_C_ref_c = const_S_c within`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "tests/csp_emit/fixture.hpp"
 
@@ -36,7 +37,7 @@ module M { rref p = P cref c = C connection p on go to c on go ( _async ) }
 )";
 
 std::unique_ptr<testing::Model> with_block(const std::string& definitions, const std::string& claims) {
-    return testing::model(gates, "csp Instantiations csp-begin\n" + definitions + "\ncsp-end\n" + claims);
+    return testing::load_model(gates, "csp Instantiations csp-begin\n" + definitions + "\ncsp-end\n" + claims);
 }
 
 const char* const opens =
@@ -46,17 +47,17 @@ const char* const opens =
 
 TEST(BlockConstants, TheMachinesOwnNameDecidesInAllClaims) {
     const auto model = with_block("const_Gate_limit = 1\nconst_C_left_limit = 0", opens);
-    EXPECT_THAT(testing::claims(*model, Time::untimed), ElementsAre("holds", "holds", "holds"));
+    EXPECT_THAT(testing::decide_obligations(*model, Time::untimed), ElementsAre("holds", "holds", "holds"));
     EXPECT_THAT(model->codes(), Contains("RC-C17"));
     EXPECT_THAT(model->messages(), HasSubstr("const_C_left_limit = 0 does not count in claims about the controller"));
     EXPECT_THAT(model->messages(), HasSubstr("const_Gate_limit = 1"));
     const auto shut = with_block("const_Gate_limit = 0\nconst_C_left_limit = 1", opens);
-    EXPECT_THAT(testing::claims(*shut, Time::untimed), ElementsAre("fails", "fails", "fails"));
+    EXPECT_THAT(testing::decide_obligations(*shut, Time::untimed), ElementsAre("fails", "fails", "fails"));
 }
 
 TEST(BlockConstants, WithoutItThePartsNameCounts) {
     const auto model = with_block("const_C_left_limit = 1", opens);
-    EXPECT_THAT(testing::claims(*model, Time::untimed), ElementsAre("fails", "holds", "holds"));
+    EXPECT_THAT(testing::decide_obligations(*model, Time::untimed), ElementsAre("fails", "holds", "holds"));
     EXPECT_THAT(model->codes(), Not(Contains("RC-C17")));
 }
 
@@ -65,7 +66,7 @@ TEST(BlockConstants, ClaimsSetTheMachinesConstantWhicheverNameABlockDefines) {
         "untimed assertion B : C::left::Open is reachable in C with constant limit of Gate set to 1\n";
     for (const char* const name : {"const_Gate_limit = 0", "const_C_left_limit = 0"}) {
         const auto model = with_block(name, claim);
-        EXPECT_THAT(testing::claims(*model, Time::untimed), ElementsAre("holds")) << name;
+        EXPECT_THAT(testing::decide_obligations(*model, Time::untimed), ElementsAre("holds")) << name;
         EXPECT_THAT(model->codes(), Not(Contains("RC-C08"))) << name;
     }
 }

@@ -3,9 +3,9 @@
 // script.
 #include <gtest/gtest.h>
 
+#include "base/diagnostics/render.hpp"
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "csp_emit/blocks/script_names.hpp"
-#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 
 namespace robochart::csp_emit {
@@ -29,7 +29,7 @@ public:
     /// "CODE@line" of each finding.
     [[nodiscard]] std::string codes() const {
         std::string result;
-        for (const diagnostics::Diagnostic& each : findings_.sorted()) {
+        for (const diagnostics::Diagnostic& each : findings_.sorted_findings()) {
             EXPECT_EQ(each.span.source, claims_);
             result += (result.empty() ? "" : " ") + std::string(each.rule->code) + "@" +
                       std::to_string(sources_.position(each.span.source, each.span.begin).line);
@@ -47,29 +47,29 @@ private:
     std::unique_ptr<frontend::Model> model_;
 };
 
-std::string block(const std::string& body, const std::string& kind = "timed ") {
+std::string block_text(const std::string& body, const std::string& kind = "timed ") {
     return "package claims\nimport lamp::*\n" + kind + "csp P csp-begin\n" + body + "\ncsp-end\n" + kind +
            "assertion A : lamp::Switch refines P in the traces model\n";
 }
 
 TEST(Blocks, InOrderGiveNothing) {
     for (const char* kind : {"timed ", "untimed ", ""}) {
-        const Checked checked(block("P = lamp::Switch::press.in -> P", kind));
+        const Checked checked(block_text("P = lamp::Switch::press.in -> P", kind));
         EXPECT_EQ(checked.codes(), "") << checked.report();
     }
 }
 
 TEST(Blocks, AnUnknownNameIsReportedOnceWithWhatIsMeant) {
-    const Checked bare(block("P = press -> P", ""));
+    const Checked bare(block_text("P = press -> P", ""));
     EXPECT_EQ(bare.codes(), "CSPM-T01@4") << bare.report();
     EXPECT_NE(bare.report().find("`lamp::Switch::press.in`"), std::string::npos) << bare.report();
-    const Checked misspelt(block("P = lamp::Switch::prss.in -> P"));
+    const Checked misspelt(block_text("P = lamp::Switch::prss.in -> P"));
     EXPECT_EQ(misspelt.codes(), "CSPM-T01@4") << misspelt.report();
     EXPECT_NE(misspelt.report().find("`lamp::Switch::press.in`"), std::string::npos) << misspelt.report();
 }
 
 TEST(Blocks, SyntaxIsReadEvenIfTheModelHasErrors) {
-    const std::string wrong = block("P = lamp::Switch::press.in ->");
+    const std::string wrong = block_text("P = lamp::Switch::press.in ->");
     EXPECT_EQ(Checked(wrong).codes().substr(0, 8), "CSPM-P01") << Checked(wrong).report();
     const Checked both(wrong, model_text + "interface J { var x : Nothing }\n");
     EXPECT_EQ(both.codes().substr(0, 8), "CSPM-P01") << both.report();
@@ -77,16 +77,16 @@ TEST(Blocks, SyntaxIsReadEvenIfTheModelHasErrors) {
 
 /// Only the claim shows that the process is used as an event.
 TEST(Blocks, ATypeErrorOfAClaimHasItsPlace) {
-    const Checked checked(block("P = lamp::Switch::press.in --> P"));
+    const Checked checked(block_text("P = lamp::Switch::press.in --> P"));
     EXPECT_EQ(checked.codes(), "CSPM-P18@4 CSPM-T08@6") << checked.report();
 }
 
 TEST(Blocks, CanWriteTheNamesOfTheScript) {
-    const auto emission = Checked(block("P = unknown")).without_blocks();
+    const auto emission = Checked(block_text("P = unknown")).without_blocks();
     ASSERT_TRUE(emission);
     const ScriptNames names(emission->definitions);
     const auto has = [&](const std::string& qualifier, const std::string& name) {
-        for (const ScriptName* each : names.behind(qualifier))
+        for (const ScriptName* each : names.names_after(qualifier))
             if (each->name == name) return true;
         return false;
     };

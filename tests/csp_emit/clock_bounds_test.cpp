@@ -13,7 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 
 /// Constants without a value are 0, so the machine never starts to turn.
-std::string turning(const std::string& bound) {
+std::string turning_machine(const std::string& bound) {
     return "stm S { event go clock C const speed : nat, half : nat initial i state Move { } state Turn { }\n"
            "transition t0 { from i to Move }\n"
            "transition t1 { from Move to Turn trigger go # C condition speed > 0 }\n"
@@ -26,16 +26,16 @@ TEST(ClockBounds, DoNotDivideByZero) {
         "timed assertion A : S::Turn is not reachable in S\n"
         "timed assertion B : S::Turn is reachable in S with constant speed of S set to 1\n";
     for (const char* const bound : {"half / speed", "half % speed", "half / (speed * 2)"}) {
-        const auto model = testing::model(turning(bound), claims);
-        EXPECT_THAT(testing::claims(*model, Time::timed), ElementsAre("holds", "holds")) << bound;
+        const auto model = testing::load_model(turning_machine(bound), claims);
+        EXPECT_THAT(testing::decide_obligations(*model, Time::timed), ElementsAre("holds", "holds")) << bound;
     }
 }
 
 TEST(ClockBounds, GuardsDoDivide) {
-    std::string model = turning("half / speed");
+    std::string model = turning_machine("half / speed");
     model.erase(model.find("condition speed > 0"), std::string("condition speed > 0").size());
-    const auto failing = testing::model(model, "timed assertion A : S is deadlock-free\n");
-    EXPECT_THROW((void)testing::claims(*failing, Time::timed), cspm::EvaluationError);
+    const auto failing = testing::load_model(model, "timed assertion A : S is deadlock-free\n");
+    EXPECT_THROW((void)testing::decide_obligations(*failing, Time::timed), cspm::EvaluationError);
 }
 
 }  // namespace

@@ -8,14 +8,15 @@
 namespace robochart::csp_emit {
 namespace {
 
-using testing::equal;
-using testing::model;
-using testing::verdicts;
+using testing::check_equivalence;
+using testing::decide_with;
+using testing::load_model;
 
-std::string same(const std::string& rct, Time time, const std::string& process, const std::string& definitions) {
-    const auto m = model(rct);
+std::string check_same_process(const std::string& rct, Time time, const std::string& process,
+                               const std::string& definitions) {
+    const auto m = load_model(rct);
     if (!m->diagnostics.ok()) return m->messages();
-    return equal(*m, time, process, "Spec", definitions);
+    return check_equivalence(*m, time, process, "Spec", definitions);
 }
 
 /// Two machines: P sends `out`, Q receives it.
@@ -48,11 +49,11 @@ controller C {
 
 TEST(Controllers, MachinesMeetAndTerminateTogether) {
     // The connected events and the unconnected event `lost` are hidden; both machines share one terminate.
-    EXPECT_EQ(same(pair, Time::untimed, "C::D__(0)", "Spec = C::r.out -> C::terminate -> SKIP"), "holds");
+    EXPECT_EQ(check_same_process(pair, Time::untimed, "C::D__(0)", "Spec = C::r.out -> C::terminate -> SKIP"), "holds");
 }
 
 TEST(Controllers, ConnectedEventsAreUrgent) {
-    EXPECT_EQ(same(pair, Time::timed, "C::D__(0)", R"(
+    EXPECT_EQ(check_same_process(pair, Time::timed, "C::D__(0)", R"(
         Spec = C::r.out -> End [] tock -> Spec
         End = C::terminate -> SKIP [] tock -> End)"),
               "holds");
@@ -92,7 +93,7 @@ controller C {
 // Semantics 3.4, During, and 3.8: the operation's steps are steps of the during action, and a transition may come
 // before each of them.
 TEST(Controller, OperationsCalledFromDuringActionsMayBeTooLate) {
-    EXPECT_EQ(same(called_while_waiting, Time::untimed, "C::D__(0)", R"(
+    EXPECT_EQ(check_same_process(called_while_waiting, Time::untimed, "C::D__(0)", R"(
         Cut = C::c.in -> C::d.out -> STOP
         Spec = C::a.out -> (Cut [> STOP) [] Cut)"),
               "holds");
@@ -131,13 +132,14 @@ controller C {
 )";
 
 TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) {
-    EXPECT_EQ(same(operations, Time::untimed, "C::D__(0)", "Spec = C::tick.in -> C::askCall -> C::tick.in -> STOP"),
+    EXPECT_EQ(check_same_process(operations, Time::untimed, "C::D__(0)",
+                                 "Spec = C::tick.in -> C::askCall -> C::tick.in -> STOP"),
               "holds");
 }
 
 // An operation that the machine never calls does not bound its clock: the operation's constants are unknown there.
 TEST(Operations, ThatAreNotCalledDoNotBoundTheClocksOfAMachine) {
-    const auto m = testing::model(R"(
+    const auto m = testing::load_model(R"(
         interface Ops { op() other() }
         operation op() { initial i final f transition t0 { from i to f } }
         operation other() { const c : nat = 1 clock T initial i state A { } final f transition t0 { from i to A }
@@ -146,7 +148,7 @@ TEST(Operations, ThatAreNotCalledDoNotBoundTheClocksOfAMachine) {
             stm S { requires Ops event e clock T initial i state A { entry op() } state B { }
                     transition t0 { from i to A } transition t1 { from A to B trigger e condition since(T) >= 1 } }
             connection C on e to S on e })");
-    EXPECT_EQ(testing::equal(*m, Time::timed, "C::D__(0)", "Spec", R"(
+    EXPECT_EQ(testing::check_equivalence(*m, Time::timed, "C::D__(0)", "Spec", R"(
         Spec = tock -> After
         After = C::e.in -> Done [] tock -> After
         Done = tock -> Done)"),
@@ -183,7 +185,7 @@ controller C {
 
 // R's copy is 0 until the hidden write reaches it. R reads x in one step and outputs the value in a later one.
 TEST(Memory, ReadersMaySeeStaleValuesUntilTheWriteIsPropagated) {
-    EXPECT_EQ(same(shared, Time::untimed, "C::D__(0)", R"(
+    EXPECT_EQ(check_same_process(shared, Time::untimed, "C::D__(0)", R"(
         Spec = (C::go.in -> Reading) [> New
         Reading = Saying |~| C::o.out.1 -> New
         Saying = (C::o.out.0 -> Spec) [> (C::o.out.0 -> New)
@@ -192,7 +194,7 @@ TEST(Memory, ReadersMaySeeStaleValuesUntilTheWriteIsPropagated) {
 }
 
 TEST(Memory, WritesArePropagatedBeforeTimePasses) {
-    EXPECT_EQ(same(shared, Time::timed, "C::D__(0)", R"(
+    EXPECT_EQ(check_same_process(shared, Time::timed, "C::D__(0)", R"(
         Spec = (C::go.in -> Reading) [> New
         Reading = Saying |~| One
         Saying = (C::o.out.0 -> Spec) [> Zero
@@ -228,7 +230,7 @@ module M {
 )";
 
 TEST(Memory, ThePlatformsInitialValuesArePropagatedLikeWrites) {
-    EXPECT_EQ(same(platform, Time::timed, "M::D__(0)", R"(
+    EXPECT_EQ(check_same_process(platform, Time::timed, "M::D__(0)", R"(
         Spec = (M::go.in -> Reading) [> New
         Reading = Saying |~| One
         Saying = (M::o.out.0 -> Spec) [> Zero
@@ -263,7 +265,7 @@ module M {
 )";
 
 TEST(Modules, WritesOfProvidedVariablesAreVisibleAndUrgentAndTerminationIsHidden) {
-    EXPECT_EQ(same(provided, Time::timed, "M::D__(0)", R"(
+    EXPECT_EQ(check_same_process(provided, Time::timed, "M::D__(0)", R"(
         Spec = M::go.in -> M::set_y.2 -> SKIP [] tock -> Spec)"),
               "holds");
 }
@@ -309,9 +311,9 @@ module M {
 )";
 
 TEST(Modules, AsynchronousBuffersAreOverwrittenByTheNewest) {
-    const auto m = model(asynchronous);
+    const auto m = load_model(asynchronous);
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const auto results = verdicts(*m, Time::untimed, R"(
+    const auto results = decide_with(*m, Time::untimed, R"(
         assert M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.1, M::q.out.2>
         assert M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.2, M::p.in, M::q.out.1>
         assert not M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.2, M::q.out.1>
@@ -328,7 +330,7 @@ TEST(Corpus, EveryClaimHolds) {
         for (const Time time : {Time::untimed, Time::timed}) {
             const auto m = testing::project(tests::source_folder().string() + "/corpus/" + name);
             ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-            const auto results = testing::decide(m->emit(time).script);
+            const auto results = testing::decide_script(m->emit(time).script);
             ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
             EXPECT_GE(results.size(), 8U);
             EXPECT_EQ(results, std::vector<std::string>(results.size(), "holds")) << name;

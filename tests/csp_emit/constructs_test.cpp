@@ -5,9 +5,9 @@
 // construct.
 #include <gtest/gtest.h>
 
+#include "base/diagnostics/render.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "base/diagnostics/render.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {
@@ -72,8 +72,8 @@ std::string model_with(const Row& row) {
 }
 
 /// Describes the problem with the row; empty if there is none.
-std::string outcome(const Row& row, Time time) {
-    const auto m = testing::model(model_with(row));
+std::string check_row(const Row& row, Time time) {
+    const auto m = testing::load_model(model_with(row));
     if (!m->diagnostics.ok()) return m->messages();
     const Emission emission = m->emit(time, true);
     if (!m->diagnostics.ok()) return m->messages();
@@ -85,10 +85,10 @@ std::string outcome(const Row& row, Time time) {
     return findings.ok() ? "" : diagnostics::render_text(m->sources, findings);
 }
 
-void check(const std::vector<Row>& rows) {
+void check_rows(const std::vector<Row>& rows) {
     for (const Row& row : rows) {
         for (const Time time : {Time::untimed, Time::timed}) {
-            const std::string what = outcome(row, time);
+            const std::string what = check_row(row, time);
             if (row.refusal.empty())
                 EXPECT_EQ(what, "") << row.text;
             else
@@ -98,138 +98,140 @@ void check(const std::vector<Row>& rows) {
 }
 
 TEST(Constructs, Statements) {
-    check({{At::action, "skip"},
-           {At::action, "n = 2"},
-           {At::action, "n = n + 1 ; z = n - 2"},
-           {At::action, "p.one = 2"},
-           {At::action, "q.pair.two = true"},
-           {At::action, "s[1] = 2"},
-           {At::action, "v[1] = 2"},
-           {At::action, "w[1, 2] = 2"},
-           {At::action, "t[1] = 0"},
-           {At::action, "shared = shared + 1"},
-           {At::action, "plain"},
-           {At::action, "send plain"},
-           {At::action, "number ! n"},
-           {At::action, "number ! (n + 1)"},
-           {At::action, "number . n"},
-           {At::action, "other ? n"},
-           {At::action, "other [| n > 0 |] ? n"},
-           {At::action, "number [| b |] ! n", "a condition on a communication that receives no value in an action"},
-           {At::action, "go()"},
-           {At::action, "run(n, b)"},
-           {At::action, "defined(n)"},
-           {At::action, "bodiless()"},
-           {At::action, "if b then n = 1 else n = 2 end"},
-           {At::action, "if b then plain end"},
-           {At::action, "(n = 1 ; plain)"},
-           {At::action, "wait(2)"},
-           {At::action, "wait([1, 2])"},
-           {At::action, "#T"},
-           {At::action, "plain <{ 2 }"},
-           {At::action, "(go() ; wait(1)) <{ 2 }"},
-           {At::action, "defined(n) <{ 1 }"},
-           {At::state, "entry n = 1 during plain exit number ! n"},
-           {At::state, "initial j state D { } final g transition d0 { from j to D } transition d1 { from D to g }"},
-           {At::state, "entry defined(1) during defined(2) exit defined(0)"}});
+    check_rows(
+        {{At::action, "skip"},
+         {At::action, "n = 2"},
+         {At::action, "n = n + 1 ; z = n - 2"},
+         {At::action, "p.one = 2"},
+         {At::action, "q.pair.two = true"},
+         {At::action, "s[1] = 2"},
+         {At::action, "v[1] = 2"},
+         {At::action, "w[1, 2] = 2"},
+         {At::action, "t[1] = 0"},
+         {At::action, "shared = shared + 1"},
+         {At::action, "plain"},
+         {At::action, "send plain"},
+         {At::action, "number ! n"},
+         {At::action, "number ! (n + 1)"},
+         {At::action, "number . n"},
+         {At::action, "other ? n"},
+         {At::action, "other [| n > 0 |] ? n"},
+         {At::action, "number [| b |] ! n", "a condition on a communication that receives no value in an action"},
+         {At::action, "go()"},
+         {At::action, "run(n, b)"},
+         {At::action, "defined(n)"},
+         {At::action, "bodiless()"},
+         {At::action, "if b then n = 1 else n = 2 end"},
+         {At::action, "if b then plain end"},
+         {At::action, "(n = 1 ; plain)"},
+         {At::action, "wait(2)"},
+         {At::action, "wait([1, 2])"},
+         {At::action, "#T"},
+         {At::action, "plain <{ 2 }"},
+         {At::action, "(go() ; wait(1)) <{ 2 }"},
+         {At::action, "defined(n) <{ 1 }"},
+         {At::state, "entry n = 1 during plain exit number ! n"},
+         {At::state, "initial j state D { } final g transition d0 { from j to D } transition d1 { from D to g }"},
+         {At::state, "entry defined(1) during defined(2) exit defined(0)"}});
 }
 
 TEST(Constructs, Conditions) {
-    check({{At::condition, "true"},
-           {At::condition, "b /\\ not b \\/ b"},
-           {At::condition, "b => b"},
-           {At::condition, "b iff b"},
-           {At::condition, "n == 1 /\\ n != 2 /\\ n < 2 /\\ n <= 2 /\\ n > 0 /\\ n >= 0"},
-           {At::condition, "n in e"},
-           {At::condition, "forall x : nat @ x >= 0"},
-           {At::condition, "exists x : nat | x > 0 @ x == n"},
-           {At::condition, "exists1 x : nat @ x == n"},
-           {At::condition, "since(T) >= 2"},
-           {At::condition, "sinceEntry(A) > 1 /\\ n == 0"},
-           {At::condition, "c is Colour"},
-           {At::condition, "twice(n) == 2"},
-           {At::condition, "open(n) == 0"},
-           {At::condition, "n in [0, 2)"},
-           {At::condition, "k > set_to"},
-           {At::condition, "shared > 0"}});
+    check_rows({{At::condition, "true"},
+                {At::condition, "b /\\ not b \\/ b"},
+                {At::condition, "b => b"},
+                {At::condition, "b iff b"},
+                {At::condition, "n == 1 /\\ n != 2 /\\ n < 2 /\\ n <= 2 /\\ n > 0 /\\ n >= 0"},
+                {At::condition, "n in e"},
+                {At::condition, "forall x : nat @ x >= 0"},
+                {At::condition, "exists x : nat | x > 0 @ x == n"},
+                {At::condition, "exists1 x : nat @ x == n"},
+                {At::condition, "since(T) >= 2"},
+                {At::condition, "sinceEntry(A) > 1 /\\ n == 0"},
+                {At::condition, "c is Colour"},
+                {At::condition, "twice(n) == 2"},
+                {At::condition, "open(n) == 0"},
+                {At::condition, "n in [0, 2)"},
+                {At::condition, "k > set_to"},
+                {At::condition, "shared > 0"}});
 }
 
 TEST(Constructs, Expressions) {
-    check({{At::expression, "1"},
-           {At::expression, "1.5"},
-           {At::expression, "true"},
-           {At::expression, "\"text\""},
-           {At::expression, "Colour::red"},
-           {At::expression, "green"},
-           {At::expression, "Colour::mixed(1, true)"},
-           {At::expression, "n + 1 - 2 * 3 / 1 % 2"},
-           {At::expression, "-z"},
-           {At::expression, "r * 0.5"},
-           {At::expression, "p.one"},
-           {At::expression, "Pair(| one = 1, two = true |)"},
-           {At::expression, "(| 1, true |)"},
-           {At::expression, "t[1]"},
-           {At::expression, "<1, 2>"},
-           {At::expression, "s ^ <1>"},
-           {At::expression, "s cat s"},
-           {At::expression, "s[1]"},
-           {At::expression, "{1, 2}"},
-           {At::expression, "{1 to 3}"},
-           {At::expression, "{x : nat | x > 0 @ x + 1}"},
-           {At::expression, "the x : nat | x == 1 @ x"},
-           {At::expression, "let x == n, y == 2 @ x + y"},
-           {At::expression, "if b then 1 else 2 end"},
-           {At::expression, "n as int"},
-           {At::expression, "(lambda x : nat @ x + 1)(1)"},
-           {At::expression, "f(1)"},
-           {At::expression, "f"},
-           {At::expression, "twice"},
-           {At::expression, "rel"},
-           {At::expression, "[| 1, 2 |]"},
-           {At::expression, "[| 1, 2; 3, 4 |]"},
-           {At::expression, "v + v"},
-           {At::expression, "w * v"},
-           {At::expression, "transpose(w)"},
-           {At::expression, "inverse(w)", "inverse(..)"},
-           {At::expression, "same(1)"},
-           {At::expression, "same(true)"},
-           {At::expression, "same(same(b))"},
-           {At::expression, "size(s)"},
-           {At::expression, "head(s)"},
-           {At::expression, "union(e, {1})"},
-           {At::expression, "dom(rel)"},
-           {At::expression, "rinv(rel)"},
-           {At::expression, "isInjection(f)"},
-           {At::expression, "size", "as a value"},
-           {At::expression, "iter(1, {})", "of elements whose type nothing tells"}});
+    check_rows({{At::expression, "1"},
+                {At::expression, "1.5"},
+                {At::expression, "true"},
+                {At::expression, "\"text\""},
+                {At::expression, "Colour::red"},
+                {At::expression, "green"},
+                {At::expression, "Colour::mixed(1, true)"},
+                {At::expression, "n + 1 - 2 * 3 / 1 % 2"},
+                {At::expression, "-z"},
+                {At::expression, "r * 0.5"},
+                {At::expression, "p.one"},
+                {At::expression, "Pair(| one = 1, two = true |)"},
+                {At::expression, "(| 1, true |)"},
+                {At::expression, "t[1]"},
+                {At::expression, "<1, 2>"},
+                {At::expression, "s ^ <1>"},
+                {At::expression, "s cat s"},
+                {At::expression, "s[1]"},
+                {At::expression, "{1, 2}"},
+                {At::expression, "{1 to 3}"},
+                {At::expression, "{x : nat | x > 0 @ x + 1}"},
+                {At::expression, "the x : nat | x == 1 @ x"},
+                {At::expression, "let x == n, y == 2 @ x + y"},
+                {At::expression, "if b then 1 else 2 end"},
+                {At::expression, "n as int"},
+                {At::expression, "(lambda x : nat @ x + 1)(1)"},
+                {At::expression, "f(1)"},
+                {At::expression, "f"},
+                {At::expression, "twice"},
+                {At::expression, "rel"},
+                {At::expression, "[| 1, 2 |]"},
+                {At::expression, "[| 1, 2; 3, 4 |]"},
+                {At::expression, "v + v"},
+                {At::expression, "w * v"},
+                {At::expression, "transpose(w)"},
+                {At::expression, "inverse(w)", "inverse(..)"},
+                {At::expression, "same(1)"},
+                {At::expression, "same(true)"},
+                {At::expression, "same(same(b))"},
+                {At::expression, "size(s)"},
+                {At::expression, "head(s)"},
+                {At::expression, "union(e, {1})"},
+                {At::expression, "dom(rel)"},
+                {At::expression, "rinv(rel)"},
+                {At::expression, "isInjection(f)"},
+                {At::expression, "size", "as a value"},
+                {At::expression, "iter(1, {})", "of elements whose type nothing tells"}});
 }
 
 TEST(Constructs, Transitions) {
-    check({{At::transition, "trigger plain"},
-           {At::transition, "trigger other ? n"},
-           {At::transition, "trigger other ? n condition n > 0"},
-           {At::transition, "trigger other [| n > 0 |] ? n"},
-           {At::transition, "trigger plain [| n > 0 |]"},
-           {At::transition, "trigger other ! n", "error[T2]"},
-           {At::transition, "trigger other . n", "error[T2]"},
-           {At::transition, "trigger plain #T"},
-           {At::transition, "trigger plain <{ 2 }"},
-           {At::transition, "#T condition n == 1"},
-           {At::transition, "<{ 2 } condition n == 1", "error[TT1]"},
-           {At::transition, "condition else"},
-           {At::machine,
-            "state X { } junction x transition x0 { from B to x } transition x1 { from x to X condition b } "
-            "transition x2 { from x to B condition else }"},
-           {At::machine,
-            "probabilistic x transition x0 { from B to x } transition x1 { from x to A probability 0.5 } "
-            "transition x2 { from x to B probability 0.5 }"},
-           {At::machine, "final g transition x0 { from B to g }"},
-           {At::machine, "clock K"},
-           {At::machine, "_broadcast event all transition x0 { from B to A trigger all }", "broadcast event all"}});
+    check_rows(
+        {{At::transition, "trigger plain"},
+         {At::transition, "trigger other ? n"},
+         {At::transition, "trigger other ? n condition n > 0"},
+         {At::transition, "trigger other [| n > 0 |] ? n"},
+         {At::transition, "trigger plain [| n > 0 |]"},
+         {At::transition, "trigger other ! n", "error[T2]"},
+         {At::transition, "trigger other . n", "error[T2]"},
+         {At::transition, "trigger plain #T"},
+         {At::transition, "trigger plain <{ 2 }"},
+         {At::transition, "#T condition n == 1"},
+         {At::transition, "<{ 2 } condition n == 1", "error[TT1]"},
+         {At::transition, "condition else"},
+         {At::machine,
+          "state X { } junction x transition x0 { from B to x } transition x1 { from x to X condition b } "
+          "transition x2 { from x to B condition else }"},
+         {At::machine,
+          "probabilistic x transition x0 { from B to x } transition x1 { from x to A probability 0.5 } "
+          "transition x2 { from x to B probability 0.5 }"},
+         {At::machine, "final g transition x0 { from B to g }"},
+         {At::machine, "clock K"},
+         {At::machine, "_broadcast event all transition x0 { from B to A trigger all }", "broadcast event all"}});
 }
 
 TEST(Constructs, Declarations) {
-    check(
+    check_rows(
         {{At::package, "type Another"},
          {At::package, "enumeration One { only }"},
          {At::package, "function none() : nat { }"},

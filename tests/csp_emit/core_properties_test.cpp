@@ -14,12 +14,12 @@
 namespace robochart::csp_emit {
 namespace {
 
-using testing::model;
+using testing::load_model;
 using testing::Model;
 
 /// Maps "S: deadlock-free" to "holds" or "fails", followed by `(information)` if the property is not required.
-std::map<std::string, std::string> answers(const std::string& rct, Time time = Time::timed) {
-    const auto read = model(rct);
+std::map<std::string, std::string> decide_properties(const std::string& rct, Time time = Time::timed) {
+    const auto read = load_model(rct);
     const Emission emission = read->emit(time, true);
     EXPECT_TRUE(read->diagnostics.ok()) << read->messages();
     cspm::Session session(emission.script);
@@ -52,17 +52,17 @@ TEST(CoreProperties, AreAskedOfEveryMachine) {
         {"state machine S: A is reachable", "holds (information)"},
         {"state machine S: B is reachable", "holds (information)"},
     };
-    EXPECT_EQ(answers(sound), expected);
+    EXPECT_EQ(decide_properties(sound), expected);
 }
 
 TEST(CoreProperties, WithoutTimeNeitherTimelocksNorClocksAreAskedFor) {
-    const auto found = answers(sound, Time::untimed);
+    const auto found = decide_properties(sound, Time::untimed);
     EXPECT_EQ(found.size(), 6U);
     EXPECT_FALSE(found.contains("state machine S: timelock-free"));
 }
 
 TEST(CoreProperties, AStateThatNothingLeavesIsADeadlock) {
-    const auto found = answers(R"(stm S { event e initial i state A { } state B { }
+    const auto found = decide_properties(R"(stm S { event e initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e } })");
     EXPECT_EQ(found.at("state machine S: deadlock-free"), "fails");
     EXPECT_EQ(found.at("state machine S: timelock-free"), "holds") << "time passes in B";
@@ -70,9 +70,9 @@ transition t0 { from i to A } transition t1 { from A to B trigger e } })");
 
 TEST(CoreProperties, TerminationIsNeitherADeadlockNorATimelock) {
     for (const Time time : {Time::timed, Time::untimed}) {
-        const auto found = answers(R"(stm S { event e initial i state A { } final f
+        const auto found = decide_properties(R"(stm S { event e initial i state A { } final f
 transition t0 { from i to A } transition t1 { from A to f trigger e } })",
-                                   time);
+                                             time);
         EXPECT_EQ(found.at("state machine S: deadlock-free"), "holds");
         EXPECT_EQ(found.at("state machine S: never terminates"), "fails (information)");
         EXPECT_TRUE(time == Time::untimed || found.at("state machine S: timelock-free") == "holds");
@@ -80,14 +80,14 @@ transition t0 { from i to A } transition t1 { from A to f trigger e } })",
 }
 
 TEST(CoreProperties, TransitionsWithoutTriggerForEverDiverge) {
-    const auto found = answers(R"(stm S { event e initial i state A { } state B { }
+    const auto found = decide_properties(R"(stm S { event e initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B } transition t2 { from B to A } })");
     EXPECT_EQ(found.at("state machine S: divergence-free"), "fails");
 }
 
 /// Without the assumption, the environment could refuse every call and every output, and block time with it.
 TEST(CoreProperties, ThePlatformTakesCallsAndOutputsAtOnce) {
-    const auto found = answers(R"(interface I { move(x : nat) } interface V { var v : nat }
+    const auto found = decide_properties(R"(interface I { move(x : nat) } interface V { var v : nat }
 stm S { requires I requires V event e event o : nat initial i
 state A { entry move(1); send o!1; v = 1 }
 transition t0 { from i to A } transition t1 { from A to A trigger e } })");
@@ -95,25 +95,26 @@ transition t0 { from i to A } transition t1 { from A to A trigger e } })");
 }
 
 TEST(CoreProperties, AnInputThatMustComeInTimeStopsTime) {
-    const auto found = answers(R"(stm S { event e : nat event g var x : nat initial i state A { entry e?x <{1} }
+    const auto found =
+        decide_properties(R"(stm S { event e : nat event g var x : nat initial i state A { entry e?x <{1} }
 transition t0 { from i to A } transition t1 { from A to A trigger g } })");
     EXPECT_EQ(found.at("state machine S: timelock-free"), "fails") << "nobody has to send e within one unit";
 }
 
 TEST(CoreProperties, AClockThatIsReadBeforeItIsReset) {
-    const auto found = answers(R"(stm S { event e clock T initial i state A { }
+    const auto found = decide_properties(R"(stm S { event e clock T initial i state A { }
 transition t0 { from i to A } transition t1 { from A to A trigger e #T condition since(T) >= 2 } })");
     EXPECT_EQ(found.at("state machine S: T is reset before it is read"), "fails");
 }
 
 TEST(CoreProperties, AClockThatNothingReadsIsNotAskedAbout) {
-    const auto found = answers(R"(stm S { event e clock T initial i state A { entry #T }
+    const auto found = decide_properties(R"(stm S { event e clock T initial i state A { entry #T }
 transition t0 { from i to A } transition t1 { from A to A trigger e } })");
     EXPECT_FALSE(found.contains("state machine S: T is reset before it is read"));
 }
 
 TEST(CoreProperties, AStateThatCannotBeEntered) {
-    const auto found = answers(R"(stm S { event e initial i state A { } state B { }
+    const auto found = decide_properties(R"(stm S { event e initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e condition false }
 transition t2 { from A to A trigger e } transition t3 { from B to A trigger e } })");
     EXPECT_EQ(found.at("state machine S: A is reachable"), "holds (information)");
@@ -121,7 +122,7 @@ transition t2 { from A to A trigger e } transition t3 { from B to A trigger e } 
 }
 
 TEST(CoreProperties, AModuleIsAskedAboutTheStatesOfItsMachines) {
-    const auto found = answers(R"(stm S { event e event never initial i state A { } state B { }
+    const auto found = decide_properties(R"(stm S { event e event never initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to A trigger e } transition t2 { from A to B trigger never }
 transition t3 { from B to A trigger e } }
 controller C { event e sref s = S connection C on e to s on e }
@@ -134,7 +135,7 @@ module M { robotic platform P { event e } cref c = C connection P on e to c on e
 
 /// The channel of the call belongs to the controller, not to the machine.
 TEST(CoreProperties, AClockOfAMachineWhoseOperationCallsThePlatform) {
-    const auto found = answers(R"(interface I { move() } interface J { turn() }
+    const auto found = decide_properties(R"(interface I { move() } interface J { turn() }
 operation turn() { requires I initial i final f transition t { from i to f action move() } }
 controller C { requires I opref o = turn event e
   stm S { requires J event e clock T initial i state A { entry turn() }
@@ -144,7 +145,7 @@ controller C { requires I opref o = turn event e
 }
 
 TEST(CoreProperties, AnOperationIsNotAskedAboutOnItsOwn) {
-    const auto found = answers(R"(interface I { move() }
+    const auto found = decide_properties(R"(interface I { move() }
 operation move() { initial i final f transition t { from i to f } }
 stm S { requires I event e initial i state A { entry move() }
 transition t0 { from i to A } transition t1 { from A to A trigger e } }

@@ -13,10 +13,10 @@
 namespace robochart::csp_emit {
 namespace {
 
+using testing::check_equivalence;
 using ::testing::Contains;
-using testing::equal;
 using ::testing::HasSubstr;
-using testing::model;
+using testing::load_model;
 
 /// A RoboChart expression and its value: a number, or true or false.
 struct Case {
@@ -64,7 +64,7 @@ std::string specification_of(const std::vector<Case>& cases) {
 }
 
 /// The evaluator's values for the outputs of the machine, in order.
-std::vector<std::string> evaluated(const testing::Model& m) {
+std::vector<std::string> evaluate_outputs(const testing::Model& m) {
     std::vector<std::string> result;
     const ir::Machine& machine = m.system.machines.front();
     ir::Environment environment;
@@ -73,7 +73,7 @@ std::vector<std::string> evaluated(const testing::Model& m) {
     ir::visit_statements(machine, [&](const ir::Stmt& stmt) {
         if (stmt.kind != ir::StmtKind::communicate) return;
         const ir::Expr& expr = *stmt.communication.value;
-        const auto value = ir::evaluate(m.system, m.instantiation, &machine, environment, expr).number;
+        const auto value = ir::evaluate_expression(m.system, m.instantiation, &machine, environment, expr).number;
         const bool truth = m.system.type(expr.type).kind == ir::TypeKind::boolean;
         result.push_back(truth ? (value != 0 ? "true" : "false") : std::to_string(value));
     });
@@ -81,12 +81,13 @@ std::vector<std::string> evaluated(const testing::Model& m) {
 }
 
 void expect_values(const std::vector<Case>& cases) {
-    const auto m = model(machine_of(cases));
+    const auto m = load_model(machine_of(cases));
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::vector<std::string> values = evaluated(*m);
+    const std::vector<std::string> values = evaluate_outputs(*m);
     ASSERT_EQ(values.size(), cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(values[i], cases[i].value) << cases[i].expression;
-    EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification_of(cases)), "holds") << m->messages();
+    EXPECT_EQ(check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", specification_of(cases)), "holds")
+        << m->messages();
 }
 
 TEST(Data, Sets) {
@@ -221,82 +222,83 @@ TEST(Data, RecordsLiteralsAndTests) {
                    {"'a' cat 'b' == 'ab'", "true"}});
 }
 
-std::string untimed(const std::string& body, const std::string& specification) {
-    const auto m = model(std::string(declarations) + "stm S {\n event m : int event e\n" + body + "}\n");
+std::string compare_values(const std::string& body, const std::string& specification) {
+    const auto m = load_model(std::string(declarations) + "stm S {\n event m : int event e\n" + body + "}\n");
     if (!m->diagnostics.ok()) return m->messages();
-    return equal(*m, Time::untimed, "S::D__(0)", "Spec", specification);
+    return check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", specification);
 }
 
 TEST(Assignment, ChangesOnePart) {
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(
+        compare_values(R"(
         var p : Place , v : vector(int, 2) , a : matrix(int, 2, 2) , s : Seq(int) = <0, 1> , q : Seq(Place) , i : nat = 2
         var t : nat * Place
         initial j
         state A { entry p.x = 1 ; v[i] = 2 ; a[2, 1] = 1 ; s[1] = 2 ; t[2].y = -1 ;
             m ! (p.x) ; m ! (v[1]) ; m ! (v[2]) ; m ! (a[1, 2]) ; m ! (a[2, 1]) ; m ! (s[1]) ; m ! (s[2]) ; m ! (t[2].y) }
         transition t0 { from j to A })",
-                      "Spec = S::m.out.1 -> S::m.out.0 -> S::m.out.2 -> S::m.out.0 -> S::m.out.1 -> S::m.out.2 -> "
-                      "S::m.out.1 -> S::m.out.(-1) -> STOP"),
-              "holds");
+                       "Spec = S::m.out.1 -> S::m.out.0 -> S::m.out.2 -> S::m.out.0 -> S::m.out.1 -> S::m.out.2 -> "
+                       "S::m.out.1 -> S::m.out.(-1) -> STOP"),
+        "holds");
 }
 
 TEST(Assignment, OutsideTheIndicesHasNoMeaning) {
-    const std::string verdict = untimed(R"(
+    const std::string verdict = compare_values(R"(
         var v : vector(int, 2) , i : nat
         initial j
         state A { entry v[i] = 2 ; m ! (v[1]) }
         transition t0 { from j to A })",
-                                        "Spec = S::m.out.0 -> STOP");
+                                               "Spec = S::m.out.0 -> STOP");
     EXPECT_THAT(verdict, HasSubstr("index outside"));
 }
 
 TEST(Preconditions, BlockTheStatement) {
     // semantics 3.5: false & ... waits forever.
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_values(R"(
         var x : int
         initial j
         state A { entry e ; m ! (positive(x)) }
         transition t0 { from j to A })",
-                      "Spec = S::e.out -> STOP"),
+                             "Spec = S::e.out -> STOP"),
               "holds");
 }
 
 TEST(Preconditions, OfInnerCallsComeFirst) {
     // tail(<>) has no value: only the precondition of tail may be evaluated.
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_values(R"(
         var s : Seq(int)
         initial j
         state A { entry e ; m ! (head(tail(s))) }
         transition t0 { from j to A })",
-                      "Spec = S::e.out -> STOP"),
+                             "Spec = S::e.out -> STOP"),
               "holds");
 }
 
 TEST(Preconditions, UnderABinderCountForEveryValue) {
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_values(R"(
         initial j
         state A { entry m ! (size({x : nat | x > 0 @ positive(x)})) ; m ! (size({x : nat @ positive(x)})) }
         transition t0 { from j to A })",
-                      "Spec = S::m.out.2 -> STOP"),
+                             "Spec = S::m.out.2 -> STOP"),
               "holds");
 }
 
 // semantics 3.5, 3.8: `pre & opCall` is urgent only while it is offered; otherwise time passes.
 TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
-    const auto m = model(std::string(declarations) + R"(
+    const auto m = load_model(std::string(declarations) + R"(
         interface Acts { act(n : int) }
         stm S { requires Acts event e var x : int initial j state A { entry e ; act(positive(x)) }
                 transition t0 { from j to A } })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_EQ(equal(*m, Time::timed, "S::D__(0)", "Spec", R"(
+    EXPECT_EQ(check_equivalence(*m, Time::timed, "S::D__(0)", "Spec", R"(
         Spec = S::e.out -> Waits [] tock -> Spec
         Waits = tock -> Waits)"),
               "holds");
-    const auto urgent = model(std::string(declarations) + R"(
+    const auto urgent = load_model(std::string(declarations) + R"(
         interface Acts { act(n : int) }
         stm S { requires Acts event e var x : int = 1 initial j state A { entry e ; act(positive(x)) }
                 transition t0 { from j to A } })");
-    EXPECT_EQ(equal(*urgent, Time::timed, "S::D__(0)", "Spec", R"(
+    EXPECT_EQ(check_equivalence(*urgent, Time::timed, "S::D__(0)", "Spec", R"(
         Spec = S::e.out -> S::actCall.1 -> Waits [] tock -> Spec
         Waits = tock -> Waits)"),
               "holds");
@@ -306,10 +308,11 @@ TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
 TEST(Preconditions, DoNotLiftADeadline) {
     for (const std::string blocked :
          {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
-        const auto m = model(std::string(declarations) + "stm S { event e var x : int initial j state A { entry e ; (" +
-                             blocked + " ; wait(1)) <{2} } transition t0 { from j to A } }");
+        const auto m =
+            load_model(std::string(declarations) + "stm S { event e var x : int initial j state A { entry e ; (" +
+                       blocked + " ; wait(1)) <{2} } transition t0 { from j to A } }");
         ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-        EXPECT_EQ(equal(*m, Time::timed, "S::D__(0)", "Spec", R"(
+        EXPECT_EQ(check_equivalence(*m, Time::timed, "S::D__(0)", "Spec", R"(
             Spec = S::e.out -> tock -> tock -> STOP [] tock -> Spec)"),
                   "holds")
             << blocked;
@@ -318,7 +321,7 @@ TEST(Preconditions, DoNotLiftADeadline) {
 
 // Preconditions of functions in an operation's precondition are checked first: head(<>) has no value.
 TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
-    const auto m = model(std::string(declarations) + R"(
+    const auto m = load_model(std::string(declarations) + R"(
         interface O { op(n : Seq(int)) }
         operation op(n : Seq(int)) { precondition head(n) > 0 initial i final f transition t { from i to f } }
         controller C {
@@ -328,7 +331,8 @@ TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
             connection S on e to C on e connection S on d to C on d
         })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_EQ(equal(*m, Time::untimed, "C::D__(0)", "Spec", "Spec = C::e.out -> C::d.out -> STOP"), "holds");
+    EXPECT_EQ(check_equivalence(*m, Time::untimed, "C::D__(0)", "Spec", "Spec = C::e.out -> C::d.out -> STOP"),
+              "holds");
 }
 
 // The search for a function's value skips a candidate for which the postcondition has no value. A function as a value
@@ -336,21 +340,23 @@ TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
 TEST(Preconditions, OfFunctionsInPostconditionsAndOfFunctionsAsValues) {
     const std::vector<Case> cases = {{"starting(1)[1]", "1"}, {"size(dom(positive))", "2"}};
     const auto m =
-        model("function starting(n : int) : Seq(int) { postcondition head(result) == n }\n" + machine_of(cases));
+        load_model("function starting(n : int) : Seq(int) { postcondition head(result) == n }\n" + machine_of(cases));
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::vector<std::string> values = evaluated(*m);
+    const std::vector<std::string> values = evaluate_outputs(*m);
     ASSERT_EQ(values.size(), cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(values[i], cases[i].value) << cases[i].expression;
-    EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification_of(cases)), "holds") << m->messages();
+    EXPECT_EQ(check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", specification_of(cases)), "holds")
+        << m->messages();
 }
 
 // No source defines whether a deadline without a value expires.
 TEST(Preconditions, ThatCanBeFalseAreRefusedInTheDeadlineOfATransition) {
     const auto with = [](const std::string& deadline) {
-        const auto m = model(std::string(declarations) +
-                             "stm S { event e var s : Seq(int) initial j state A { } transition t0 { from j to A } "
-                             "transition t1 { from A to A trigger e <{" +
-                             deadline + "} } }");
+        const auto m =
+            load_model(std::string(declarations) +
+                       "stm S { event e var s : Seq(int) initial j state A { } transition t0 { from j to A } "
+                       "transition t1 { from A to A trigger e <{" +
+                       deadline + "} } }");
         (void)m->emit(Time::timed);
         return m->codes();
     };
@@ -359,18 +365,18 @@ TEST(Preconditions, ThatCanBeFalseAreRefusedInTheDeadlineOfATransition) {
 }
 
 TEST(Postconditions, WithoutAnyValueMakeTheCheckInconclusive) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         function none(n : nat) : nat { postcondition result != result }
         stm S { event m : nat initial j state A { entry m ! (none(1)) } transition t0 { from j to A } })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     EXPECT_THAT(m->codes(), Contains("RC-S20"));
-    EXPECT_THAT(equal(*m, Time::untimed, "S::D__(0)", "Spec", "Spec = S::m.out.0 -> STOP"),
+    EXPECT_THAT(check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", "Spec = S::m.out.0 -> STOP"),
                 HasSubstr("no value satisfies the postcondition of none"));
 }
 
 // There is one definition for each combination of types; the model's own function same_2 keeps its name.
 TEST(GenericFunctions, AreThereForEachOfTheirTypes) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         function same(x : ?X) : ?X { postcondition result == x }
         function same_2(x : nat) : nat { postcondition result == x + 1 }
         stm S { event m : nat event t : boolean event s : Seq(nat) initial j
@@ -378,13 +384,13 @@ TEST(GenericFunctions, AreThereForEachOfTheirTypes) {
                 transition t0 { from j to A } })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     EXPECT_EQ(m->system.functions.size(), 4U);
-    EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", R"(
+    EXPECT_EQ(check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", R"(
         Spec = S::m.out.1 -> S::t.out.false -> S::m.out.2 -> S::s.out.<2> -> S::m.out.2 -> STOP)"),
               "holds");
 }
 
 TEST(GenericFunctions, ThatNeedThemselvesForEverLargerTypesAreRefused) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         function deep(x : ?X) : boolean { postcondition result == deep(<x>) }
         stm S { event t : boolean initial j state A { entry t ! (deep(1)) } transition t0 { from j to A } })");
     EXPECT_THAT(m->codes(), Contains("RC-S01"));
@@ -393,7 +399,7 @@ TEST(GenericFunctions, ThatNeedThemselvesForEverLargerTypesAreRefused) {
 
 TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
     // 0.5 makes the unit a half: the whole numbers of `w` become 0 and 20 tenths.
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         import set_toolkit::*
         import relation_toolkit::*
         stm S {
@@ -405,10 +411,10 @@ TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
             transition t0 { from j to A }
         })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_EQ(
-        equal(*m, Time::untimed, "S::D__(0)", "Spec",
-              "Spec = S::t.out.true -> S::t.out.true -> S::t.out.false -> S::t.out.true -> S::t.out.true -> STOP"),
-        "holds");
+    EXPECT_EQ(check_equivalence(
+                  *m, Time::untimed, "S::D__(0)", "Spec",
+                  "Spec = S::t.out.true -> S::t.out.true -> S::t.out.false -> S::t.out.true -> S::t.out.true -> STOP"),
+              "holds");
 }
 
 TEST(Reals, LeastAndGreatestOfASet) {
@@ -431,36 +437,37 @@ TEST(Reals, LeastAndGreatestOfASet) {
         actions += (actions.empty() ? "" : " ; ") + std::string(action);
         specification += std::string("S::") + action[0] + ".out.(" + value + ") -> ";
     }
-    const auto m = model(
+    const auto m = load_model(
         "import sequence_toolkit::* stm S { event r : real event n : nat event k : int "
         "event t : boolean initial j state A { entry " +
         actions + " } transition t0 { from j to A } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::vector<std::string> values = evaluated(*m);
+    const std::vector<std::string> values = evaluate_outputs(*m);
     ASSERT_EQ(values.size(), std::size(cases));
     for (std::size_t i = 0; i < std::size(cases); ++i) EXPECT_EQ(values[i], cases[i].second) << cases[i].first;
-    EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification + "STOP"), "holds") << m->messages();
+    EXPECT_EQ(check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", specification + "STOP"), "holds")
+        << m->messages();
 }
 
 // The precondition of both functions is that the set is not empty (semantics 3.5), for every type of numbers.
 TEST(Preconditions, TheEmptySetHasNoLeastElement) {
     for (const std::string type : {"nat", "int", "real"})
         for (const std::string function : {"min", "max"}) {
-            const auto m =
-                model("import sequence_toolkit::* stm S { event e event m : " + type + " var s : Set(" + type +
-                      ") initial j state A { entry e ; m ! (" + function + "(s)) } transition t0 { from j to A } }");
+            const auto m = load_model("import sequence_toolkit::* stm S { event e event m : " + type + " var s : Set(" +
+                                      type + ") initial j state A { entry e ; m ! (" + function +
+                                      "(s)) } transition t0 { from j to A } }");
             ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-            EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", "Spec = S::e.out -> STOP"), "holds")
+            EXPECT_EQ(check_equivalence(*m, Time::untimed, "S::D__(0)", "Spec", "Spec = S::e.out -> STOP"), "holds")
                 << type << " " << function << m->messages();
         }
-    const auto m = model(machine_of({{"min({})", ""}}));
-    EXPECT_THROW(evaluated(*m), ir::EvaluationFault);
+    const auto m = load_model(machine_of({{"min({})", ""}}));
+    EXPECT_THROW(evaluate_outputs(*m), ir::EvaluationFault);
 }
 
 // The types of the bounds of such a range are unknown. Its script is still generated, and evaluation of the range
 // fails.
 TEST(Ranges, OfUnknownTypeAreWritten) {
-    const auto m = model(
+    const auto m = load_model(
         "import sequence_toolkit::* stm S { var x : int initial j state A { } "
         "transition t0 { from j to A condition x in (head(<>), 1] } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -469,7 +476,7 @@ TEST(Ranges, OfUnknownTypeAreWritten) {
 }
 
 TEST(Probabilistic, JunctionsAreFreeChoices) {
-    EXPECT_EQ(untimed(R"(
+    EXPECT_EQ(compare_values(R"(
         initial i
         probabilistic p
         state A { entry m ! 0 }
@@ -477,7 +484,7 @@ TEST(Probabilistic, JunctionsAreFreeChoices) {
         transition t0 { from i to p }
         transition t1 { from p to A probability 0.5 }
         transition t2 { from p to B probability 0.5 })",
-                      "Spec = S::m.out.0 -> STOP |~| S::m.out.1 -> STOP"),
+                             "Spec = S::m.out.0 -> STOP |~| S::m.out.1 -> STOP"),
               "holds");
 }
 

@@ -15,9 +15,9 @@
 namespace robochart::csp_emit::testing {
 namespace {
 
-void finish(Model& model, frontend::Model& parsed) {
+void finish_model(Model& model, frontend::Model& parsed) {
     if (model.diagnostics.ok()) model.system = ir::lower(parsed, model.sources, model.diagnostics);
-    if (model.diagnostics.ok()) model.instantiation = ir::instantiate(model.system, {}, model.diagnostics);
+    if (model.diagnostics.ok()) model.instantiation = ir::instantiate_system(model.system, {}, model.diagnostics);
 }
 
 }  // namespace
@@ -46,11 +46,11 @@ std::unique_ptr<Model> model_of(const std::vector<std::pair<std::string, std::st
                                                path.ends_with(".assertions"), result->diagnostics));
     frontend::add_toolkits(result->sources, parsed, result->diagnostics);
     frontend::resolve(parsed, result->diagnostics);
-    finish(*result, parsed);
+    finish_model(*result, parsed);
     return result;
 }
 
-std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions) {
+std::unique_ptr<Model> load_model(const std::string& rct, const std::string& assertions) {
     if (assertions.empty()) return model_of({{"model.rct", rct}});
     return model_of({{"model.rct", rct}, {"model.assertions", assertions}});
 }
@@ -59,13 +59,13 @@ std::unique_ptr<Model> model_file(const std::string& path) {
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
-    return model(text.str());
+    return load_model(text.str());
 }
 
 std::unique_ptr<Model> project(const std::string& path) {
     auto result = std::make_unique<Model>();
     const auto parsed = frontend::load_project(result->sources, path, result->diagnostics);
-    finish(*result, *parsed);
+    finish_model(*result, *parsed);
     return result;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "csp_emit/emit.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -27,7 +27,7 @@ struct Model {
 };
 
 /// Loads one .rct text and, if not empty, one .assertions text.
-[[nodiscard]] std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions = "");
+[[nodiscard]] std::unique_ptr<Model> load_model(const std::string& rct, const std::string& assertions = "");
 /// Loads several files by their paths.
 [[nodiscard]] std::unique_ptr<Model> model_of(const std::vector<std::pair<std::string, std::string>>& files);
 /// Loads one .rct file alone.
@@ -37,7 +37,7 @@ struct Model {
 
 /// Appends CSPM text to the model's script and decides every assertion in it: "holds", "fails" or the reason why not
 /// decided.
-[[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
+[[nodiscard]] std::vector<std::string> decide_with(Model&, Time, const std::string& cspm);
 /// A step of the counterexample to `specification [T= process`: names of its event (also if hidden) and of its states.
 struct ReportedStep {
     std::string event, state;
@@ -45,11 +45,11 @@ struct ReportedStep {
 [[nodiscard]] std::vector<ReportedStep> reported_steps(Model&, Time, const std::string& process,
                                                        const std::string& specification);
 /// Decides every assertion of a script.
-[[nodiscard]] std::vector<std::string> decide(const cspm::Script&);
+[[nodiscard]] std::vector<std::string> decide_script(const cspm::Script&);
 /// The verdict on each obligation of the model in this time: "holds", "fails", "no check: why" or another outcome.
-[[nodiscard]] std::vector<std::string> claims(Model&, Time);
+[[nodiscard]] std::vector<std::string> decide_obligations(Model&, Time);
 /// Returns `holds` if both refinements hold in the failures-divergences model; otherwise the failure with its trace.
-[[nodiscard]] std::string equal(Model&, Time, const std::string& process, const std::string& specification,
-                                const std::string& definitions);
+[[nodiscard]] std::string check_equivalence(Model&, Time, const std::string& process, const std::string& specification,
+                                            const std::string& definitions);
 
 }  // namespace robochart::csp_emit::testing

@@ -9,14 +9,14 @@
 namespace robochart::csp_emit {
 namespace {
 
-using testing::claims;
+using testing::decide_obligations;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::model;
+using testing::load_model;
 
 /// A machine that goes from Moving::Go to Moving::Busy with `go`, and from Moving to Halted with `stop`, with these
 /// parts.
-std::string moving(const std::string& busy, const std::string& rest = "", const std::string& trigger = "stop") {
+std::string moving_machine(const std::string& busy, const std::string& rest = "", const std::string& trigger = "stop") {
     return "interface O { act() turn() }\nstm S { requires O event go event stop event out var n : nat = 0 initial i "
            "state Moving { initial j state Go { } state Busy { " +
            busy +
@@ -26,47 +26,53 @@ std::string moving(const std::string& busy, const std::string& rest = "", const 
            trigger + " } transition f { from Halted to Moving trigger stop } " + rest + " }";
 }
 
-std::string claim(const std::string& where, int units, bool missed = false) {
+std::string claim_text(const std::string& where, int units, bool missed = false) {
     static int number = 0;
     return "assertion A" + std::to_string(++number) + " : event stop is " + (missed ? "" : "not ") + "missed in " +
            where + (units == 0 ? "" : " for " + std::to_string(units) + " time units") + "\n";
 }
 
-std::vector<std::string> decided(const std::string& text, const std::string& claimed) {
-    const auto m = model(text, claimed);
+std::vector<std::string> decide_missed(const std::string& text, const std::string& claimed) {
+    const auto m = load_model(text, claimed);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
-    return claims(*m, Time::timed);
+    return decide_obligations(*m, Time::timed);
 }
 
 TEST(MissedEvents, AreThoseThatNothingTakesWhileTimePasses) {
-    const std::string three = moving("entry wait(3)");
-    EXPECT_THAT(decided(three, claim("S::Moving", 0) + claim("S::Moving", 3) + claim("S::Moving", 4)),
-                ElementsAre("fails", "fails", "holds"));
-    EXPECT_THAT(decided(three, claim("S::Moving", 1, true) + claim("S::Moving", 3, true) + claim("S::Moving", 4, true)),
+    const std::string three = moving_machine("entry wait(3)");
+    EXPECT_THAT(
+        decide_missed(three, claim_text("S::Moving", 0) + claim_text("S::Moving", 3) + claim_text("S::Moving", 4)),
+        ElementsAre("fails", "fails", "holds"));
+    EXPECT_THAT(decide_missed(three, claim_text("S::Moving", 1, true) + claim_text("S::Moving", 3, true) +
+                                         claim_text("S::Moving", 4, true)),
                 ElementsAre("holds", "holds", "fails"));
-    EXPECT_THAT(decided(three, claim("S::Moving::Go", 0) + claim("S::Moving::Busy", 3) + claim("S::Moving::Busy", 4) +
-                                   claim("S::Halted", 0) + claim("S", 3) + claim("S", 4)),
+    EXPECT_THAT(decide_missed(three, claim_text("S::Moving::Go", 0) + claim_text("S::Moving::Busy", 3) +
+                                         claim_text("S::Moving::Busy", 4) + claim_text("S::Halted", 0) +
+                                         claim_text("S", 3) + claim_text("S", 4)),
                 ElementsAre("holds", "fails", "holds", "holds", "fails", "holds"));
 }
 
 TEST(MissedEvents, AreNoneWhereTheStateWaits) {
-    EXPECT_THAT(decided(moving("", "clock T"), claim("S::Moving", 0) + claim("S", 0)), ElementsAre("holds", "holds"));
-    EXPECT_THAT(decided(moving("during wait(3)"), claim("S::Moving", 0)), ElementsAre("holds"))
+    EXPECT_THAT(decide_missed(moving_machine("", "clock T"), claim_text("S::Moving", 0) + claim_text("S", 0)),
+                ElementsAre("holds", "holds"));
+    EXPECT_THAT(decide_missed(moving_machine("during wait(3)"), claim_text("S::Moving", 0)), ElementsAre("holds"))
         << "a during action is interrupted";
-    EXPECT_THAT(decided(moving("entry stop"), claim("S::Moving", 0)), ElementsAre("holds")) << "the action takes it";
-    EXPECT_THAT(decided(moving("entry send out; stop; wait(1)"), claim("S::Moving", 0) + claim("S::Moving", 2)),
+    EXPECT_THAT(decide_missed(moving_machine("entry stop"), claim_text("S::Moving", 0)), ElementsAre("holds"))
+        << "the action takes it";
+    EXPECT_THAT(decide_missed(moving_machine("entry send out; stop; wait(1)"),
+                              claim_text("S::Moving", 0) + claim_text("S::Moving", 2)),
                 ElementsAre("fails", "holds"));
 }
 
 /// Busy is left and entered again immediately, but the event is offered in between.
 TEST(MissedEvents, AStateThatIsPassedTakesTheEvent) {
-    EXPECT_THAT(decided(moving("entry wait(2)"), claim("S::Moving", 2) + claim("S::Moving", 3)),
+    EXPECT_THAT(decide_missed(moving_machine("entry wait(2)"), claim_text("S::Moving", 2) + claim_text("S::Moving", 3)),
                 ElementsAre("fails", "holds"));
     const std::string passed =
         "stm S { event go event stop initial i state A { entry wait(2) } state B { entry wait(2) } transition a { from "
         "i "
         "to A } transition b { from A to B } transition c { from B to A } transition d { from A to A trigger stop } }";
-    EXPECT_THAT(decided(passed, claim("S", 4) + claim("S", 5)), ElementsAre("fails", "holds"));
+    EXPECT_THAT(decide_missed(passed, claim_text("S", 4) + claim_text("S", 5)), ElementsAre("fails", "holds"));
 }
 
 TEST(MissedEvents, TimePassesWhereTheEventIsOnOffer) {
@@ -74,15 +80,17 @@ TEST(MissedEvents, TimePassesWhereTheEventIsOnOffer) {
         "stm S { event stop clock T initial i state A { } state B { entry wait(2) } transition a { from i to A #T } "
         "transition b { from A to B condition since(T) >= 3 } transition c { from A to A trigger stop } "
         "transition d { from B to A #T } }";
-    EXPECT_THAT(decided(text, claim("S", 2) + claim("S", 3)), ElementsAre("fails", "holds"));
+    EXPECT_THAT(decide_missed(text, claim_text("S", 2) + claim_text("S", 3)), ElementsAre("fails", "holds"));
 }
 
 TEST(MissedEvents, ThePlatformTakesCallsAndOutputsAtOnce) {
-    EXPECT_THAT(decided(moving("entry send out; act()"), claim("S::Moving", 0)), ElementsAre("holds"));
+    EXPECT_THAT(decide_missed(moving_machine("entry send out; act()"), claim_text("S::Moving", 0)),
+                ElementsAre("holds"));
 }
 
 TEST(MissedEvents, ConditionsCount) {
-    EXPECT_THAT(decided(moving("", "", "stop condition n > 0"), claim("S::Moving", 0) + claim("S::Moving", 1000)),
+    EXPECT_THAT(decide_missed(moving_machine("", "", "stop condition n > 0"),
+                              claim_text("S::Moving", 0) + claim_text("S::Moving", 1000)),
                 ElementsAre("fails", "fails"));
 }
 
@@ -91,8 +99,8 @@ TEST(MissedEvents, AStateIsOneFromItsEntryActionUntilItIsLeft) {
         "stm S { event go event stop initial i state A { exit wait(2) } state B { entry wait(2) initial j state C { } "
         "transition k { from j to C action wait(3) } } transition a { from i to A } transition b { from A to B trigger "
         "go action wait(5) } transition c { from A to A trigger stop } transition d { from B to A trigger stop } }";
-    EXPECT_THAT(decided(text, claim("S::A", 0) + claim("S::B", 5) + claim("S::B", 6) + claim("S::B::C", 0) +
-                                  claim("S", 12) + claim("S", 13)),
+    EXPECT_THAT(decide_missed(text, claim_text("S::A", 0) + claim_text("S::B", 5) + claim_text("S::B", 6) +
+                                        claim_text("S::B::C", 0) + claim_text("S", 12) + claim_text("S", 13)),
                 ElementsAre("holds", "fails", "holds", "holds", "fails", "holds"));
 }
 
@@ -103,7 +111,8 @@ TEST(MissedEvents, AStateIsKnownInOperationsThatSeveralCall) {
         "A "
         "{ entry turn() } state B { entry turn(); wait(1) } transition a { from i to A } transition b { from A to B "
         "trigger go } transition c { from A to A trigger stop } transition d { from B to A trigger stop } } }";
-    EXPECT_THAT(decided(text, claim("K::S::A", 2) + claim("K::S::A", 3) + claim("K::S::B", 3) + claim("K::S::B", 4)),
+    EXPECT_THAT(decide_missed(text, claim_text("K::S::A", 2) + claim_text("K::S::A", 3) + claim_text("K::S::B", 3) +
+                                        claim_text("K::S::B", 4)),
                 ElementsAre("fails", "holds", "fails", "holds"));
 }
 
@@ -111,19 +120,19 @@ TEST(MissedEvents, TheEndOfTheMachineCountsForNothing) {
     const std::string text =
         "stm S { event stop initial i state A { } final f transition a { from i to A } transition b { from A to f "
         "trigger stop } }";
-    EXPECT_THAT(decided(text, claim("S", 0)), ElementsAre("holds"));
+    EXPECT_THAT(decide_missed(text, claim_text("S", 0)), ElementsAre("holds"));
 }
 
 TEST(MissedEvents, AnEventThatIsTakenBetweenBeginsTheCountAnew) {
     const std::string text =
         "stm S { event stop initial i state A { } state B { entry wait(2) } transition a { from i to A } "
         "transition b { from A to B trigger stop } transition c { from B to B trigger stop } }";
-    EXPECT_THAT(decided(text, claim("S", 2) + claim("S", 3)), ElementsAre("fails", "holds"));
+    EXPECT_THAT(decide_missed(text, claim_text("S", 2) + claim_text("S", 3)), ElementsAre("fails", "holds"));
 }
 
 TEST(MissedEvents, HaveNoCheckWithoutTime) {
-    const auto m = model(moving("entry wait(3)"), "assertion A : event stop is not missed in S\n");
-    EXPECT_THAT(claims(*m, Time::untimed), ElementsAre(HasSubstr("an event is missed while time passes")));
+    const auto m = load_model(moving_machine("entry wait(3)"), "assertion A : event stop is not missed in S\n");
+    EXPECT_THAT(decide_obligations(*m, Time::untimed), ElementsAre(HasSubstr("an event is missed while time passes")));
 }
 
 }  // namespace

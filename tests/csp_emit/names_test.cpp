@@ -120,11 +120,11 @@ TEST_P(Names, AreThereForBlocks) {
     const Use& use = GetParam();
     const std::string block = std::string(use.time == Time::timed ? "timed" : "untimed") + " csp Names csp-begin\n" +
                               use.text + "\ncsp-end\n";
-    const auto m = testing::model(rct, block);
+    const auto m = testing::load_model(rct, block);
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     const Emission emission = m->emit(use.time);
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const auto verdicts = testing::decide(emission.script);
+    const auto verdicts = testing::decide_script(emission.script);
     EXPECT_FALSE(verdicts.empty());
     EXPECT_THAT(verdicts, ::testing::Each("holds"));
 }
@@ -242,11 +242,12 @@ TEST(Constants, CountWhereAnAssertionSetsThem) {
             const bool counted = places.contains(place);
             const std::string event = "P::" + path + "::a.out.";
             const auto m =
-                testing::model(project, "csp Set csp-begin\nSet = " + event + (counted ? "0" : "1") + " -> " + event +
-                                            "2 -> STOP\ncsp-end\nuntimed assertion A : P::" + path +
-                                            " equals Set with constant c of P::" + place + " set to 0\n");
+                testing::load_model(project, "csp Set csp-begin\nSet = " + event + (counted ? "0" : "1") + " -> " +
+                                                 event + "2 -> STOP\ncsp-end\nuntimed assertion A : P::" + path +
+                                                 " equals Set with constant c of P::" + place + " set to 0\n");
             ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-            EXPECT_THAT(testing::claims(*m, Time::untimed), ::testing::ElementsAre("holds")) << path << " " << place;
+            EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ::testing::ElementsAre("holds"))
+                << path << " " << place;
             EXPECT_EQ(m->codes(), counted ? std::vector<std::string>{} : std::vector<std::string>{"RC-C08"})
                 << path << " " << place;
         }
@@ -318,9 +319,9 @@ std::set<std::string> plain_names(const std::string& text) {
 // Event names that have a meaning in CSPM or are names of generated parameters.
 TEST(Names, OfEventsMayBeThoseOfParameters) {
     for (const std::string name : {"out", "x", "x__", "in__", "e__", "id__", "v_v", "tock", "tock_", "step__", "r__"}) {
-        const auto m = testing::model("stm S { event " + name + " : nat var v : nat initial i state A { } " +
-                                      "transition t0 { from i to A } transition t1 { from A to A trigger " + name +
-                                      " ? v condition v > 0 action v = 1 } }");
+        const auto m = testing::load_model("stm S { event " + name + " : nat var v : nat initial i state A { } " +
+                                           "transition t0 { from i to A } transition t1 { from A to A trigger " + name +
+                                           " ? v condition v > 0 action v = 1 } }");
         ASSERT_TRUE(m->diagnostics.ok()) << name << m->messages();
         for (const Time time : {Time::untimed, Time::timed}) {
             Emission emission = m->emit(time, true);
@@ -331,7 +332,7 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
         const std::string question =
             "RECEIVED = (|~| e : diff(S::sem__events, {S::terminate}) @ e -> RECEIVED)\n"
             "assert RECEIVED [F= S::D__(0) \\ {S::terminate}\nassert STOP [T= S::D__(0)";
-        const auto reported = testing::verdicts(*m, Time::untimed, question);
+        const auto reported = testing::decide_with(*m, Time::untimed, question);
         ASSERT_EQ(reported.size(), 2U) << name;
         EXPECT_EQ(reported[0], "holds") << name;
         EXPECT_NE(reported[1], "holds") << name;
@@ -342,17 +343,17 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
 // at the top level, for a name of RoboTool's, is an error with its place in the block. All other blocks type check and
 // keep the meaning of the script.
 TEST(Names, OfBlocksAreApartFromGeneratedOnes) {
-    const auto plain = testing::model(variety);
+    const auto plain = testing::load_model(variety);
     ASSERT_TRUE(plain->diagnostics.ok()) << plain->messages();
     const std::string text = cspm::print(plain->emit(Time::timed).script);
     ASSERT_TRUE(plain->diagnostics.ok()) << plain->messages();
     const std::string question = "assert K::D__(0) :[deadlock free]\nassert STOP [T= K::D__(0) \\ {| K::a, K::o |}";
-    const auto expected = testing::verdicts(*plain, Time::timed, question);
+    const auto expected = testing::decide_with(*plain, Time::timed, question);
     std::set<std::string> twice;
     std::size_t apart = 0;
     for (const std::string& name : plain_names(text)) {
         for (const std::string& declared : {"channel " + name, name + "(one) = one"}) {
-            const auto m = testing::model(variety, "csp Block csp-begin\n" + declared + "\ncsp-end\n");
+            const auto m = testing::load_model(variety, "csp Block csp-begin\n" + declared + "\ncsp-end\n");
             ASSERT_TRUE(m->diagnostics.ok()) << declared << m->messages();
             const Emission emission = m->emit(Time::timed);
             if (!m->diagnostics.ok()) continue;  // a keyword
@@ -365,7 +366,7 @@ TEST(Names, OfBlocksAreApartFromGeneratedOnes) {
             }
             ++apart;
             if (apart % 25 == 0) {
-                EXPECT_EQ(testing::verdicts(*m, Time::timed, question), expected) << declared;
+                EXPECT_EQ(testing::decide_with(*m, Time::timed, question), expected) << declared;
             }
         }
     }

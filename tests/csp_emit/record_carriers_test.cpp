@@ -37,10 +37,11 @@ TEST(Records, AreCarriersInBlocks) {
         "Numbers = [] v : Data_Alone @ Data::Copier::one.in.v -> STOP";
     const std::string few =
         "Few = |~| v : {(0, true), (1, true)} @ Data::Copier::put.in.v -> Data::Copier::got.out.v -> Few";
-    const auto m = testing::model(copier, block(all) + block(few, "Few") +
-                                              "untimed assertion A : Data::Copier refines Spec in the traces model\n"
-                                              "untimed assertion B : Data::Copier refines Few in the traces model\n");
-    EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds", "fails")) << m->messages();
+    const auto m =
+        testing::load_model(copier, block(all) + block(few, "Few") +
+                                        "untimed assertion A : Data::Copier refines Spec in the traces model\n"
+                                        "untimed assertion B : Data::Copier refines Few in the traces model\n");
+    EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds", "fails")) << m->messages();
     const Emission emission = m->emit(Time::untimed);
     cspm::check_types(emission.script, m->diagnostics);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -49,17 +50,17 @@ TEST(Records, AreCarriersInBlocks) {
 // A block may define the name with fewer values. If a component, an enumeration or a constant has the same name, the
 // block's name means that element.
 TEST(Records, GiveWayToOtherNames) {
-    const auto narrowed = testing::model(
+    const auto narrowed = testing::load_model(
         copier, block("nametype Data_Pair = {(0, true)}\n"
                       "Spec = |~| v : Data_Pair @ Data::Copier::put.in.v -> Data::Copier::got.out.v -> Spec") +
                     "untimed assertion A : Data::Copier refines Spec in the traces model\n");
-    EXPECT_THAT(testing::claims(*narrowed, Time::untimed), ElementsAre("fails")) << narrowed->messages();
-    const auto component = testing::model(
+    EXPECT_THAT(testing::decide_obligations(*narrowed, Time::untimed), ElementsAre("fails")) << narrowed->messages();
+    const auto component = testing::load_model(
         "record S { f : nat } stm S { event e initial i state A { } transition t0 { from i to A } transition t { from "
         "A to A trigger e } }",
         block("Spec = S::e.in -> Spec") + "untimed assertion A : S equals Spec\n");
     ASSERT_TRUE(component->diagnostics.ok()) << component->messages();
-    EXPECT_THAT(testing::claims(*component, Time::untimed), ElementsAre("holds")) << component->messages();
+    EXPECT_THAT(testing::decide_obligations(*component, Time::untimed), ElementsAre("holds")) << component->messages();
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/types/type_check.hpp"
 #include "base/diagnostics/fixes.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {
@@ -32,21 +32,21 @@ stm Lift {
 }
 )";
 
-std::string block(const std::string& text, const std::string& name = "Spec") {
+std::string block_text(const std::string& text, const std::string& name = "Spec") {
     return "untimed csp " + name + " csp-begin\n" + text + "\ncsp-end\n";
 }
 
-std::string claim(const std::string& form) {
+std::string claim_text(const std::string& form) {
     return "untimed assertion A : Tower::Lift " + form + "\n";
 }
 
 /// Applies the fixes of the findings repeatedly until none is left; returns the assertions.
-std::string fixed(std::string assertions) {
+std::string apply_all_fixes(std::string assertions) {
     for (int round = 0; round < 5; ++round) {
-        const auto m = testing::model(lift, assertions);
+        const auto m = testing::load_model(lift, assertions);
         (void)m->emit(Time::untimed);
         std::vector<diagnostics::FixIt> fixes;
-        for (const diagnostics::Diagnostic& finding : m->diagnostics.sorted())
+        for (const diagnostics::Diagnostic& finding : m->diagnostics.sorted_findings())
             fixes.insert(fixes.end(), finding.fixes.begin(), finding.fixes.end());
         if (fixes.empty()) break;
         assertions = diagnostics::apply_fixes(assertions, fixes);
@@ -55,8 +55,8 @@ std::string fixed(std::string assertions) {
 }
 
 TEST(OldNames, AreReportedWithTodays) {
-    const auto m = testing::model(
-        lift, block("Spec = Lift_up.in -> Lift_floor.in?x -> Spec") + claim("refines Spec in the traces model"));
+    const auto m = testing::load_model(lift, block_text("Spec = Lift_up.in -> Lift_floor.in?x -> Spec") +
+                                                 claim_text("refines Spec in the traces model"));
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ElementsAre("RC-C15", "RC-C15")) << m->messages();
     EXPECT_THAT(m->messages(), HasSubstr("Lift_up is a name of RoboTool's that this script does not have: it is of an "
@@ -65,42 +65,43 @@ TEST(OldNames, AreReportedWithTodays) {
 
 // Every form in the table of docs/robotool.md; the fixes preserve the meaning of the block.
 TEST(OldNames, AreReplacedByTheirFixes) {
-    const std::string now =
-        fixed(block("Spec = Lift_up.in -> Tower_Lift_pullCall.1 -> Lift_pullRet -> Lift::floor.in?x -> Spec\n"
-                    "Other = Lift_O(0)\nThird = Lift_D(0) [] Lift_VS_O(0)\n"
-                    "Calls = {| Lift_pullCall |}") +
-              claim("refines Spec in the traces model"));
-    EXPECT_EQ(now, block("Spec = Tower::Lift::up.in -> Tower::Lift::pullCall.1 -> Tower::Lift::floor.in?x -> Spec\n"
+    const std::string now = apply_all_fixes(
+        block_text("Spec = Lift_up.in -> Tower_Lift_pullCall.1 -> Lift_pullRet -> Lift::floor.in?x -> Spec\n"
+                   "Other = Lift_O(0)\nThird = Lift_D(0) [] Lift_VS_O(0)\n"
+                   "Calls = {| Lift_pullCall |}") +
+        claim_text("refines Spec in the traces model"));
+    EXPECT_EQ(now,
+              block_text("Spec = Tower::Lift::up.in -> Tower::Lift::pullCall.1 -> Tower::Lift::floor.in?x -> Spec\n"
                          "Other = Tower::Lift::O__(0)\nThird = Tower::Lift::D__(0) [] Tower::Lift::VS_O__(0)\n"
                          "Calls = {| Tower::Lift::pullCall |}") +
-                       claim("refines Spec in the traces model"));
-    const auto m = testing::model(lift, now);
-    EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds")) << m->messages();
+                  claim_text("refines Spec in the traces model"));
+    const auto m = testing::load_model(lift, now);
+    EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds")) << m->messages();
 }
 
 TEST(OldNames, OfReturnsAreLeftOut) {
-    const std::string now = fixed(block("Spec = Tower::Lift::up.in -> Tower::Lift::pullCall.1 -> "
-                                        "(Tower::Lift::pullRet -> Tower::Lift::floor.in?x -> Spec)") +
-                                  claim("refines Spec in the traces model"));
-    const auto m = testing::model(lift, now);
-    EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds")) << now << m->messages();
+    const std::string now = apply_all_fixes(block_text("Spec = Tower::Lift::up.in -> Tower::Lift::pullCall.1 -> "
+                                                       "(Tower::Lift::pullRet -> Tower::Lift::floor.in?x -> Spec)") +
+                                            claim_text("refines Spec in the traces model"));
+    const auto m = testing::load_model(lift, now);
+    EXPECT_THAT(testing::decide_obligations(*m, Time::untimed), ElementsAre("holds")) << now << m->messages();
 }
 
 TEST(OldNames, OfStatesHaveNoFix) {
-    const auto m = testing::model(lift, block("Spec = Lift_enteredV?s -> Spec") + claim("equals Spec"));
+    const auto m = testing::load_model(lift, block_text("Spec = Lift_enteredV?s -> Spec") + claim_text("equals Spec"));
     (void)m->emit(Time::untimed);
     ASSERT_THAT(m->codes(), ElementsAre("RC-C15")) << m->messages();
     EXPECT_THAT(m->messages(), HasSubstr("Tower::Lift::STATE::entered"));
-    EXPECT_THAT(m->diagnostics.sorted().front().fixes, IsEmpty());
+    EXPECT_THAT(m->diagnostics.sorted_findings().front().fixes, IsEmpty());
 }
 
 // A name that a block declares or binds belongs to the block.
 TEST(OldNames, ThatABlockDeclaresAreItsOwn) {
-    const auto m = testing::model(
+    const auto m = testing::load_model(
         lift,
-        block("channel Lift_up\nSpec = let Lift_floor = Lift_up -> STOP within Lift_floor\n"
-              "Twice(Lift_O) = Lift_O [] Lift_O\nmodule Lift\nexports\n  up = STOP\nendmodule\nThird = Lift::up") +
-            claim("is deadlock-free"));
+        block_text("channel Lift_up\nSpec = let Lift_floor = Lift_up -> STOP within Lift_floor\n"
+                   "Twice(Lift_O) = Lift_O [] Lift_O\nmodule Lift\nexports\n  up = STOP\nendmodule\nThird = Lift::up") +
+            claim_text("is deadlock-free"));
     const Emission emission = m->emit(Time::untimed);
     cspm::check_types(emission.script, m->diagnostics);
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -108,7 +109,7 @@ TEST(OldNames, ThatABlockDeclaresAreItsOwn) {
 
 // `at` is private: no version of the generator exported such a name.
 TEST(OldNames, OfWhatIsNotThereAreUnknown) {
-    const auto m = testing::model(lift, block("Spec = Lift_at -> Spec") + claim("is deadlock-free"));
+    const auto m = testing::load_model(lift, block_text("Spec = Lift_at -> Spec") + claim_text("is deadlock-free"));
     const Emission emission = m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), IsEmpty()) << m->messages();
     cspm::check_types(emission.script, m->diagnostics);
@@ -123,16 +124,16 @@ TEST(OldNames, ThatMayBeOfTwoComponentsAreUnknown) {
     const auto m = testing::model_of(
         {{"p.rct", "package P " + stm},
          {"q.rct", "package Q " + stm},
-         {"a.assertions", block("Spec = S_e.in -> Spec") + "untimed assertion A : P::S is deadlock-free\n"}});
+         {"a.assertions", block_text("Spec = S_e.in -> Spec") + "untimed assertion A : P::S is deadlock-free\n"}});
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), IsEmpty()) << m->messages();
 }
 
 TEST(OldNames, OfCarriersAreReplacedInInstantiations) {
-    const std::string now =
-        fixed("csp Instantiations csp-begin\n\tnametype nat = {0..7}\ncsp-end\n" + claim("is deadlock-free"));
+    const std::string now = apply_all_fixes("csp Instantiations csp-begin\n\tnametype nat = {0..7}\ncsp-end\n" +
+                                            claim_text("is deadlock-free"));
     EXPECT_THAT(now, HasSubstr("nametype core_nat = {0..7}"));
-    const auto m = testing::model(lift, now);
+    const auto m = testing::load_model(lift, now);
     const Emission emission = m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ElementsAre("RC-C07")) << m->messages();
 }

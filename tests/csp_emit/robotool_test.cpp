@@ -42,7 +42,7 @@ bool defines_nothing_new(const DeclPtr& decl, const std::set<std::string>& known
 }
 
 /// RoboTool's script followed by our components in a separate module, with the definitions that they need.
-cspm::Script joined(const cspm::Script& theirs, const Emission& ours) {
+cspm::Script join_scripts(const cspm::Script& theirs, const Emission& ours) {
     const auto known = names_of(theirs.decls);
     cspm::Script result = theirs;
     std::erase_if(result.decls, [](const DeclPtr& decl) { return decl->kind == DeclKind::assertion; });
@@ -76,7 +76,7 @@ std::vector<Component> components_of(const Emission& ours) {
 }
 
 /// The channels of the component's sem__events.
-std::vector<std::string> alphabet(const cspm::Script& script, const std::string& path) {
+std::vector<std::string> alphabet_of(const cspm::Script& script, const std::string& path) {
     const DeclPtr events = cspm::declaration_of(script, path + "::sem__events");
     EXPECT_TRUE(events) << path;
     std::vector<std::string> result;
@@ -85,14 +85,14 @@ std::vector<std::string> alphabet(const cspm::Script& script, const std::string&
     return result;
 }
 
-ExprPtr called(const ExprPtr& process, const std::string& name) {
+ExprPtr call_process(const ExprPtr& process, const std::string& name) {
     auto result = std::make_shared<cspm::Expr>(*process);
     result->args[0] = b::name(name);
     return result;
 }
 
 /// Reduces the carriers of numbers to few values.
-void narrow(cspm::Script& script) {
+void narrow_carriers(cspm::Script& script) {
     for (DeclPtr& decl : script.decls) {
         const auto names = names_of({decl});
         if (names.contains("core_int")) decl = b::nametype("core_int", b::set_range(b::number(-1), b::number(1)));
@@ -108,8 +108,8 @@ using Case = std::tuple<std::string, Time, Variables>;
 class RoboTool : public ::testing::TestWithParam<Case> {};
 
 /// Checks both refinements for every component of the model, with other values for some constants.
-void compare(testing::Model& m, Time time, Variables variables, const std::string& script_path,
-             const std::map<std::string, std::int64_t>& constants = {}) {
+void compare_components(testing::Model& m, Time time, Variables variables, const std::string& script_path,
+                        const std::map<std::string, std::int64_t>& constants = {}) {
     const Emission ours = variables == Variables::memories ? m.emit_with_memories(time, true) : m.emit(time, true);
     auto theirs = cspm::read_file(m.sources, script_path, m.diagnostics);
     ASSERT_TRUE(m.diagnostics.ok()) << m.messages();
@@ -119,18 +119,19 @@ void compare(testing::Model& m, Time time, Variables variables, const std::strin
                 decl = b::value(name, b::number(found->second));
     for (const Component& component : components_of(ours)) {
         std::vector<cspm::Link> links;
-        for (const std::string& event : alphabet(ours.definitions, component.name))
+        for (const std::string& event : alphabet_of(ours.definitions, component.name))
             links.push_back(
                 {b::name("ours__::" + component.name + "::" + event), b::name(component.name + "::" + event)});
-        const ExprPtr own = b::rename(called(component.process, "ours__::" + component.name + "::D__"), links);
-        const ExprPtr other = called(component.process, component.name + "::O__");
-        cspm::Script script = joined(theirs, ours);
+        const ExprPtr own = b::rename(call_process(component.process, "ours__::" + component.name + "::D__"), links);
+        const ExprPtr other = call_process(component.process, component.name + "::O__");
+        cspm::Script script = join_scripts(theirs, ours);
         // Checked alone, this machine has four variables that the environment may set to any value. RoboTool's script
         // takes seconds with few values and minutes with all of them.
-        if (component.name == "ObsDetector::ObsDetect" && std::getenv("ROBOCHART_SLOW") == nullptr) narrow(script);
+        if (component.name == "ObsDetector::ObsDetect" && std::getenv("ROBOCHART_SLOW") == nullptr)
+            narrow_carriers(script);
         script.decls.push_back(b::assert_refines(own, cspm::Model::failures_divergences, other));
         script.decls.push_back(b::assert_refines(other, cspm::Model::failures_divergences, own));
-        EXPECT_EQ(testing::decide(script), std::vector<std::string>(2, "holds")) << component.name;
+        EXPECT_EQ(testing::decide_script(script), std::vector<std::string>(2, "holds")) << component.name;
     }
 }
 
@@ -142,7 +143,7 @@ TEST_P(RoboTool, AgreesBothWays) {
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     // The script of a model in a package is named after the package.
     const std::string script = model == "example2" ? "ex2" : "file_" + model;
-    compare(*m, time, variables, root + (time == Time::timed ? "timed/" : "untimed/") + script + ".csp");
+    compare_components(*m, time, variables, root + (time == Time::timed ? "timed/" : "untimed/") + script + ".csp");
 }
 
 class NewestRoboTool : public ::testing::TestWithParam<std::tuple<Time, Variables>> {};
@@ -156,8 +157,8 @@ TEST_P(NewestRoboTool, AgreesOnTheRangerModel) {
     const std::string folder = time == Time::timed ? "timed/" : "untimed/";
     // With RoboTool's default constants the model divides by zero.
     const std::string prefix = "const_SimFW_SMovement_";
-    compare(*m, time, variables, root + folder + "SimFW.csp",
-            {{prefix + "PI", 3}, {prefix + "av", 2}, {prefix + "lv", 1}});
+    compare_components(*m, time, variables, root + folder + "SimFW.csp",
+                       {{prefix + "PI", 3}, {prefix + "av", 2}, {prefix + "lv", 1}});
 }
 
 INSTANTIATE_TEST_SUITE_P(SharedScripts, NewestRoboTool,
@@ -171,7 +172,7 @@ TEST(RangerAssertions, SimplifiedSpecificationsAreEqual) {
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     const Emission emission = m->emit(Time::timed);
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_EQ(testing::decide(emission.script), std::vector<std::string>(8, "holds"));
+    EXPECT_EQ(testing::decide_script(emission.script), std::vector<std::string>(8, "holds"));
 }
 
 const std::string models[] = {"example1_ddl",

@@ -24,12 +24,12 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::model;
+using testing::load_model;
 using ::testing::Not;
 using testing::project;
 
 /// The script's text, after a check that it parses to the same tree.
-std::string printed(testing::Model& model, Time time) {
+std::string print_checked(testing::Model& model, Time time) {
     const Emission emission = model.emit(time, true);
     EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
     const std::string text = cspm::print(emission.script);
@@ -46,17 +46,17 @@ std::string printed(testing::Model& model, Time time) {
 TEST(Script, HandBuiltAggregationReadsBackEqual) {
     testing::Model m;
     m.system = ir::samples::aggregation();
-    m.instantiation = ir::instantiate(m.system, {}, m.diagnostics);
-    printed(m, Time::untimed);
-    printed(m, Time::timed);
+    m.instantiation = ir::instantiate_system(m.system, {}, m.diagnostics);
+    print_checked(m, Time::untimed);
+    print_checked(m, Time::timed);
 }
 
 TEST(Script, CorpusReadsBackEqual) {
     for (const char* name : {"aggregation", "swarm_taxis"}) {
         const auto m = project(tests::source_folder().string() + "/corpus/" + name);
         ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-        printed(*m, Time::untimed);
-        printed(*m, Time::timed);
+        print_checked(*m, Time::untimed);
+        print_checked(*m, Time::timed);
     }
 }
 
@@ -65,12 +65,12 @@ TEST(Script, SharedRoboToolModelsReadBackEqual) {
     const auto m = project(shared);
     if (m->system.machines.empty()) GTEST_SKIP() << "no shared models at " << shared;
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    printed(*m, Time::timed);
+    print_checked(*m, Time::timed);
 }
 
 TEST(Script, UsesRoboToolsNames) {
     const auto m = project(tests::source_folder().string() + "/corpus/aggregation");
-    const std::string text = printed(*m, Time::timed);
+    const std::string text = print_checked(*m, Time::timed);
     for (const char* part : {"module aggregation", "module OP_MoveClockwise", "module AggregationFSM", "module stm_ref",
                              "instance ctrl_ref = AggregationController__(0)", "channel seeWall : InOut",
                              "MoveClockwiseCall : core_real.core_real", "set_linearSpeed, set_EXT_linearSpeed",
@@ -80,7 +80,7 @@ TEST(Script, UsesRoboToolsNames) {
 
 TEST(Script, ParametersAvoidNamesOfEvents) {
     // A parameter with the name of a channel would be a pattern that matches only the channel.
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         stm S {
             event v_x
             var x : nat
@@ -88,13 +88,13 @@ TEST(Script, ParametersAvoidNamesOfEvents) {
             state A { entry x = x + 1 ; v_x ; if x == 1 then v_x else skip end }
             transition t0 { from i to A }
         })");
-    const std::string text = printed(*m, Time::untimed);
+    const std::string text = print_checked(*m, Time::untimed);
     EXPECT_THAT(text, HasSubstr("(v_x_2)"));
     EXPECT_THAT(text, Not(HasSubstr("(v_x)")));
 }
 
 TEST(Script, ParametersAvoidNamesOfBlocks) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         stm S {
             event a
             var x : nat var y : nat
@@ -102,21 +102,21 @@ TEST(Script, ParametersAvoidNamesOfBlocks) {
             state A { entry x = x + 1 ; y = x + y ; a ; if x == y then a else skip end ; a }
             transition t0 { from i to A }
         })",
-                         "csp Block csp-begin\nchannel v_x\ndatatype Kind = v_y | other\ncsp-end");
+                              "csp Block csp-begin\nchannel v_x\ndatatype Kind = v_y | other\ncsp-end");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_THAT(printed(*m, Time::untimed), HasSubstr("(v_x_2, v_y_2)"));
-    EXPECT_EQ(testing::verdicts(*m, Time::untimed, "assert S::D__(0) [FD= S::a.out -> S::a.out -> S::a.out -> STOP"),
+    EXPECT_THAT(print_checked(*m, Time::untimed), HasSubstr("(v_x_2, v_y_2)"));
+    EXPECT_EQ(testing::decide_with(*m, Time::untimed, "assert S::D__(0) [FD= S::a.out -> S::a.out -> S::a.out -> STOP"),
               std::vector<std::string>{"holds"});
 }
 
 TEST(Script, VariablesThatNothingReadsAreNotKept) {
-    const auto m = model("stm S { var x : nat initial i state A { entry x = 2 } transition t0 { from i to A } }");
-    EXPECT_THAT(printed(*m, Time::untimed), Not(HasSubstr("v_x")));
+    const auto m = load_model("stm S { var x : nat initial i state A { entry x = 2 } transition t0 { from i to A } }");
+    EXPECT_THAT(print_checked(*m, Time::untimed), Not(HasSubstr("v_x")));
 }
 
 TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
     // In B and after it, x is overwritten before it is read; in A the guard reads it.
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         stm S {
             event a : nat
             var x : nat
@@ -128,14 +128,14 @@ TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
             transition t2 { from A to B condition x == 2 }
             transition t3 { from B to A trigger a ? x }
         })");
-    const std::string text = printed(*m, Time::untimed);
+    const std::string text = print_checked(*m, Time::untimed);
     EXPECT_THAT(text, HasSubstr("A__(v_x) ="));
     EXPECT_THAT(text, HasSubstr("B__ ="));
 }
 
 // Every call of an operation with a large variable refers to its default by name; the table of 49 zeros occurs once.
 TEST(Script, LargeDefaultsAreWrittenOnce) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         interface Ops { walk() }
         operation walk() {
             var m : matrix(nat, 7, 7)
@@ -159,14 +159,14 @@ TEST(Script, LargeDefaultsAreWrittenOnce) {
             connection S on a to C on a
         })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::string text = printed(*m, Time::untimed);
+    const std::string text = print_checked(*m, Time::untimed);
     std::size_t rows = 0;
     for (auto at = text.find("(0,0,0,0,0,0,0)"); at != std::string::npos; at = text.find("(0,0,0,0,0,0,0)", at + 1))
         ++rows;
     EXPECT_EQ(rows % 7, 0U);
     EXPECT_THAT(text, HasSubstr("default_0__ ="));
     EXPECT_LE(rows, 2U * 7U);
-    EXPECT_EQ(testing::verdicts(*m, Time::untimed, "assert C::a.out.0 -> C::a.out.0 -> STOP [T= C::D__(0)"),
+    EXPECT_EQ(testing::decide_with(*m, Time::untimed, "assert C::a.out.0 -> C::a.out.0 -> STOP [T= C::D__(0)"),
               std::vector<std::string>{"holds"});
 }
 
@@ -175,10 +175,10 @@ TEST(Liveness, GoesBackwardsAlongCalls) {
     // P passes x to Q as y, Q passes y on to R, and R outputs it; z is never read.
     FamilyCalls calls;
     std::vector<Function> family{
-        {"P", {}, b::prefix(b::name("a"), calls.add("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
-        {"Q", {}, b::prefix(b::name("a"), calls.add("R", {{"z", b::number(3)}}))},
-        {"R", {}, b::prefix(b::name("c"), {b::output(b::name("y"))}, calls.add("P", {{"x", b::name("y")}}))}};
-    auto initial = calls.add("P", {{"x", b::number(1)}, {"y", b::number(2)}});
+        {"P", {}, b::prefix(b::name("a"), calls.add_call("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
+        {"Q", {}, b::prefix(b::name("a"), calls.add_call("R", {{"z", b::number(3)}}))},
+        {"R", {}, b::prefix(b::name("c"), {b::output(b::name("y"))}, calls.add_call("P", {{"x", b::name("y")}}))}};
+    auto initial = calls.add_call("P", {{"x", b::number(1)}, {"y", b::number(2)}});
     EXPECT_THAT(find_parameters(family, initial, calls, {{"x", "y", "z"}, {}, {}, {}, {}, {}}), IsEmpty());
     EXPECT_THAT(family[0].parameters, ElementsAre("x"));
     EXPECT_THAT(family[1].parameters, ElementsAre("y"));
@@ -192,7 +192,7 @@ TEST(Liveness, WhatNoCallGivesIsReported) {
     namespace b = cspm::build;
     FamilyCalls calls;
     std::vector<Function> family{{"P", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, b::stop())}};
-    auto initial = calls.add("P", {});
+    auto initial = calls.add_call("P", {});
     EXPECT_THAT(find_parameters(family, initial, calls, {{"x"}, {}, {}, {}, {}, {}}), ElementsAre("x"));
 }
 
@@ -200,9 +200,9 @@ TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
     namespace b = cspm::build;
     FamilyCalls calls;
     std::vector<Function> family{
-        {"P", {}, b::prefix(b::name("tock"), calls.add("Q", {}, true))},
-        {"Q", {}, b::guard(b::binary(cspm::ExprKind::equal, b::name("c"), b::name("n")), calls.add("P", {}))}};
-    auto initial = calls.add("P", {{"c", b::number(0)}, {"n", b::number(2)}});
+        {"P", {}, b::prefix(b::name("tock"), calls.add_call("Q", {}, true))},
+        {"Q", {}, b::guard(b::binary(cspm::ExprKind::equal, b::name("c"), b::name("n")), calls.add_call("P", {}))}};
+    auto initial = calls.add_call("P", {{"c", b::number(0)}, {"n", b::number(2)}});
     const cspm::ExprPtr step = b::call("clock_step", {b::name("c"), b::number(3)});
     (void)find_parameters(family, initial, calls, {{"c", "n"}, {{"c", step}}, {}, {}, {}, {}});
     EXPECT_EQ(cspm::print(family[0].body), "tock -> Q(clock_step(c, 3), n)");
@@ -219,13 +219,13 @@ TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
     const cspm::ExprPtr first = b::binary(cspm::ExprKind::equal, b::call("front", {b::name("r")}), b::number(0));
     FamilyCalls calls;
     std::vector<Function> family{
-        {"A", {}, b::prefix(b::name("a"), calls.add("O", {{"r", from_a}}))},
-        {"B", {}, b::prefix(b::name("b"), calls.add("O", {{"r", from_b}}))},
-        {"O", {}, b::prefix(b::name("o"), calls.add("End", {}))},
-        {"End", {}, b::if_(first, calls.add("BehindA", {}), calls.add("BehindB", {}))},
-        {"BehindA", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, calls.add("B", {}))},
-        {"BehindB", {}, calls.add("A", {{"x", b::number(5)}})}};
-    auto initial = calls.add("A", {{"x", b::number(4)}});
+        {"A", {}, b::prefix(b::name("a"), calls.add_call("O", {{"r", from_a}}))},
+        {"B", {}, b::prefix(b::name("b"), calls.add_call("O", {{"r", from_b}}))},
+        {"O", {}, b::prefix(b::name("o"), calls.add_call("End", {}))},
+        {"End", {}, b::if_(first, calls.add_call("BehindA", {}), calls.add_call("BehindB", {}))},
+        {"BehindA", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, calls.add_call("B", {}))},
+        {"BehindB", {}, calls.add_call("A", {{"x", b::number(5)}})}};
+    auto initial = calls.add_call("A", {{"x", b::number(4)}});
     const Candidates candidates{
         {"x", "r"}, {},  {},
         {},         "r", {{from_a.get(), {"BehindA", b::sequence({})}}, {from_b.get(), {"BehindB", b::sequence({})}}}};
@@ -237,7 +237,7 @@ TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
 }
 
 TEST(Files, DefinitionsAndAssertionsThatIncludeThem) {
-    const auto m = model("stm S { initial i state A { } transition t0 { from i to A } }");
+    const auto m = load_model("stm S { initial i state A { } transition t0 { from i to A } }");
     const Emission emission = m->emit(Time::timed, true);
     const auto written = files(emission, Time::timed, "model");
     ASSERT_EQ(written.size(), 2U);
@@ -268,7 +268,7 @@ TEST(Files, KeepNamesOfClaimsAndCommentsOfBlocks) {
 }
 
 TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         stm S {
             event a : nat
             var x : nat
@@ -290,7 +290,7 @@ TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
 // The script defines a machine once. A module with the same name, a machine whose name has the same ending, and the
 // instances of the machine have distinct names.
 TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         module M {
             robotic platform R { event b }
             cref SS = C
@@ -317,7 +317,7 @@ TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
         EXPECT_EQ(provenance.events.at(path + "::A::entered").kind, MeaningKind::entered);
         EXPECT_EQ(provenance.definitions.at(path + "::A__").text, "in A");
     }
-    EXPECT_EQ(testing::verdicts(*m, Time::timed, "assert M::D__(0) [T= M::b.in -> M::b.in -> STOP"),
+    EXPECT_EQ(testing::decide_with(*m, Time::timed, "assert M::D__(0) [T= M::b.in -> M::b.in -> STOP"),
               std::vector<std::string>{"holds"});
 }
 
@@ -334,7 +334,7 @@ void collect_channels(const std::vector<cspm::DeclPtr>& decls, const std::string
 
 // A counterexample can show only events with a description, so every event of a component has provenance.
 TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         interface V { var v : nat }
         interface O { op(n : nat) far(n : nat) }
         robotic platform P { provides V provides O event out : nat }
@@ -388,7 +388,7 @@ TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
 }
 
 TEST(Rules, ConstantsWithoutAValueAreRefused) {
-    const auto m = model("stm S { const c:real = 1 / 0 initial i state A { } transition t0 { from i to A } }");
+    const auto m = load_model("stm S { const c:real = 1 / 0 initial i state A { } transition t0 { from i to A } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
@@ -411,7 +411,7 @@ ir::System calling_system() {
 TEST(Rules, WhatAnOperationNeedsItsCallerMustHave) {
     testing::Model m;
     m.system = calling_system();
-    m.instantiation = ir::instantiate(m.system, {}, m.diagnostics);
+    m.instantiation = ir::instantiate_system(m.system, {}, m.diagnostics);
     (void)m.emit(Time::untimed);
     EXPECT_THAT(m.codes(), ::testing::Contains("RC-C03"));
     EXPECT_THAT(m.messages(), HasSubstr("operation MoveClockwise needs the event tick"));
@@ -427,7 +427,7 @@ TEST(Rules, RecursiveCallsAreRefused) {
     call.operation = ir::OperationId{0};
     call.args = m.system.machines[2].nodes[1].entry->args;
     m.system.machines[0].nodes[1].entry = std::make_shared<const ir::Stmt>(call);
-    m.instantiation = ir::instantiate(m.system, {}, m.diagnostics);
+    m.instantiation = ir::instantiate_system(m.system, {}, m.diagnostics);
     (void)m.emit(Time::untimed);
     EXPECT_THAT(m.codes(), ::testing::Contains("RC-C02"));
 }
@@ -442,7 +442,7 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
                 " transition t { from i to " + name + " } }";
         name = outer;
     }
-    const auto m = model("stm S { event a initial i " + inner + " transition t { from i to C3 } }");
+    const auto m = load_model("stm S { event a initial i " + inner + " transition t { from i to C3 } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
@@ -450,7 +450,7 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
 
 // Each pair of elements would have the same name in CSPM. Both are used, and their behaviours stay distinct.
 TEST(Rules, NamesThatTwoElementsWouldShareGetANumber) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         type K
         function a(p : nat) : nat { postcondition result == p }
         interface V { var x : nat }
@@ -463,20 +463,20 @@ TEST(Rules, NamesThatTwoElementsWouldShareGetANumber) {
             transition u { from a to S trigger K ? y action set_x ! 1 ; goCall ; go() ; x = a(2) ; a }
         })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_EQ(testing::equal(*m, Time::untimed, "Alone", "Spec", R"(
+    EXPECT_EQ(testing::check_equivalence(*m, Time::untimed, "Alone", "Spec", R"(
         Alone = S::VS__(0) [| {| S::set_EXT_x |} |] SKIP
         Spec = S::a_2::entered -> S::K.in?x -> S::set_x_1.out.1 -> S::goCall_1.out -> S::goCall -> S::set_x.2 ->
                S::a.out -> S::S::entered -> STOP)"),
               "holds");
     std::set<std::string> renamed;
-    for (const auto& finding : m->diagnostics.sorted())
+    for (const auto& finding : m->diagnostics.sorted_findings())
         if (finding.rule == &rules::name_of_another) renamed.insert(finding.arguments[0] + " " + finding.arguments[1]);
     EXPECT_THAT(renamed,
                 ::testing::UnorderedElementsAre("K K_1", "a a_1", "a a_2", "set_x set_x_1", "goCall goCall_1"));
 }
 
 TEST(Rules, NamesOfCspmGetANumber) {
-    const auto m = model(R"(
+    const auto m = load_model(R"(
         stm member {
             event union const c:nat = 1
             initial i
@@ -485,9 +485,9 @@ TEST(Rules, NamesOfCspmGetANumber) {
             transition t1 { from within to within condition 1 in {c} }
         }
         controller C { event out sref part = member connection part on union to C on out })",
-                         "assertion A1 : C is deadlock-free with constant c of C::part set to 2");
+                              "assertion A1 : C is deadlock-free with constant c of C::part set to 2");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::string text = printed(*m, Time::untimed);
+    const std::string text = print_checked(*m, Time::untimed);
     EXPECT_THAT(m->codes(), ElementsAre("RC-C04", "RC-C04", "RC-C04", "RC-C04"));
     for (const char* part :
          {"module member_1", "module within_1", "channel union_1", "channel out_1", "const_member_1_c"})
@@ -499,12 +499,12 @@ TEST(Rules, NamesOfCspmGetANumber) {
 TEST(Rules, PackagesWithoutALetterGetAnotherName) {
     for (const auto& [package, expected] :
          {std::pair("_", "name_1"), std::pair("__", "name_1"), std::pair("_1", "name_1"), std::pair("_x", "x_1")}) {
-        const auto m = model("package " + std::string(package) + R"(
+        const auto m = load_model("package " + std::string(package) + R"(
             enumeration Mode { one two }
             function f(x : nat) : Mode { }
             stm S { event e : Mode initial i state A { entry e!f(1) } transition t0 { from i to A } })");
         ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-        const std::string text = printed(*m, Time::untimed), name = expected;
+        const std::string text = print_checked(*m, Time::untimed), name = expected;
         for (const std::string& part : {"datatype " + name + "_Mode = " + name + "_Mode_one | " + name + "_Mode_two",
                                         name + "_f(", "module " + name})
             EXPECT_THAT(text, HasSubstr(part)) << package;
@@ -512,11 +512,11 @@ TEST(Rules, PackagesWithoutALetterGetAnotherName) {
 }
 
 TEST(Rules, NamesThatOnlyTheLibraryUsesAreKeptInsideComponents) {
-    const auto m = model(
+    const auto m = load_model(
         "package P stm S { event inter initial i state head { entry inter } "
         "transition t0 { from i to head } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    EXPECT_THAT(printed(*m, Time::timed), HasSubstr("channel inter"));
+    EXPECT_THAT(print_checked(*m, Time::timed), HasSubstr("channel inter"));
     EXPECT_THAT(m->codes(), ElementsAre());
 }
 
@@ -530,9 +530,9 @@ TEST(Rules, TableIsInOrderAndExplained) {
 }
 
 TEST(Assertions, EachPropertyHasItsForm) {
-    const auto m =
-        model("stm S { initial i state A { } final f transition t0 { from i to A } transition t1 { from A to f } }",
-              R"(
+    const auto m = load_model(
+        "stm S { initial i state A { } final f transition t0 { from i to A } transition t1 { from A to f } }",
+        R"(
         untimed assertion A1 : S is deadlock-free
         timed assertion A2 : S is deadlock-free
         timed assertion A3 : S is timelock-free
@@ -571,9 +571,9 @@ TEST(Assertions, EachPropertyHasItsForm) {
 }
 
 TEST(CspBlocks, AreSplicedAndInstantiationsReplaceTheGeneratedOnes) {
-    const auto m =
-        model("stm S { const c : nat event n : nat initial i state A { entry n ! c } transition t0 { from i to A } }",
-              R"(
+    const auto m = load_model(
+        "stm S { const c : nat event n : nat initial i state A { entry n ! c } transition t0 { from i to A } }",
+        R"(
         csp Instantiations csp-begin
             nametype core_nat = {0..5}
             const_S_c = 4
@@ -584,7 +584,7 @@ TEST(CspBlocks, AreSplicedAndInstantiationsReplaceTheGeneratedOnes) {
         untimed assertion A : S equals Spec
     )");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::string text = printed(*m, Time::untimed);
+    const std::string text = print_checked(*m, Time::untimed);
     EXPECT_THAT(text, HasSubstr("const_S_c = 4"));
     EXPECT_THAT(text, Not(HasSubstr("const_S_c = 0")));
     EXPECT_THAT(text, HasSubstr("Spec = S::n.out.4 -> STOP"));
@@ -592,8 +592,8 @@ TEST(CspBlocks, AreSplicedAndInstantiationsReplaceTheGeneratedOnes) {
 }
 
 TEST(CspBlocks, SyntaxErrorsPointIntoTheAssertionsFile) {
-    const auto m = model("stm S { initial i state A { } transition t0 { from i to A } }",
-                         "csp Spec csp-begin\nSpec = = STOP\ncsp-end\n");
+    const auto m = load_model("stm S { initial i state A { } transition t0 { from i to A } }",
+                              "csp Spec csp-begin\nSpec = = STOP\ncsp-end\n");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->messages(), HasSubstr("model.assertions:2"));

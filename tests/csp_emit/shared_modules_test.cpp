@@ -42,7 +42,7 @@ endmodule
 )";
 const std::string types = "nametype limit_type = {0..2}\n";
 
-cspm::Script script(const std::string& text) {
+cspm::Script parse_script(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     return cspm::read(sources, sources.add("t.csp", text), diagnostics);
@@ -54,7 +54,7 @@ std::string in_module(const std::string& name, const std::string& inside) {
 
 TEST(SharedModules, AreWrittenOnce) {
     const std::string machine = "module M\nexports" + body;
-    const cspm::Script before = script(types + machine + in_module("C", "channel c\nmodule m\nexports" + body));
+    const cspm::Script before = parse_script(types + machine + in_module("C", "channel c\nmodule m\nexports" + body));
     const cspm::Script after{share_modules(before.decls, {})};
     const std::string text = cspm::print(after);
     EXPECT_THAT(text, HasSubstr("module M__(u__)"));
@@ -64,7 +64,8 @@ TEST(SharedModules, AreWrittenOnce) {
 }
 
 TEST(SharedModules, StandWhereAllTheirUsersSeeThem) {
-    const cspm::Script before = script(types + in_module("P", "module m\nexports" + body + "module n\nexports" + body));
+    const cspm::Script before =
+        parse_script(types + in_module("P", "module m\nexports" + body + "module n\nexports" + body));
     const std::string text = cspm::print(cspm::Script{share_modules(before.decls, {})});
     EXPECT_THAT(text, HasSubstr("\n    module m__(u__)"));
     EXPECT_THAT(text, HasSubstr("\n    instance n = m__(0)"));
@@ -72,7 +73,7 @@ TEST(SharedModules, StandWhereAllTheirUsersSeeThem) {
 
 TEST(SharedModules, AreThoseThatSaveTheMost) {
     const std::string controller = "channel c\nmodule m\nexports" + body;
-    const cspm::Script before = script(types + in_module("C", controller) + in_module("D", controller));
+    const cspm::Script before = parse_script(types + in_module("C", controller) + in_module("D", controller));
     const std::string text = cspm::print(cspm::Script{share_modules(before.decls, {})});
     EXPECT_THAT(text, HasSubstr("module C__(u__)"));
     EXPECT_THAT(text, Not(HasSubstr("m__(u__)")));
@@ -83,7 +84,7 @@ TEST(SharedModules, AreThoseThatSaveTheMost) {
 TEST(SharedModules, HaveNoInstancesInside) {
     const std::string machine = "module m\nexports" + body;
     const std::string controller = in_module("C", "channel c\n" + machine);
-    const cspm::Script before = script(types + machine + controller + in_module("D", controller));
+    const cspm::Script before = parse_script(types + machine + controller + in_module("D", controller));
     const cspm::Script after{share_modules(before.decls, {})};
     const std::string text = cspm::print(after);
     EXPECT_EQ(tests::nested_instances(after.decls), std::vector<std::string>{}) << text;
@@ -111,13 +112,13 @@ TEST(SharedModules, OfTheCorpusHaveNoInstancesInside) {
 TEST(SharedModules, AreNotWhereANameMeansSomethingElse) {
     const std::string machine = "module M\nexports" + body;
     const cspm::Script before =
-        script(types + machine + in_module("C", "nametype limit_type = {0..1}\nmodule m\nexports" + body));
+        parse_script(types + machine + in_module("C", "nametype limit_type = {0..1}\nmodule m\nexports" + body));
     EXPECT_THAT(cspm::print(cspm::Script{share_modules(before.decls, {})}), Not(HasSubstr("instance")));
 }
 
 TEST(SharedModules, KeepNamesAndProcesses) {
     const std::string machine = "module M\nexports" + body;
-    const cspm::Script before = script(types + machine + in_module("C", "module m\nexports" + body));
+    const cspm::Script before = parse_script(types + machine + in_module("C", "module m\nexports" + body));
     cspm::Script after{share_modules(before.decls, {})};
     std::vector<cspm::DeclPtr> old;
     for (const cspm::DeclPtr& decl : before.decls)
@@ -132,7 +133,7 @@ TEST(SharedModules, KeepNamesAndProcesses) {
         after.decls.push_back(b::assert_refines(mine, cspm::Model::failures_divergences, theirs));
         after.decls.push_back(b::assert_refines(theirs, cspm::Model::failures_divergences, mine));
     }
-    EXPECT_THAT(testing::decide(after), ElementsAre("holds", "holds", "holds", "holds"));
+    EXPECT_THAT(testing::decide_script(after), ElementsAre("holds", "holds", "holds", "holds"));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace b = cspm::build;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-Remembered remembered(const std::string& name, const std::string& shared = "") {
+Remembered make_remembered(const std::string& name, const std::string& shared = "") {
     return {"v_" + name, name, shared, b::name("core_nat"), b::number(0), "Memory_" + name, name};
 }
 
@@ -27,7 +27,7 @@ TEST(VariableMemory, IsAskedForWhatTheNextFunctionEvaluates) {
         {"P", {"v_x"}, b::prefix(b::name("c"), {b::output(b::name("v_x"))}, b::call("Q", {b::name("v_x")}))},
         {"Q", {"v_x"}, b::prefix(b::name("a"), b::call("P", {b::name("v_x")}))}};
     auto initial = b::call("Q", {b::number(0)});
-    remember(family, initial, {}, {remembered("x")});
+    move_to_memories(family, initial, {}, {make_remembered("x")});
     EXPECT_EQ(cspm::print(initial), "Q");
     EXPECT_EQ(cspm::print(family[0].body), "c!v_x -> Q");
     EXPECT_EQ(cspm::print(family[1].body), "a -> get_x?v_x -> P(v_x)");
@@ -40,26 +40,26 @@ TEST(VariableMemory, IsGivenWhatChangesUnlessTheEventTellsIt) {
     std::vector<Function> own{{"P", {"v_x"}, b::prefix(b::name("a"), b::call("P", {next}))}};
     std::vector<Function> shared = own;
     auto initial = b::call("P", {b::number(2)});
-    remember(own, initial, {}, {remembered("x")});
+    move_to_memories(own, initial, {}, {make_remembered("x")});
     EXPECT_EQ(cspm::print(initial), "setL_x!2 -> P(2)");
     EXPECT_EQ(cspm::print(own[0].body), "a -> setL_x!(v_x + 1) -> P(v_x + 1)");
     initial = b::call("P", {b::number(0)});
-    remember(shared, initial, {}, {remembered("x", "x")});
+    move_to_memories(shared, initial, {}, {make_remembered("x", "x")});
     EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // no later function needs the new value of x
 }
 
 TEST(VariableMemory, EndsWithTheMachine) {
     std::vector<Function> family{{"P", {"v_x"}, b::prefix(b::name("terminate"), b::skip())}};
     auto initial = b::call("P", {b::number(0)});
-    remember(family, initial, {}, {remembered("x")});
+    move_to_memories(family, initial, {}, {make_remembered("x")});
     EXPECT_EQ(cspm::print(family[0].body), "terminate -> end__ -> SKIP");
-    EXPECT_EQ(cspm::print(with_memories(initial, {remembered("x")}, true)),
+    EXPECT_EQ(cspm::print(with_memories(initial, {make_remembered("x")}, true)),
               "(P [| {| end__, tock, get_x, setL_x |} |] Memory_x(0)) \\ {| end__, get_x, setL_x |}");
 }
 
 // The machine in both representations: memories for both variables, and parameters.
 TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
-    const auto m = testing::model(R"(
+    const auto m = testing::load_model(R"(
         interface I { var shared : nat }
         interface O { op(p : nat) }
         operation op(p : nat) { requires I event reported : nat var local : nat = 1
@@ -88,7 +88,7 @@ TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
         const auto without = b::rename(b::call("inline__::C::s::D__", {b::number(0)}), links);
         script.decls.push_back(b::assert_refines(with, cspm::Model::failures_divergences, without));
         script.decls.push_back(b::assert_refines(without, cspm::Model::failures_divergences, with));
-        EXPECT_THAT(testing::decide(script), ElementsAre("holds", "holds"));
+        EXPECT_THAT(testing::decide_script(script), ElementsAre("holds", "holds"));
     }
 }
 

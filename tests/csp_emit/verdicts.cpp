@@ -6,7 +6,7 @@
 namespace robochart::csp_emit::testing {
 namespace {
 
-std::string trace(const refine::Verdict& verdict, cspm::Session& session) {
+std::string trace_text(const refine::Verdict& verdict, cspm::Session& session) {
     if (!verdict.counterexample) return verdict.reason;
     std::string result;
     for (const refine::Step& step : verdict.counterexample->steps) {
@@ -22,12 +22,12 @@ std::string trace(const refine::Verdict& verdict, cspm::Session& session) {
     return result + " | kind " + std::to_string(static_cast<int>(verdict.counterexample->kind));
 }
 
-std::string word(const cspm::AssertionResult& result, cspm::Session& session) {
+std::string verdict_word(const cspm::AssertionResult& result, cspm::Session& session) {
     switch (result.verdict.outcome) {
         case refine::Outcome::holds:
             return "holds";
         case refine::Outcome::fails:
-            return "fails: " + trace(result.verdict, session);
+            return "fails: " + trace_text(result.verdict, session);
         default:
             return "inconclusive: " + result.verdict.reason;
     }
@@ -35,21 +35,21 @@ std::string word(const cspm::AssertionResult& result, cspm::Session& session) {
 
 }  // namespace
 
-std::vector<std::string> verdicts(Model& model, Time time, const std::string& text) {
+std::vector<std::string> decide_with(Model& model, Time time, const std::string& text) {
     Emission emission = model.emit(time);
     const auto source = model.sources.add("specification.csp", text);
     const cspm::Script more = cspm::read(model.sources, source, model.diagnostics);
     if (!model.diagnostics.ok()) return {model.messages()};
     emission.script.decls.insert(emission.script.decls.end(), more.decls.begin(), more.decls.end());
-    return decide(emission.script);
+    return decide_script(emission.script);
 }
 
-std::vector<std::string> decide(const cspm::Script& script) {
+std::vector<std::string> decide_script(const cspm::Script& script) {
     cspm::Session session(script);
     std::vector<std::string> result;
     for (const auto& assertion : session.assertions()) {
         try {
-            result.push_back(word(session.check(*assertion, {}), session));
+            result.push_back(verdict_word(session.check(*assertion, {}), session));
         } catch (const cspm::EvaluationError& error) {
             result.push_back(std::string("error: ") + error.what());
         }
@@ -57,7 +57,7 @@ std::vector<std::string> decide(const cspm::Script& script) {
     return result;
 }
 
-std::vector<std::string> claims(Model& model, Time time) {
+std::vector<std::string> decide_obligations(Model& model, Time time) {
     const Emission emission = model.emit(time);
     if (!model.diagnostics.ok()) return {model.messages()};
     cspm::Session session(emission.script);
@@ -90,11 +90,11 @@ std::vector<ReportedStep> reported_steps(Model& model, Time time, const std::str
     return reported;
 }
 
-std::string equal(Model& model, Time time, const std::string& process, const std::string& specification,
-                  const std::string& definitions) {
-    const auto results = verdicts(model, time,
-                                  definitions + "\nassert " + specification + " [FD= " + process + "\nassert " +
-                                      process + " [FD= " + specification + "\n");
+std::string check_equivalence(Model& model, Time time, const std::string& process, const std::string& specification,
+                              const std::string& definitions) {
+    const auto results = decide_with(model, time,
+                                     definitions + "\nassert " + specification + " [FD= " + process + "\nassert " +
+                                         process + " [FD= " + specification + "\n");
     if (results.size() != 2) return results.empty() ? "no verdict" : results[0];
     if (results[0] != "holds") return "more than specified: " + results[0];
     if (results[1] != "holds") return "less than specified: " + results[1];

@@ -15,7 +15,7 @@ std::filesystem::path extension_folder() {
 }
 
 json load_json(const std::string& name) {
-    return json::parse(contents(extension_folder() / name));
+    return json::parse(read_contents(extension_folder() / name));
 }
 
 namespace {

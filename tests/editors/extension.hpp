@@ -14,7 +14,7 @@ namespace robochart::editors {
 
 /// The folder of the extension.
 [[nodiscard]] std::filesystem::path extension_folder();
-using tests::contents;
+using tests::read_contents;
 /// A JSON file of the extension.
 [[nodiscard]] nlohmann::json load_json(const std::string& name);
 

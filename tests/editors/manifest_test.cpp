@@ -80,8 +80,8 @@ TEST(Manifest, GrammarsIncludeWhatExists) {
 
 TEST(Manifest, CommandsAndSettingsAreUsedAndDocumented) {
     const json contributes = load_json("package.json").at("contributes");
-    const std::string client = contents(extension_folder() / "client/extension.js");
-    const std::string readme = contents(extension_folder() / "README.md");
+    const std::string client = read_contents(extension_folder() / "client/extension.js");
+    const std::string readme = read_contents(extension_folder() / "README.md");
     for (const json& command : contributes.at("commands")) {
         EXPECT_THAT(client, HasSubstr(command.at("command").get<std::string>()));
         EXPECT_THAT(readme, HasSubstr(command.at("title").get<std::string>()));
@@ -93,7 +93,7 @@ TEST(Manifest, CommandsAndSettingsAreUsedAndDocumented) {
 }
 
 TEST(Manifest, TheLockFileNamesNoServerAndThePinnedVersions) {
-    const std::string text = contents(extension_folder() / "package-lock.json");
+    const std::string text = read_contents(extension_folder() / "package-lock.json");
     EXPECT_THAT(text, Not(HasSubstr("\"resolved\"")));
     EXPECT_THAT(text, Not(HasSubstr("registry.")));
     const json lock = json::parse(text);

@@ -2,6 +2,7 @@
 // The grammars of the extension contain exactly the words of the languages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "assertion_words.hpp"
 #include "checker/cspm/syntax/lexer.hpp"

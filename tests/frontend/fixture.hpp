@@ -18,7 +18,7 @@
 
 namespace robochart::frontend::testing {
 
-using tests::contents;
+using tests::read_contents;
 
 /// A parsed text with its model, sources and findings.
 struct Reading {
@@ -28,12 +28,12 @@ struct Reading {
 
     /// The findings in readable form.
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, findings); }
-    [[nodiscard]] std::string dumped(bool resolved = false) const { return dump(model, sources, resolved); }
+    [[nodiscard]] std::string dumped(bool resolved = false) const { return dump_model(model, sources, resolved); }
     /// "CODE@line" of each finding, in order and joined by blanks.
     [[nodiscard]] std::string codes() const {
         std::string out;
-        for (const auto& d : findings.sorted()) {
-            const std::uint32_t line = d.span.known() ? sources.position(d.span.source, d.span.begin).line : 0;
+        for (const auto& d : findings.sorted_findings()) {
+            const std::uint32_t line = d.span.is_known() ? sources.position(d.span.source, d.span.begin).line : 0;
             out += (out.empty() ? "" : " ") + std::string(d.rule->code) + "@" + std::to_string(line);
         }
         return out;

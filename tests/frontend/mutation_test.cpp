@@ -25,7 +25,7 @@ struct Count {
 
     void add(const std::string& text, std::size_t before, const std::string& what) {
         const auto reading = testing::resolved(text);
-        const std::size_t errors = reading->findings.errors() - std::min(before, reading->findings.errors());
+        const std::size_t errors = reading->findings.error_count() - std::min(before, reading->findings.error_count());
         ++mutations;
         above_one += errors > 1 ? 1U : 0U;
         above_two += errors > 2 ? 1U : 0U;
@@ -48,7 +48,7 @@ std::vector<fs::path> models() {
 }
 
 std::size_t errors_of(const std::string& text) {
-    return testing::resolved(text)->findings.errors();
+    return testing::resolved(text)->findings.error_count();
 }
 
 constexpr std::array<const char*, 12> strangers = {"}", "{", "(", ")", ";", ":", "=", ",", "state", "x", "42", "from"};
@@ -59,7 +59,7 @@ TEST(Mutations, GiveOneMessageOrTwo) {
     Count replaced;
     std::size_t turn = 0;
     for (const fs::path& path : models()) {
-        const std::string text = testing::contents(path);
+        const std::string text = testing::read_contents(path);
         const std::size_t before = errors_of(text);
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics ignored;
@@ -104,7 +104,7 @@ TEST(Mutations, DoNotHideOtherMistakes) {
                                                "  junction j\n  transition t { from i to s }\n}\n");
         EXPECT_NE(reading->codes().find("RC-T02@5"), std::string::npos) << reading->report();
         EXPECT_NE(reading->codes().find("J1@6"), std::string::npos) << reading->report();
-        EXPECT_LE(reading->findings.errors(), 4U) << reading->report();
+        EXPECT_LE(reading->findings.error_count(), 4U) << reading->report();
     }
 }
 

@@ -33,10 +33,10 @@ void expect_loads(const fs::path& path) {
     load(path, [&](const testing::Reading& reading, const Model& model) {
         EXPECT_TRUE(reading.findings.ok()) << path << "\n" << reading.report();
         EXPECT_FALSE(model.files.empty());
-        const std::string once = dump(model, reading.sources, true);
+        const std::string once = dump_model(model, reading.sources, true);
         EXPECT_EQ(once.find("-> nothing"), std::string::npos) << path << " leaves a name without a target\n" << once;
         load(path, [&](const testing::Reading& again, const Model& same) {
-            EXPECT_EQ(dump(same, again.sources, true), once) << path;
+            EXPECT_EQ(dump_model(same, again.sources, true), once) << path;
         });
     });
 }
@@ -71,7 +71,7 @@ TEST(Suite, RefusesWhatRoboToolRefuses) {
         ASSERT_NE(reason, reasons.end()) << folder;
         load(folder, [&](const testing::Reading& reading, const Model&) {
             std::vector<std::string> codes;
-            for (const auto& d : reading.findings.sorted()) codes.emplace_back(d.rule->code);
+            for (const auto& d : reading.findings.sorted_findings()) codes.emplace_back(d.rule->code);
             EXPECT_EQ(codes, reason->second) << reading.report();
         });
     }
@@ -93,10 +93,10 @@ TEST(Suite, SurvivesTruncationAnywhere) {
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!is_assertions && entry.path().extension() != ".rct") continue;
-        const std::string text = testing::contents(entry.path());
+        const std::string text = testing::read_contents(entry.path());
         for (std::size_t length = 0; length < text.size(); length += 97, ++cuts) {
             const auto reading = testing::resolved(text.substr(0, length), is_assertions);
-            EXPECT_LE(reading->findings.errors(), 200U) << entry.path() << " cut at " << length;
+            EXPECT_LE(reading->findings.error_count(), 200U) << entry.path() << " cut at " << length;
             EXPECT_EQ(reading->dumped(true), testing::resolved(text.substr(0, length), is_assertions)->dumped(true));
         }
     }
@@ -109,7 +109,7 @@ TEST(Suite, SurvivesHoles) {
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!is_assertions && entry.path().extension() != ".rct") continue;
-        const std::string text = testing::contents(entry.path());
+        const std::string text = testing::read_contents(entry.path());
         for (std::size_t hole = 0; hole < text.size(); hole += 131)
             static_cast<void>(testing::resolved(std::string(text).erase(hole, 17), is_assertions));
     }

@@ -14,7 +14,7 @@
 namespace robochart::fuzz {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 
@@ -33,13 +33,13 @@ class Regressions : public ::testing::TestWithParam<Target> {};
 TEST_P(Regressions, KeepEveryPromise) {
     const auto files = files_of(root / "tests/fuzz/regressions" / GetParam().name);
     ASSERT_FALSE(files.empty());
-    for (const fs::path& file : files) EXPECT_EQ(GetParam().run(contents(file)), "") << file;
+    for (const fs::path& file : files) EXPECT_EQ(GetParam().run(read_contents(file)), "") << file;
 }
 
 /// Every prefix of a text is an input that occurs while the text is typed.
 TEST_P(Regressions, KeepEveryPromiseWhileTyped) {
     for (const fs::path& file : files_of(root / "tests/fuzz/regressions" / GetParam().name)) {
-        const std::string text = contents(file).substr(0, 2000);
+        const std::string text = read_contents(file).substr(0, 2000);
         for (std::size_t length = 0; length < text.size(); length += 7)
             ASSERT_EQ(GetParam().run(text.substr(0, length)), "") << file << " until byte " << length;
     }
@@ -58,10 +58,10 @@ TEST(Regressions, EveryFolderHasItsTarget) {
 TEST(Targets, TheCorpusKeepsEveryPromise) {
     for (const fs::path& file : files_of(root / "corpus")) {
         if (file.extension() == ".rct") {
-            EXPECT_EQ(run_model(contents(file)), "") << file;
+            EXPECT_EQ(run_model(read_contents(file)), "") << file;
         }
         if (file.extension() == ".assertions") {
-            EXPECT_EQ(run_assertions(contents(file)), "") << file;
+            EXPECT_EQ(run_assertions(read_contents(file)), "") << file;
         }
     }
 }

@@ -17,7 +17,7 @@
 namespace robochart::fuzz {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 
@@ -44,7 +44,7 @@ std::vector<Project> kept_projects() {
             Project project;
             for (const auto& entry : fs::directory_iterator(model))
                 if (entry.path().extension() == ".rct" || entry.path().extension() == ".assertions")
-                    project.push_back({entry.path().filename(), contents(entry.path())});
+                    project.push_back({entry.path().filename(), read_contents(entry.path())});
             std::ranges::sort(project, [](const auto& a, const auto& b) { return a.path < b.path; });
             if (!project.empty()) projects.push_back(std::move(project));
         }
@@ -81,7 +81,7 @@ TEST(Semantics, TakesOrRefusesNearlyWellFormedModels) {
         random_models::Random random(seed);
         const Project base =
             random.chance(50) ? random_models::well_formed(seed, small_shape(seed)) : random.pick(kept);
-        const Project near = random_models::nearly(base, random);
+        const Project near = random_models::mutate_project(base, random);
         EXPECT_EQ(run_semantics(bytes_of(near)), "") << "seed " << seed << "\n" << random_models::listing(near);
     }
 }

@@ -11,7 +11,7 @@ fail() { echo "$1" >&2; exit 1; }
 export XDG_CACHE_HOME="$folder/cache"
 mkdir -p "$folder/usr/bin" "$folder/usr/share/robochart-verify"
 ln -s "$build/app/robochart-verify" "$folder/usr/bin/robochart-verify"
-ln -s "$sources/cmake" "$folder/usr/share/robochart-verify/cmake"
+ln -s "$sources/scripts/cmake" "$folder/usr/share/robochart-verify/cmake"
 export PATH="$folder/usr/bin:$PATH"
 
 # Models whose names a shell would split.

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/diagnostics/render.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/explore/state_space.hpp"
 #include "prism/session/session.hpp"
 #include "prism/syntax/reader.hpp"
-#include "base/diagnostics/render.hpp"
 
 namespace robochart::prism::testing {
 
@@ -26,10 +26,10 @@ struct Read {
     /// "PRISM-P01:3 PRISM-P02:7": codes with lines, in the order of the text.
     [[nodiscard]] std::string findings() const {
         std::string text;
-        for (const diagnostics::Diagnostic& each : diagnostics.sorted()) {
+        for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings()) {
             if (!text.empty()) text += " ";
             text += each.rule->code;
-            if (each.span.known())
+            if (each.span.is_known())
                 text += ":" + std::to_string(sources.position(each.span.source, each.span.begin).line);
         }
         return text;
@@ -72,7 +72,7 @@ struct Explored {
 
 /// The message of the exception that `piece` throws; "" if it throws none.
 template <class Piece>
-std::string failure(const Piece& piece) {
+std::string failure_text(const Piece& piece) {
     try {
         piece();
     } catch (const std::runtime_error& error) {

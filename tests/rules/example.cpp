@@ -15,14 +15,14 @@
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/diagnostics/render.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "conformance/model/rules.hpp"
+#include "frontend/project/project.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/session/session.hpp"
 #include "prism/syntax/reader.hpp"
-#include "conformance/model/rules.hpp"
-#include "base/diagnostics/render.hpp"
-#include "frontend/project/project.hpp"
 #include "simulation/chain/chain.hpp"
 #include "sleec/checks/check.hpp"
 #include "sleec/syntax/reader.hpp"
@@ -74,8 +74,8 @@ void add_expectations(const std::string& file, const std::string& text, std::mul
 }
 
 void take(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& diagnostics, Judgement& result) {
-    for (const diagnostics::Diagnostic& d : diagnostics.sorted()) {
-        const bool known = d.span.known();
+    for (const diagnostics::Diagnostic& d : diagnostics.sorted_findings()) {
+        const bool known = d.span.is_known();
         const std::string file = known ? fs::path(sources.path(d.span.source)).filename().string() : "";
         const std::uint32_t line = known ? sources.position(d.span.source, d.span.begin).line : 0;
         result.findings.insert(fmt::format("{}:{} {}", file, line, d.rule->code));
@@ -116,10 +116,11 @@ void read_prism(const std::vector<std::string>& paths, Judgement& result) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     std::string error;
-    const auto source = sources.load(paths.front(), error).value();
+    const auto source = sources.load_file(paths.front(), error).value();
     const auto model = prism::check_model(prism::read_model(sources, source, diagnostics), diagnostics);
     prism::PropertyFile file;
-    if (paths.size() > 1) file = prism::read_properties(sources, sources.load(paths[1], error).value(), diagnostics);
+    if (paths.size() > 1)
+        file = prism::read_properties(sources, sources.load_file(paths[1], error).value(), diagnostics);
     if (model && diagnostics.ok()) {
         const prism::CheckedProperties properties = prism::check_properties(*model, file, diagnostics);
         if (diagnostics.ok()) evaluate(*model, properties, diagnostics);
@@ -131,8 +132,8 @@ void read_rules(const std::string& path, Judgement& result) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     std::string error;
-    const sleec::RuleFile file = sleec::read(sources, sources.load(path, error).value(), diagnostics);
-    if (diagnostics.ok()) (void)sleec::check(file, diagnostics);
+    const sleec::RuleFile file = sleec::read(sources, sources.load_file(path, error).value(), diagnostics);
+    if (diagnostics.ok()) (void)sleec::check_rules(file, diagnostics);
     take(sources, diagnostics, result);
 }
 
@@ -178,12 +179,13 @@ void run(const app::Options& given, Judgement& result) {
     if (given.verb == app::Verb::simulate) {
         const auto simulation = app::load_simulation(given);
         if (simulation->project->diagnostics.ok() && simulation->scenario.abstraction)
-            (void)simulation::chain_asked(simulation->scenario, simulation::ChainStates(simulation->scenario, {}),
-                                          simulation->project->diagnostics);
+            (void)simulation::find_chain_questions(simulation->scenario,
+                                                   simulation::ChainStates(simulation->scenario, {}),
+                                                   simulation->project->diagnostics);
         return take(simulation->project->sources, simulation->project->diagnostics, result);
     }
     const app::Options options = app::with_swarm(given);
-    const auto project = app::load(options);
+    const auto project = app::load_project(options);
     app::Report report;
     const bool all = options.verb == app::Verb::verify || options.verb == app::Verb::check;
     bool good = project->diagnostics.ok();

@@ -71,7 +71,7 @@ std::string broken(const fs::path& document, const std::string& link) {
     const fs::path target = file.empty() ? document : document.parent_path() / file;
     if (!fs::exists(target)) return "there is no such file";
     if (mark == std::string::npos || target.extension() != ".md") return "";
-    const std::vector<std::string> there = anchors(contents(target));
+    const std::vector<std::string> there = anchors(read_contents(target));
     return std::ranges::count(there, link.substr(mark + 1)) > 0 ? "" : "there is no such heading";
 }
 
@@ -79,7 +79,7 @@ TEST(Links, LeadToFilesAndHeadings) {
     const std::set<std::string> examples = {"CODE.md"};  // a pattern in docs/rules/README.md
     std::size_t found = 0;
     for (const fs::path& document : files(root(), {".md"}))
-        for (const std::string& link : links(contents(document))) {
+        for (const std::string& link : links(read_contents(document))) {
             ++found;
             EXPECT_TRUE(examples.contains(link) || broken(document, link).empty())
                 << document << ": " << link << ": " << broken(document, link);
@@ -92,7 +92,7 @@ TEST(Links, LeadToFilesAndHeadings) {
 TEST(Links, HeadingsOfADocumentDiffer) {
     for (const fs::path& document : files(root(), {".md"})) {
         if (document.filename() == "CHANGELOG.md") continue;
-        std::vector<std::string> there = anchors(contents(document));
+        std::vector<std::string> there = anchors(read_contents(document));
         std::ranges::sort(there);
         const auto twice = std::ranges::adjacent_find(there);
         EXPECT_TRUE(twice == there.end()) << document << ": " << *twice;

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(Sanity, EveryComponentIsInTheArchitecture) {
-    const std::string text = contents(root() / "docs/architecture.md");
+    const std::string text = read_contents(root() / "docs/architecture.md");
     for (const auto& entry : fs::directory_iterator(root())) {
         const std::string name = entry.path().filename().string();
         const bool component = entry.is_directory() && fs::exists(entry.path() / "CMakeLists.txt");
@@ -40,14 +40,14 @@ TEST(Sanity, SourcesNameTheirLicence) {
         const std::string name = path.string();
         if (std::ranges::any_of(generated, [&](std::string_view part) { return name.find(part) != std::string::npos; }))
             continue;
-        EXPECT_TRUE(contents(path).starts_with("// SPDX-License-Identifier: Apache-2.0\n"))
+        EXPECT_TRUE(read_contents(path).starts_with("// SPDX-License-Identifier: Apache-2.0\n"))
             << path << " does not begin with the line of its licence";
     }
 }
 
 TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
     for (const fs::path& path : files(root(), {".hpp"})) {
-        std::string text = contents(path);
+        std::string text = read_contents(path);
         const std::string licence = "// SPDX-License-Identifier: Apache-2.0\n";
         if (text.starts_with(licence)) text.erase(0, licence.size());
         EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
@@ -61,20 +61,20 @@ TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
 TEST(Sanity, NoLeftovers) {
     const std::string marks[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X "};
     for (const fs::path& path : files(root(), {".hpp", ".cpp", ".h", ".txt", ".cmake", ".sh", ".rct", ".assertions"})) {
-        const std::string text = contents(path);
+        const std::string text = read_contents(path);
         for (const std::string& mark : marks) EXPECT_EQ(text.find(mark), std::string::npos) << path << " has " << mark;
     }
 }
 
-/// Text from models is ForeignText until a function of base/diagnostics/escape.hpp returns it. This test lists the files
-/// that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
+/// Text from models is ForeignText until a function of base/diagnostics/escape.hpp returns it. This test lists the
+/// files that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
 /// printer escapes it.
 TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
     const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp",
                                          "base/diagnostics/escape.cpp", "base/diagnostics/escape.hpp",
                                          "semantics/evaluate/evaluate_composed.cpp"};
     for (const std::string& name : program_files()) {
-        const bool looks = contents(root() / name).find("unescaped()") != std::string::npos;
+        const bool looks = read_contents(root() / name).find("unescaped()") != std::string::npos;
         EXPECT_TRUE(!looks || seams.contains(name)) << name << " looks at foreign text";
     }
 }
@@ -83,10 +83,12 @@ TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
 TEST(Sanity, NobodyElseEscapes) {
     const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
     for (const std::string& name : program_files()) {
-        if (name == "base/diagnostics/escape.cpp" || name == "base/diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/"))
+        if (name == "base/diagnostics/escape.cpp" || name == "base/diagnostics/json.cpp" ||
+            name.starts_with("cpp_emit/runtime/"))
             continue;
         for (const std::string& text : by_hand)
-            EXPECT_EQ(contents(root() / name).find(text), std::string::npos) << name << " escapes by hand: " << text;
+            EXPECT_EQ(read_contents(root() / name).find(text), std::string::npos)
+                << name << " escapes by hand: " << text;
     }
 }
 
@@ -95,7 +97,7 @@ TEST(Sanity, NoShellIsStarted) {
     const std::regex start(R"((std::system|[^\w]::system|popen|execlp?|execle|execvp?e?|posix_spawnp?)\s*\()");
     for (const std::string& name : program_files()) {
         if (name == "cpp_emit/load/shared_library.cpp") continue;
-        EXPECT_FALSE(std::regex_search(contents(root() / name), start)) << name << " starts a program";
+        EXPECT_FALSE(std::regex_search(read_contents(root() / name), start)) << name << " starts a program";
     }
 }
 
@@ -112,7 +114,7 @@ bool names_code(const std::string& text, std::string_view code) {
 TEST(Sanity, EveryRuleIsExplainedAndTested) {
     std::string tests;
     for (const fs::path& path : files(root() / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"}))
-        if (path.filename() != "pages_test.cpp") tests += contents(path);
+        if (path.filename() != "pages_test.cpp") tests += read_contents(path);
     std::set<std::string_view> codes;
     std::set<std::pair<std::string_view, std::string_view>> rows;
     for (const diagnostics::Rule* rule : app::all_rules()) {
@@ -151,7 +153,7 @@ TEST(Sanity, PathsInTextsExist) {
         if (relative == "CHANGELOG.md" || relative.find("/runtime/") != std::string::npos ||
             relative.find("/reserved/") != std::string::npos)
             continue;
-        const std::string text = contents(file);
+        const std::string text = read_contents(file);
         for (auto at = std::sregex_iterator(text.begin(), text.end(), path); at != std::sregex_iterator(); ++at) {
             const std::string name = (*at)[1];
             ++found;
@@ -180,9 +182,9 @@ fs::path source(const std::string& name) {
 }
 
 TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
-    const std::string text = contents(root() / "docs/semantics.md");
+    const std::string text = read_contents(root() / "docs/semantics.md");
     std::string tests;
-    for (const fs::path& path : files(root() / "tests", {".cpp"})) tests += contents(path);
+    for (const fs::path& path : files(root() / "tests", {".cpp"})) tests += read_contents(path);
     const auto named_tests = quoted(text, "`([A-Z][A-Za-z]+)\\.([A-Z][A-Za-z]+)`");
     EXPECT_GT(named_tests.size(), 50U);
     for (const auto& name : named_tests) {
@@ -192,7 +194,7 @@ TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
     const auto functions = quoted(text, "`([a-z_/]+\\.cpp): ([a-z_]+)`");
     EXPECT_GT(functions.size(), 50U);
     for (const auto& function : functions) {
-        EXPECT_THAT(contents(source(function[0])), ::testing::HasSubstr(function[1] + "("))
+        EXPECT_THAT(read_contents(source(function[0])), ::testing::HasSubstr(function[1] + "("))
             << "docs/semantics.md names " << function[0];
     }
 }
@@ -202,7 +204,7 @@ std::vector<std::size_t> silent_switches(const fs::path& path) {
     const std::regex over_kind(R"(^\s*case (ir::)?(Type|Expr|Stmt|Node|Machine|Comm|Component|Property|End)Kind::.*)");
     std::vector<std::size_t> found;
     std::vector<bool> kinds;  // for each enclosing switch, whether it is over a kind
-    std::istringstream lines(contents(path));
+    std::istringstream lines(read_contents(path));
     std::string line;
     for (std::size_t number = 1; std::getline(lines, line); ++number) {
         if (std::regex_match(line, std::regex(R"(^\s*switch \(.*)"))) kinds.push_back(false);

@@ -32,8 +32,8 @@ std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>&
 }
 
 std::vector<std::string> components() {
-    return {"app",      "base",    "checker",  "conformance", "counterexample", "cpp_emit",   "csp_emit",
-            "editors",  "frontend", "prism",   "semantics",   "simulation",     "sleec"};
+    return {"app",     "base",     "checker", "conformance", "counterexample", "cpp_emit", "csp_emit",
+            "editors", "frontend", "prism",   "semantics",   "simulation",     "sleec"};
 }
 
 std::vector<std::string> program_files() {
@@ -48,7 +48,7 @@ std::vector<std::string> program_files() {
 
 std::vector<std::string> included(const std::string& file) {
     std::vector<std::string> result;
-    std::istringstream lines(contents(root() / file));
+    std::istringstream lines(read_contents(root() / file));
     const std::string start = "#include \"";
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with(start)) continue;
@@ -84,7 +84,7 @@ bool is_below(const std::string& folder, const std::string& above) {
 
 std::map<std::string, FolderRow> folder_table() {
     std::map<std::string, FolderRow> table;
-    std::istringstream lines(contents(root() / "docs/architecture.md"));
+    std::istringstream lines(read_contents(root() / "docs/architecture.md"));
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("| folder |"))

@@ -14,7 +14,7 @@ namespace robochart::sanity {
 
 /// The root folder of the project.
 [[nodiscard]] const std::filesystem::path& root();
-using tests::contents;
+using tests::read_contents;
 /// Files below a folder with one of these extensions, sorted, without build trees.
 [[nodiscard]] std::vector<std::filesystem::path> files(const std::filesystem::path& folder,
                                                        const std::set<std::string>& extensions);

@@ -3,6 +3,7 @@
 // across files (C++20, [basic.def.odr]), and the linker chooses one of the two.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <regex>
 #include <sstream>
@@ -47,7 +48,7 @@ TEST(Types, AreDefinedOnceInANamespace) {
     for (const std::filesystem::path& path : files(root(), {".hpp", ".cpp"})) {
         const std::string file = path.lexically_relative(root()).string();
         if (!is_linked(file)) continue;
-        for (const std::string& type : defined_types(contents(path))) places[type].push_back(file);
+        for (const std::string& type : defined_types(read_contents(path))) places[type].push_back(file);
     }
     EXPECT_GT(places.size(), 1000U);
     for (const auto& [type, files] : places) EXPECT_THAT(files, ::testing::SizeIs(1)) << type;

@@ -90,7 +90,7 @@ constexpr std::string_view heading = "### Words that are not used\n";
 
 /// The texts between backquotes in the first column of the table below the heading.
 std::vector<Words> words_not_used() {
-    const std::string glossary = contents(root() / "docs/glossary.md");
+    const std::string glossary = read_contents(root() / "docs/glossary.md");
     std::istringstream lines(glossary.substr(std::min(glossary.find(heading), glossary.size())));
     std::vector<Words> result;
     for (std::string line; std::getline(lines, line);) {
@@ -145,7 +145,7 @@ TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
     ASSERT_GT(not_used.size(), 20U);
     std::set<const Allowed*> needed;
     for (const std::string& name : texts()) {
-        std::string text = contents(root() / name);
+        std::string text = read_contents(root() / name);
         if (name == "docs/glossary.md") text.resize(text.find(heading));
         std::vector<std::string> lines;
         std::istringstream in(text);
@@ -169,7 +169,7 @@ TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
 
 /// The files and types in the other tables: `checker/lts/event.hpp`, `ir::Machine`.
 TEST(Words, TheGlossaryNamesPlacesAndTypesThatExist) {
-    std::string glossary = contents(root() / "docs/glossary.md");
+    std::string glossary = read_contents(root() / "docs/glossary.md");
     glossary.resize(glossary.find(heading));
     const std::regex place("`([a-z_]+(?:/[a-z_]+)+(?:\\.[a-z]+)?)`"), type("`[a-z_]+::([A-Z][A-Za-z]+)`");
     std::size_t found = 0;
@@ -178,7 +178,7 @@ TEST(Words, TheGlossaryNamesPlacesAndTypesThatExist) {
         EXPECT_TRUE(fs::exists(root() / (*at)[1].str())) << (*at)[1];
     std::string headers;
     for (const std::string& name : program_files())
-        if (name.ends_with(".hpp")) headers += contents(root() / name);
+        if (name.ends_with(".hpp")) headers += read_contents(root() / name);
     for (auto at = std::sregex_iterator(glossary.begin(), glossary.end(), type); at != std::sregex_iterator();
          ++at, ++found) {
         const std::string name = (*at)[1].str();

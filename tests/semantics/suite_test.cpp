@@ -40,7 +40,7 @@ TEST(Suite, AcceptedModelsLower) {
         const auto lowered = read(folder);
         EXPECT_TRUE(lowered->diagnostics.ok()) << folder << "\n" << lowered->messages();
         if (!lowered->diagnostics.ok()) continue;
-        const auto inst = instantiate(lowered->system, {}, lowered->diagnostics);
+        const auto inst = instantiate_system(lowered->system, {}, lowered->diagnostics);
         EXPECT_TRUE(lowered->diagnostics.ok()) << folder << "\n" << lowered->messages();
         EXPECT_EQ(inst.scale, 1) << folder;
     }

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "base/statistics/binomial.hpp"
 #include "harness.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/sweep/sweep.hpp"
-#include "base/statistics/binomial.hpp"
 #include "tests/needed.hpp"
 #include "tests/source_folder.hpp"
 
@@ -39,7 +39,7 @@ void expect_held(const std::string& model, const std::string& scenario) {
     Experiment experiment(model, scenario);
     const RunResult result = experiment.run();
     EXPECT_EQ(result.trials.size(), 10U);
-    EXPECT_TRUE(result.holds()) << bands_text(experiment.scenario, result);
+    EXPECT_TRUE(result.all_hold()) << bands_text(experiment.scenario, result);
 }
 
 void expect_broken(const std::string& model, const std::string& scenario) {
@@ -60,7 +60,7 @@ RunResult at_point(const std::string& name, double value, std::uint32_t trials) 
     Experiment experiment(aggregation_model(), read_file(corpus + "aggregation/" + name));
     experiment.scenario = scenario_at(experiment.scenario, {value});
     experiment.scenario.set_trials(trials);
-    experiment.plan = bind(experiment.scenario, experiment.emission, experiment.diagnostics);
+    experiment.plan = bind_scenario(experiment.scenario, experiment.emission, experiment.diagnostics);
     return experiment.run();
 }
 
@@ -78,7 +78,7 @@ TEST(Aggregation, ReliabilityIsThatOfTheFormula) {
     for (const double mean : {60.0, 120.0, 240.0, 480.0, 960.0}) {
         const RunResult result = at_point("reliability.scenario", mean, 300);
         const ClaimResult& claim = result.claims.at(0);
-        ASSERT_EQ(claim.trials(), 300U);
+        ASSERT_EQ(claim.trial_count(), 300U);
         const double expected = statistics::at_least(9, 10, std::exp(-20 / mean));
         const auto interval = statistics::clopper_pearson(claim.successes, 300, error);
         EXPECT_LE(interval.low, expected) << mean;

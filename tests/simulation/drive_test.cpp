@@ -161,8 +161,8 @@ module Robot {
     ASSERT_EQ(experiment.emission.machines.size(), 2U);
     EXPECT_EQ(experiment.emission.machines[1].states.size(), machines[1].states.size());
     const Frame& last = result.trials.at(0).frames.back();
-    EXPECT_EQ(machines[0].state(last.state(0, 0)), "Here");
-    EXPECT_EQ(machines[1].state(last.state(0, 1)), "Going::Fast");
+    EXPECT_EQ(machines[0].state_name(last.robot_state(0, 0)), "Here");
+    EXPECT_EQ(machines[1].state_name(last.robot_state(0, 1)), "Going::Fast");
 }
 
 /// Each robot and each trial draws other alternatives, and a repeated run draws the same ones.

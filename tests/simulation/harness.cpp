@@ -79,7 +79,7 @@ void Experiment::lower_model(const std::string& path, const std::string& text, i
     parsed.files.push_back(frontend::parse(sources, sources.add(path, text), false, diagnostics));
     frontend::resolve(parsed, diagnostics);
     of = ir::lower(parsed, sources, diagnostics);
-    instantiated = ir::instantiate(of, {}, diagnostics);
+    instantiated = ir::instantiate_system(of, {}, diagnostics);
 }
 
 cpp_emit::DriveEmission Experiment::emitted(const ir::System& of, const ir::Instantiation& instantiated,
@@ -109,7 +109,7 @@ Experiment::Experiment(const std::string& model, const std::string& text, const 
         else
             all.kinds.push_back(&other.emission);
     }
-    if (diagnostics.ok()) plan = bind(scenario, all, diagnostics);
+    if (diagnostics.ok()) plan = bind_scenario(scenario, all, diagnostics);
 }
 
 Drives Experiment::drives() const {
@@ -135,12 +135,12 @@ RunResult Experiment::run(unsigned threads, const StageMaker& stage) {
     RunOptions options;
     options.threads = threads;
     options.stage = stage;
-    return simulation::run(plan, drives(), options, diagnostics);
+    return simulation::run_trials(plan, drives(), options, diagnostics);
 }
 
 std::string Experiment::codes() const {
     std::string result;
-    for (const auto& d : diagnostics.sorted())
+    for (const auto& d : diagnostics.sorted_findings())
         if (!std::string(d.rule->code).starts_with("RC-W"))
             result += (result.empty() ? "" : " ") + std::string(d.rule->code);
     return result;

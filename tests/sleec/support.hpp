@@ -18,16 +18,16 @@ struct Read {
     }
     /// Also resolves names and checks types.
     Read& checked_too() {
-        if (diagnostics.ok()) checked = check(file, diagnostics);
+        if (diagnostics.ok()) checked = check_rules(file, diagnostics);
         return *this;
     }
     /// "SLEEC-P01:3 SLEEC-P02:7": codes with lines, in the order of the text.
     [[nodiscard]] std::string findings() const {
         std::string text;
-        for (const diagnostics::Diagnostic& each : diagnostics.sorted()) {
+        for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings()) {
             if (!text.empty()) text += " ";
             text += each.rule->code;
-            if (each.span.known())
+            if (each.span.is_known())
                 text += ":" + std::to_string(sources.position(each.span.source, each.span.begin).line);
         }
         return text;

@@ -35,11 +35,11 @@ Value BuiltinFunctions::value(Builtin which, const TimedSection* timed) {
         case Builtin::empty_map:
             return store_.make(Kind::map, 0, {});
         case Builtin::stop:
-            return process(processes_.stop(timed));
+            return process(processes_.make_stop(timed));
         case Builtin::skip:
-            return process(processes_.skip(timed));
+            return process(processes_.make_skip(timed));
         case Builtin::div:
-            return process(processes_.make(process::Op::div));
+            return process(processes_.make_term(process::Op::div));
         default:
             break;
     }
@@ -89,7 +89,7 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
             work_.fail("error: " + message, span);
         }
         case Builtin::show:
-            return store_.text(text_.whole(with_text(arguments[0], span)));
+            return store_.make_string(text_.full_text(with_text(arguments[0], span)));
         case Builtin::mtransclose:
             return representatives(arguments[0], arguments[1], span);
         case Builtin::relational_image:
@@ -117,7 +117,7 @@ Value BuiltinFunctions::with_text(Value value, Span span) {
         default:
             break;
     }
-    value = store_.part(value);
+    value = store_.form_as_part(value);
     Values items;
     for (const Value item : value->items) items.push_back(with_text(item, span));
     if (value->kind == Kind::set) return store_.set(std::move(items));
@@ -246,10 +246,10 @@ process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
     std::set<process::Event> used;
     for (const Value pair : domains_.elements(arguments[1], span))
         for (const Value each : pair->items)
-            if (!used.insert(domains_.event(each, span)).second)
+            if (!used.insert(domains_.event_of(each, span)).second)
                 work_.fail("the event " + text_(each) + " is given to a buffer twice", span);
-    return processes_.prefix(PrefixKind::buffer,
-                             {bound, domains_.explicit_set(arguments[1], span), store_.sequence({})});
+    return processes_.make_prefix(PrefixKind::buffer,
+                                  {bound, domains_.explicit_set(arguments[1], span), store_.sequence({})});
 }
 
 /// The order of prioritisepo(P, prioritised, pairs, maximal).
@@ -258,8 +258,8 @@ process::RenamingId BuiltinFunctions::partial_order(const Values& arguments, Spa
     const process::EventSet prioritised = domains_.event_set(arguments[1], span);
     std::vector<process::EventPair> pairs;
     for (const Value pair : domains_.elements(arguments[2], span)) {
-        const process::Event higher = domains_.event(pair->items.at(0), span);
-        pairs.emplace_back(higher, domains_.event(pair->items.at(1), span));
+        const process::Event higher = domains_.event_of(pair->items.at(0), span);
+        pairs.emplace_back(higher, domains_.event_of(pair->items.at(1), span));
     }
     auto order = process::priority_order(prioritised, pairs, domains_.event_set(arguments[3], span));
     if (const auto* fault = std::get_if<process::OrderFault>(&order)) {
@@ -273,7 +273,7 @@ process::RenamingId BuiltinFunctions::partial_order(const Values& arguments, Spa
                 work_.fail("prioritisepo: " + name + " is given as maximal, but lies below another event", span);
         }
     }
-    return terms_.renaming(std::get<process::Renaming>(std::move(order)));
+    return terms_.intern_renaming(std::get<process::Renaming>(std::move(order)));
 }
 
 Value BuiltinFunctions::process_builtin(Builtin which, Value builtin, const Values& arguments, Span span) {
@@ -284,56 +284,61 @@ Value BuiltinFunctions::process_builtin(Builtin which, Value builtin, const Valu
     const auto id = [](auto strong) { return static_cast<std::uint32_t>(strong); };
     switch (which) {
         case Builtin::chaos:
-            return made(processes_.make(Op::chaos, {}, id(terms_.set(domains_.event_set(arguments[0], span)))));
+            return made(
+                processes_.make_term(Op::chaos, {}, id(terms_.intern_set(domains_.event_set(arguments[0], span)))));
         case Builtin::run:
-            return made(processes_.make(Op::run, {}, id(terms_.set(domains_.event_set(arguments[0], span)))));
+            return made(
+                processes_.make_term(Op::run, {}, id(terms_.intern_set(domains_.event_set(arguments[0], span)))));
         case Builtin::wait: {
             if (arguments[0]->kind != Kind::integer)
                 work_.fail("WAIT takes a number, not " + text_(arguments[0]), span);
             if (arguments[0]->number < 0)
                 work_.fail("WAIT(" + text_(arguments[0]) + ") waits for less than no time", span);
-            const process::Event tock = domains_.event(builtin->items.at(0), span);
-            const process::TermId stopped = processes_.prefix(PrefixKind::skipping, {store_.integer(tock)});
-            return made(processes_.waiting(tock, arguments[0]->number,
-                                           processes_.make(Op::external_choice, {stopped, processes_.make(Op::skip)})));
+            const process::Event tock = domains_.event_of(builtin->items.at(0), span);
+            const process::TermId stopped = processes_.make_prefix(PrefixKind::skipping, {store_.integer(tock)});
+            return made(processes_.make_wait(
+                tock, arguments[0]->number,
+                processes_.make_term(Op::external_choice, {stopped, processes_.make_term(Op::skip)})));
         }
         case Builtin::timed_priority: {
-            const process::Event tock = domains_.event(builtin->items.at(0), span);
-            return made(
-                processes_.make(Op::prioritise, {processes_.term(arguments[0], span)}, id(terms_.order({{}, {tock}}))));
+            const process::Event tock = domains_.event_of(builtin->items.at(0), span);
+            return made(processes_.make_term(Op::prioritise, {processes_.term_of(arguments[0], span)},
+                                             id(terms_.intern_order({{}, {tock}}))));
         }
         case Builtin::prioritise:
         case Builtin::prioritise_nocache: {
             process::PriorityOrder order;
             for (const Value each : items(arguments[1], span)) order.push_back(domains_.event_set(each, span));
             if (order.empty()) work_.fail("prioritise needs at least one set", span);
-            return made(processes_.make(Op::prioritise, {processes_.term(arguments[0], span)},
-                                        id(terms_.order(std::move(order)))));
+            return made(processes_.make_term(Op::prioritise, {processes_.term_of(arguments[0], span)},
+                                             id(terms_.intern_order(std::move(order)))));
         }
         case Builtin::prioritisepo: {
             const process::RenamingId order = partial_order(arguments, span);
-            return made(processes_.make(Op::prioritise_order, {processes_.term(arguments[0], span)}, id(order)));
+            return made(
+                processes_.make_term(Op::prioritise_order, {processes_.term_of(arguments[0], span)}, id(order)));
         }
         case Builtin::chase:
         case Builtin::chase_nocache:
-            return made(processes_.make(Op::chase, {processes_.term(arguments[0], span)}));
+            return made(processes_.make_term(Op::chase, {processes_.term_of(arguments[0], span)}));
         case Builtin::loop:
-            return made(processes_.call(builtin, arguments));
+            return made(processes_.make_call(builtin, arguments));
         case Builtin::buffer:
             return made(buffer(arguments, span));
         // Watchdogs are terms, so that they can be named and compared. Computing their transitions is an error.
         case Builtin::failure_watchdog:
         case Builtin::trace_watchdog: {
-            process::Term result{Op::compress, compression(which), {processes_.term(arguments[0], span)}, {}};
-            result.sets = {terms_.set(domains_.event_set(arguments[1], span)),
-                           terms_.set({domains_.event(arguments[2], span)})};
-            return made(terms_.make(result));
+            process::Term result{Op::compress, compression(which), {processes_.term_of(arguments[0], span)}, {}};
+            result.sets = {terms_.intern_set(domains_.event_set(arguments[1], span)),
+                           terms_.intern_set({domains_.event_of(arguments[2], span)})};
+            return made(terms_.intern_term(result));
         }
         case Builtin::weak_buffer:
         case Builtin::signal_buffer:
             work_.not_supported("'" + std::string(builtin_name(which).name) + "'", span);
         default:
-            return made(processes_.make(Op::compress, {processes_.term(arguments[0], span)}, compression(which)));
+            return made(
+                processes_.make_term(Op::compress, {processes_.term_of(arguments[0], span)}, compression(which)));
     }
 }
 

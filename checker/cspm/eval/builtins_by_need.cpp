@@ -10,7 +10,7 @@
 namespace robochart::cspm {
 
 Values ByNeed::sequence(Value value, Span span) {
-    return values_.share(written_out(value, span))->items;
+    return values_.share_value(written_out(value, span))->items;
 }
 
 const Values& ByNeed::map_items(Value value, Span span) {
@@ -22,11 +22,11 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
     if (!takes_by_need(which)) {
         if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
-            const Value first = values_.share(values_.forced(arguments[0]));
+            const Value first = values_.share_value(values_.evaluated_value(arguments[0]));
             if (first->kind == Kind::set && first->items.empty()) return first;  // holds for every second argument
             arguments[0] = first;
         }
-        for (Value& argument : arguments) argument = values_.share(values_.force(argument));
+        for (Value& argument : arguments) argument = values_.share_value(values_.evaluate_in_place(argument));
         return builtins_.call(builtin, std::move(arguments), span);
     }
     builtins_.check_arity(which, arguments.size(), span);
@@ -34,23 +34,24 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
 }
 
 Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span) {
-    if (which == Builtin::elem) return store_.boolean(contains(arguments[0], values_.forced(arguments[1]), span));
-    const Value first = values_.forced(arguments[0]);
+    if (which == Builtin::elem)
+        return store_.boolean(contains_element(arguments[0], values_.evaluated_value(arguments[1]), span));
+    const Value first = values_.evaluated_value(arguments[0]);
     switch (which) {
         case Builtin::length:
             return store_.integer(static_cast<std::int64_t>(written_out(first, span)->items.size()));
         case Builtin::null:
-            return store_.boolean(first->kind == Kind::sequence ? first->items.empty() : !next(first, span));
+            return store_.boolean(first->kind == Kind::sequence ? first->items.empty() : !split_first(first, span));
         case Builtin::head: {
-            if (first->kind == Kind::sequence && !first->items.empty()) return values_.forced(first->items[0]);
-            const std::optional<Cut> cut = next(first, span);
+            if (first->kind == Kind::sequence && !first->items.empty()) return values_.evaluated_value(first->items[0]);
+            const std::optional<Cut> cut = split_first(first, span);
             if (!cut) work_.fail("head of an empty sequence", span);
-            return values_.forced(cut->head);
+            return values_.evaluated_value(cut->head);
         }
         case Builtin::tail: {
-            const std::optional<Cut> cut = next(first, span);
+            const std::optional<Cut> cut = split_first(first, span);
             if (!cut) work_.fail("tail of an empty sequence", span);
-            return values_.forced(cut->tail);
+            return values_.evaluated_value(cut->tail);
         }
         default: {  // concat
             const Value parts = written_out(first, span);
@@ -58,14 +59,14 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
             for (std::size_t i = 0; i < parts->items.size(); ++i) {
                 Value part = parts->items[i];
                 if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr)
-                    part = values_.force(part);
+                    part = values_.evaluate_in_place(part);
                 if (part->kind != Kind::sequence) {
                     // The sequence from here on is unevaluated or infinite.
                     Value rest = store_.sequence({});
                     for (std::size_t k = parts->items.size(); k-- > i + 1;) rest = part_before(parts->items[k], rest);
                     return append(store_.compound(Kind::sequence, 0, std::move(items)), part_before(part, rest));
                 }
-                work_.count(span);
+                work_.count_step(span);
                 items.insert(items.end(), part->items.begin(), part->items.end());
                 if (items.size() > max_elements) work_.fail("the sequence is too long", span);
             }
@@ -90,7 +91,7 @@ std::size_t key_place(const Values& items, Value key) {
     return at;
 }
 
-void put(Values& items, Value key, Value value) {
+void put_entry(Values& items, Value key, Value value) {
     const std::size_t at = key_place(items, key);
     if (at < items.size() && items[at] == key)
         items[at + 1] = value;
@@ -104,18 +105,19 @@ void put(Values& items, Value key, Value value) {
 Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     const auto put_all = [&](Values items, const Values& pairs) {
         for (const Value each : pairs) {
-            work_.count(span);
-            const Value pair = values_.forced(each);
+            work_.count_step(span);
+            const Value pair = values_.evaluated_value(each);
             if (pair->kind != Kind::tuple || pair->items.size() != 2)
                 work_.fail("expected pairs, found " + text_(pair), span);
-            put(items, store_.part(values_.share(pair->items[0])), pair->items[1]);
+            put_entry(items, store_.form_as_part(values_.share_value(pair->items[0])), pair->items[1]);
         }
         return store_.compound(Kind::map, 0, std::move(items));
     };
     if (which == Builtin::map_from_list) return put_all({}, written_out(arguments[0], span)->items);
-    Values items = map_items(values_.forced(arguments[0]), span);
+    Values items = map_items(values_.evaluated_value(arguments[0]), span);
     if (which == Builtin::map_update_multiple) {
-        // Among pairs with the same key the first counts, while mapFromList takes the last (libcspm, Evaluator).
+        // If several pairs have the same key, the first counts here, while mapFromList takes the last (libcspm,
+        // Evaluator).
         Values pairs = written_out(arguments[1], span)->items;
         std::ranges::reverse(pairs);
         return put_all(std::move(items), pairs);
@@ -126,17 +128,17 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
             pairs.push_back(store_.compound(Kind::tuple, 0, {items[i], items[i + 1]}));
         return store_.compound(Kind::sequence, 0, std::move(pairs));
     }
-    const Value key = store_.part(values_.share(arguments[1]));
+    const Value key = store_.form_as_part(values_.share_value(arguments[1]));
     const std::size_t at = key_place(items, key);
     const bool found = at < items.size() && items[at] == key;
     switch (which) {
         case Builtin::map_lookup:
             if (!found) work_.fail("the key " + text_(key) + " is not in the map", span);
-            return values_.forced(items[at + 1]);
+            return values_.evaluated_value(items[at + 1]);
         case Builtin::map_member:
             return store_.boolean(found);
         case Builtin::map_update:
-            put(items, key, arguments[2]);
+            put_entry(items, key, arguments[2]);
             break;
         default:
             if (found) {

@@ -51,18 +51,18 @@ public:
     Value append(Value first, Value rest);
     /// `first`, followed by the elements that the comprehension makes from those of `source`; `frame`: the variables
     /// around it.
-    Value stream(Value first, Value source, Comprehension of, const Values& frame);
+    Value make_stream(Value first, Value source, Comprehension of, const Values& frame);
     /// No value if the sequence is empty.
-    std::optional<Cut> next(Value sequence, Span span);
+    std::optional<Cut> split_first(Value sequence, Span span);
     /// The sequence with all its elements in `items`.
     Value written_out(Value sequence, Span span);
     /// The sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
     Value share_stream(Value value);
     /// Equality of tuples, sequences and maps part by part, up to the first difference.
-    bool equal(Value a, Value b, Span span);
+    bool are_equal(Value a, Value b, Span span);
     /// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
-    bool less_equal(Value a, Value b, Span span);
-    bool less(Value a, Value b, Span span);
+    bool is_less_or_equal(Value a, Value b, Span span);
+    bool is_less(Value a, Value b, Span span);
 
     // builtins_by_need.cpp
     /// Any built-in; evaluates its arguments only as far as it needs them.
@@ -75,8 +75,8 @@ public:
     const Values& map_items(Value value, Span span);
 
 private:
-    bool begins(Value a, Value b, Span span);
-    bool contains(Value element, Value sequence, Span span);
+    bool is_prefix(Value a, Value b, Span span);
+    bool contains_element(Value element, Value sequence, Span span);
     Value sequence_builtin(Builtin which, const Values& arguments, Span span);
     Value part_before(Value part, Value rest);
 

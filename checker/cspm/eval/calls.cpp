@@ -22,8 +22,8 @@ Value Evaluator::call(Value function, Values arguments, Span span) {
                    span);
     }
     if (group + 1 == definition.groups.size() && shape_.makes_process(definition)) {
-        for (Value& argument : arguments) argument = share(argument);
-        const process::TermId made = processes_.call(share(function), arguments);
+        for (Value& argument : arguments) argument = share_value(argument);
+        const process::TermId made = processes_.make_call(share_value(function), arguments);
         return store_.make(Kind::process, static_cast<std::int64_t>(made), {});
     }
     Values all(function->items.begin() + static_cast<std::ptrdiff_t>(environment), function->items.end());
@@ -33,13 +33,13 @@ Value Evaluator::call(Value function, Values arguments, Span span) {
                    function->items.begin() + static_cast<std::ptrdiff_t>(environment));
         return store_.closure(definition, std::move(all));
     }
-    const Value result = run(definition, function->items, all, span);
-    if (observer_.tell) tell(definition, all, result, span);
+    const Value result = run_function(definition, function->items, all, span);
+    if (observer_.tell) report_call(definition, all, result, span);
     return result;
 }
 
 /// Reports the call to the observer, with the numbers that are known by now.
-void Evaluator::tell(const Function& function, const Values& arguments, Value result, Span span) {
+void Evaluator::report_call(const Function& function, const Values& arguments, Value result, Span span) {
     if (function.watched < 0) function.watched = observer_.functions.contains(function.name) ? 1 : 0;
     if (function.watched == 0) return;
     // Unevaluated arguments stay unknown, because they may have no value.
@@ -53,14 +53,14 @@ void Evaluator::tell(const Function& function, const Values& arguments, Value re
     observer_.tell(observed);
 }
 
-Value Evaluator::run(const Function& function, const Values& environment, Values& arguments, Span span) {
+Value Evaluator::run_function(const Function& function, const Values& environment, Values& arguments, Span span) {
     const Work::Calling calling(work_, function, arguments, span);
     Frame frame;
-    const FunctionClause& clause = choose(function, environment, arguments, frame, span);
+    const FunctionClause& clause = choose_clause(function, environment, arguments, frame, span);
     return eval(*clause.body, frame);
 }
 
-void Evaluator::install(const Unit& unit, const Function& function, const Values& environment, Frame& frame) {
+void Evaluator::fill_frame(const Unit& unit, const Function& function, const Values& environment, Frame& frame) {
     frame.assign(static_cast<std::size_t>(unit.size), nullptr);
     const bool member = unit.member_of != nullptr;
     if (member && unit.self_slot >= 0) frame[static_cast<std::size_t>(unit.self_slot)] = environment.at(0);
@@ -72,14 +72,14 @@ void Evaluator::install(const Unit& unit, const Function& function, const Values
     (void)function;
 }
 
-const FunctionClause& Evaluator::choose(const Function& function, const Values& environment, Values& arguments,
-                                        Frame& frame, Span span) {
+const FunctionClause& Evaluator::choose_clause(const Function& function, const Values& environment, Values& arguments,
+                                               Frame& frame, Span span) {
     for (const FunctionClause& clause : function.clauses) {
-        install(*clause.unit, function, environment, frame);
+        fill_frame(*clause.unit, function, environment, frame);
         if (function.groups.empty()) return clause;
         bool matches = true;
         for (std::size_t i = 0; matches && i < clause.patterns.size(); ++i) {
-            matches = match(clause.patterns[i], arguments[i], frame);
+            matches = match_pattern(clause.patterns[i], arguments[i], frame);
         }
         if (matches) return clause;
     }
@@ -95,22 +95,24 @@ Value Evaluator::constant_body(const Function& function, const Values& environme
     const Work::Calling calling(work_, function, none, span);
     const FunctionClause& clause = function.clauses.at(0);
     Frame frame;
-    install(*clause.unit, function, environment, frame);
+    fill_frame(*clause.unit, function, environment, frame);
     Value value = eval(*clause.body, frame);
     const MatchCode& pattern = clause.patterns.at(0);
     if (pattern.kind != PatternKind::name || pattern.head) {
-        if (!match(pattern, value, frame)) work_.fail("the pattern does not match " + text_(value), function.span);
+        if (!match_pattern(pattern, value, frame))
+            work_.fail("the pattern does not match " + text_(value), function.span);
     }
     return value;
 }
 
-Value Evaluator::component(const FunctionClause& whole, Value value, int slot, Span span) {
+Value Evaluator::component_value(const FunctionClause& whole, Value value, int slot, Span span) {
     Frame frame(static_cast<std::size_t>(whole.unit->size), nullptr);
-    if (!match(whole.patterns.at(0), value, frame)) work_.fail("the pattern does not match " + text_(value), span);
-    return force(frame.at(static_cast<std::size_t>(slot)));
+    if (!match_pattern(whole.patterns.at(0), value, frame))
+        work_.fail("the pattern does not match " + text_(value), span);
+    return evaluate_in_place(frame.at(static_cast<std::size_t>(slot)));
 }
 
-Value Evaluator::member(const GroupObject& group, int index, Span span) {
+Value Evaluator::member_value(const GroupObject& group, int index, Span span) {
     const auto at = static_cast<std::size_t>(index);
     const Member& member = group.group->members[at];
     if (!member.function.groups.empty()) {
@@ -119,8 +121,8 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
     }
     if (group.known[at] != nullptr) return group.known[at];
     if (member.component_of < 0 && shape_.makes_process(member.function)) {
-        const Value name = store_.make(Kind::function, 0, {share(&group)}, &member.function);
-        return store_.make(Kind::process, static_cast<std::int64_t>(processes_.call(name, {})), {});
+        const Value name = store_.make(Kind::function, 0, {share_value(&group)}, &member.function);
+        return store_.make(Kind::process, static_cast<std::int64_t>(processes_.make_call(name, {})), {});
     }
     if (group.running[at]) work_.fail("'" + member.function.name + "' is defined by itself", span);
     group.running[at] = true;
@@ -134,7 +136,7 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
     group.running[at] = false;
     if (group.shared && !value->shared) {
         try {
-            value = share(value);
+            value = share_value(value);
         } catch (const EvaluationError&) {
             return value;  // a part of the value cannot be evaluated; the value is evaluated again when it is needed
         }
@@ -145,12 +147,12 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
 
 Value Evaluator::member_constant(const GroupObject& group, const Member& member) {
     if (member.component_of < 0) return constant_body(member.function, {&group}, member.function.span);
-    const Value whole = this->member(group, member.component_of, member.function.span);
+    const Value whole = this->member_value(group, member.component_of, member.function.span);
     const Member& source = group.group->members[static_cast<std::size_t>(member.component_of)];
-    return component(source.function.clauses.at(0), whole, member.component_slot, member.function.span);
+    return component_value(source.function.clauses.at(0), whole, member.component_slot, member.function.span);
 }
 
-Value Evaluator::global(int index, Span span) {
+Value Evaluator::global_value(int index, Span span) {
     Global& global = program_.globals[static_cast<std::size_t>(index)];
     if (global.kind == GlobalKind::function && !global.function.groups.empty()) {
         return store_.make(Kind::function, 0, {}, &global.function);
@@ -159,7 +161,7 @@ Value Evaluator::global(int index, Span span) {
     if (global.known != nullptr) return global.known;
     if (global.kind == GlobalKind::function && shape_.makes_process(global.function)) {
         const Value name = store_.make(Kind::function, 0, {}, &global.function);
-        return global.known = store_.make(Kind::process, static_cast<std::int64_t>(processes_.call(name, {})), {});
+        return global.known = store_.make(Kind::process, static_cast<std::int64_t>(processes_.make_call(name, {})), {});
     }
     if (global.lazily != nullptr && global.lazily_entry == work_.question()) return global.lazily;
     if (global.running) work_.fail("'" + global.function.name + "' is defined by itself", span);
@@ -167,7 +169,7 @@ Value Evaluator::global(int index, Span span) {
     const Value value = global_constant(global);
     if (value->shared) return global.known = value;
     try {
-        return global.known = share(value);
+        return global.known = share_value(value);
     } catch (const EvaluationError&) {  // a part of the value cannot be evaluated; the other parts may suffice
     }
     global.lazily_entry = work_.question();
@@ -179,9 +181,9 @@ Value Evaluator::global_constant(Global& global) {
         case GlobalKind::function:
             return constant_body(global.function, {}, global.function.span);
         case GlobalKind::component: {
-            const Value whole = this->global(global.component_of, global.function.span);
+            const Value whole = this->global_value(global.component_of, global.function.span);
             const Global& source = program_.globals[static_cast<std::size_t>(global.component_of)];
-            return component(source.function.clauses.at(0), whole, global.component_slot, global.function.span);
+            return component_value(source.function.clauses.at(0), whole, global.component_slot, global.function.span);
         }
         case GlobalKind::datatype:
             break;  // has been evaluated meanwhile
@@ -190,7 +192,7 @@ Value Evaluator::global_constant(Global& global) {
         case GlobalKind::nametype: {
             const FunctionClause& clause = global.function.clauses.at(0);
             Frame frame(static_cast<std::size_t>(clause.unit->size), nullptr);
-            return domains_.type_set(share(eval(*clause.body, frame)), global.function.span);
+            return domains_.type_set(share_value(eval(*clause.body, frame)), global.function.span);
         }
     }
     work_.fail("a definition of no kind", global.function.span);
@@ -198,13 +200,13 @@ Value Evaluator::global_constant(Global& global) {
 
 // ---------------------------------------------------------------- patterns
 
-bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
+bool Evaluator::match_pattern(const MatchCode& pattern, Value& value, Frame& frame) {
     if (pattern.kind == PatternKind::wildcard) return true;
     if (pattern.kind == PatternKind::name && !pattern.head) {
         frame[static_cast<std::size_t>(pattern.number)] = value;
         return true;
     }
-    const Value found = force(value);
+    const Value found = evaluate_in_place(value);
     switch (pattern.kind) {
         case PatternKind::name: {
             const bool bare = found->kind == Kind::dot && found->items.size() == 1;
@@ -221,7 +223,7 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
             bool matches = true;
             for (std::size_t i = 0; matches && i < pattern.args.size(); ++i) {
                 Value item = found->items[i];
-                matches = match(pattern.args[i], item, frame);
+                matches = match_pattern(pattern.args[i], item, frame);
             }
             return matches;
         }
@@ -233,13 +235,13 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
             if (!domains_.has_size(found, pattern.args.size())) return false;
             const Values& items = domains_.elements(found, {});
             Value item = items.empty() ? nullptr : items[0];
-            return items.empty() || match(pattern.args[0], item, frame);
+            return items.empty() || match_pattern(pattern.args[0], item, frame);
         }
         case PatternKind::dot:
             return match_dot(pattern, found, frame);
         case PatternKind::both: {
             Value again = found;
-            return match(pattern.args[0], again, frame) && match(pattern.args[1], again, frame);
+            return match_pattern(pattern.args[0], again, frame) && match_pattern(pattern.args[1], again, frame);
         }
         default:
             return false;
@@ -248,7 +250,7 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
 
 namespace {
 
-// The parts of p ^ q ^ r; sequence patterns have a fixed length, and at most one other part matches the rest.
+// Collects the parts of p ^ q ^ r. Sequence patterns have a fixed length, and at most one other part matches the rest.
 void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts) {
     if (pattern.kind != PatternKind::concat) return parts.push_back(&pattern);
     for (const MatchCode& arg : pattern.args) concat_parts(arg, parts);
@@ -256,17 +258,18 @@ void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts
 
 }  // namespace
 
-// <x, y> ^ rest removes elements from the front; a finite pattern does not match an infinite sequence.
+// Matches patterns such as <x, y> ^ rest by removing elements from the front. A finite pattern does not match an
+// infinite sequence.
 bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
     for (const MatchCode* part : parts) {
-        if (part->kind != PatternKind::sequence) return match(*part, value, frame);
+        if (part->kind != PatternKind::sequence) return match_pattern(*part, value, frame);
         for (const MatchCode& each : part->args) {
-            std::optional<ByNeed::Cut> cut = by_need_.next(value, {});
-            if (!cut || !match(each, cut->head, frame)) return false;
+            std::optional<ByNeed::Cut> cut = by_need_.split_first(value, {});
+            if (!cut || !match_pattern(each, cut->head, frame)) return false;
             value = cut->tail;
         }
     }
-    return !by_need_.next(value, {});
+    return !by_need_.split_first(value, {});
 }
 
 bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& frame) {
@@ -294,13 +297,13 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
         if (part->kind == PatternKind::sequence) {
             for (const MatchCode& each : part->args) {
                 Value item = value->items[at++];
-                if (!match(each, item, frame)) return false;
+                if (!match_pattern(each, item, frame)) return false;
             }
         } else {
             const auto first = value->items.begin() + static_cast<std::ptrdiff_t>(at);
             Value rest = store_.compound(Kind::sequence, 0, {first, first + static_cast<std::ptrdiff_t>(size - fixed)});
             at += size - fixed;
-            if (!match(*part, rest, frame)) return false;
+            if (!match_pattern(*part, rest, frame)) return false;
         }
     }
     return true;
@@ -340,7 +343,7 @@ bool Evaluator::match_dot(const MatchCode& pattern, Value value, Frame& frame) {
         if (count > 1) {
             Value several = joined({fields.begin(), end});
             fields.erase(fields.begin(), end);
-            if (!match(*parts[i], several, frame)) return false;
+            if (!match_pattern(*parts[i], several, frame)) return false;
             continue;
         }
         Value first = fields.front();
@@ -352,13 +355,13 @@ bool Evaluator::match_dot(const MatchCode& pattern, Value value, Frame& frame) {
                 first = inner.front();
             }
             if (first->kind != Kind::head || first->number != parts[i]->number) return false;
-        } else if (!match(*parts[i], first, frame)) {
+        } else if (!match_pattern(*parts[i], first, frame)) {
             return false;
         }
     }
     if (fields.empty()) return false;
     Value rest = joined(std::move(fields));
-    return match(*parts.back(), rest, frame);
+    return match_pattern(*parts.back(), rest, frame);
 }
 
 }  // namespace robochart::cspm

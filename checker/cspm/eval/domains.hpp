@@ -37,9 +37,9 @@ public:
     Value set_union(Value a, Value b, Span span);
     Value set_inter(Value a, Value b, Span span);
     Value set_diff(Value a, Value b, Span span);
-    bool subset(Value a, Value b, Span span);
+    bool is_subset(Value a, Value b, Span span);
     /// Equality of sets with different representations.
-    bool same(Value a, Value b, Span span);
+    bool are_equal_sets(Value a, Value b, Span span);
     Value explicit_set(Value set, Span span);
     /// The number of elements; largest_size if there are more; no value if the set is infinite.
     std::optional<std::uint64_t> size_of(Value set, Span span);
@@ -52,10 +52,10 @@ public:
     /// The set that a type expression denotes.
     Value type_set(Value type, Span span);
     /// Returns base.more: appends the fields of `more` to `base`, which lacks them.
-    Value combine(Value base, Value more, Span span);
+    Value append_fields(Value base, Value more, Span span);
     /// Appends to `out` the fields of `whole` after those of `part`, innermost first. Returns false if `whole` does not
     /// begin with `part`.
-    bool missing(Value whole, Value part, Values& out);
+    bool append_fields_after(Value whole, Value part, Values& out);
     Value extensions(Value value);
     Value one_field_extensions(Value value);
     Value productions(Value value);
@@ -64,19 +64,19 @@ public:
     /// The number of events of all channels; largest_size if there are more or infinitely many.
     std::uint64_t number_of_events();
     Value all_events();
-    process::Event event(Value value, Span span);
+    process::Event event_of(Value value, Span span);
     const process::EventSet& event_set(Value set, Span span);
 
 private:
-    Value united(const Values& sets, Span span);
+    Value make_union(const Values& sets, Span span);
     Value without_listed(std::int64_t from, const Values& taken, Span span);
-    Value subsets(Value set, Span span);
-    Value maps(Value keys, Value values, Span span);
+    Value list_subsets(Value set, Span span);
+    Value list_maps(Value keys, Value values, Span span);
     const Values& fields_of(int head);
     Values type_fields(Value type, Span span);
     Values rectangle(Value set, Span span);
     Value add_field(Value base, Value field, Span span);
-    bool complete(Value value);
+    bool is_complete(Value value);
     void check_field(Value field, Value allowed, Value whole, Span span);
     Values missing_fields(Value value);
     Value datatype_set(const Global& global);

@@ -89,21 +89,21 @@ Values Domains::rectangle(Value set, Span span) {
     return result;
 }
 
-bool Domains::complete(Value value) {
+bool Domains::is_complete(Value value) {
     if (!is_named(value)) return true;
     const std::size_t arity = fields_of(head_of(value)).size();
-    return value->items.size() - 1 == arity && complete(value->items.back());
+    return value->items.size() - 1 == arity && is_complete(value->items.back());
 }
 
 // Returns base.more: appends the fields of `more` to `base`, which lacks them.
-Value Domains::combine(Value base, Value more, Span span) {
+Value Domains::append_fields(Value base, Value more, Span span) {
     if (more->kind != Kind::dot || is_named(more)) return add_field(base, more, span);
-    for (const Value item : more->items) base = combine(base, item, span);
+    for (const Value item : more->items) base = append_fields(base, item, span);
     return base;
 }
 
 void Domains::check_field(Value field, Value allowed, Value whole, Span span) {
-    if (!complete(field)) return;
+    if (!is_complete(field)) return;
     if (!member_of(field, allowed, span)) {
         work_.fail(text_(field) + " is not a value of its field in " + text_(whole) + " (the field's type is " +
                        text_(allowed) + ")",
@@ -116,7 +116,7 @@ Value Domains::add_field(Value base, Value field, Span span) {
         const Values& fields = fields_of(head_of(base));
         const std::size_t count = base->items.size() - 1;
         Values items = base->items;
-        if (count > 0 && !complete(base->items.back())) {
+        if (count > 0 && !is_complete(base->items.back())) {
             items.back() = add_field(base->items.back(), field, span);
             const Value result = store_.dot(std::move(items));
             check_field(result->items.back(), fields[count - 1], result, span);
@@ -131,7 +131,7 @@ Value Domains::add_field(Value base, Value field, Span span) {
         return store_.dot({base, field});
     }
     Values items = base->kind == Kind::dot ? base->items : Values{base};
-    if (!items.empty() && is_named(items.back()) && !complete(items.back())) {
+    if (!items.empty() && is_named(items.back()) && !is_complete(items.back())) {
         items.back() = add_field(items.back(), field, span);
     } else {
         items.push_back(field);
@@ -143,7 +143,7 @@ Value Domains::add_field(Value base, Value field, Span span) {
 
 // Appends to `out` the fields of `whole` after those of `part`, innermost first. Returns false if `whole` does not
 // begin with `part`.
-bool Domains::missing(Value whole, Value part, Values& out) {
+bool Domains::append_fields_after(Value whole, Value part, Values& out) {
     if (whole == part) return true;
     if (!is_named(whole) || !is_named(part) || whole->items[0] != part->items[0]) return false;
     if (whole->items.size() < part->items.size()) return false;
@@ -153,7 +153,7 @@ bool Domains::missing(Value whole, Value part, Values& out) {
     }
     if (last > 0) {
         Values inner;
-        if (!missing(whole->items[last], part->items[last], inner)) return false;
+        if (!append_fields_after(whole->items[last], part->items[last], inner)) return false;
         if (inner.size() == 1) out.push_back(inner[0]);
         if (inner.size() > 1) out.push_back(store_.dot(std::move(inner)));
     }
@@ -167,11 +167,11 @@ Values Domains::missing_fields(Value value) {
     const Values& fields = fields_of(head_of(value));
     const std::size_t count = value->items.size() - 1;
     Values result;
-    if (count > 0 && !complete(value->items.back())) {
+    if (count > 0 && !is_complete(value->items.back())) {
         Values completions;
         for (const Value each : elements(fields[count - 1], {})) {
             Values rest;
-            if (!missing(each, value->items.back(), rest)) continue;
+            if (!append_fields_after(each, value->items.back(), rest)) continue;
             completions.push_back(rest.size() == 1 ? rest[0] : store_.dot(std::move(rest)));
         }
         result.push_back(store_.set(std::move(completions)));
@@ -184,7 +184,7 @@ Value Domains::extensions(Value value) {
     if (!is_named(value)) return store_.set({});
     if (const auto known = extensions_.find(value); known != extensions_.end()) return known->second;
     Value result = nullptr;
-    if (complete(value)) {
+    if (is_complete(value)) {
         result = store_.set({store_.dot({})});
     } else {
         const Values sets = missing_fields(value);
@@ -198,19 +198,19 @@ Value Domains::extensions(Value value) {
 // The values of ?x in the middle of a prefix: one field of the innermost incomplete value.
 Value Domains::one_field_extensions(Value value) {
     const Value nothing = store_.set({store_.dot({})});
-    if (!is_named(value) || complete(value)) return nothing;
+    if (!is_named(value) || is_complete(value)) return nothing;
     if (const auto known = one_field_extensions_.find(value); known != one_field_extensions_.end())
         return known->second;
     const Values& fields = fields_of(head_of(value));
     const std::size_t count = value->items.size() - 1;
     Value result = nullptr;
-    if (count == 0 || complete(value->items.back())) {
+    if (count == 0 || is_complete(value->items.back())) {
         result = explicit_set(fields[count], {});
     } else {
         Values next;
         for (const Value each : elements(fields[count - 1], {})) {
             Values rest;
-            if (!missing(each, value->items.back(), rest) || rest.empty()) continue;
+            if (!append_fields_after(each, value->items.back(), rest) || rest.empty()) continue;
             Value first = rest.front();
             while (first->kind == Kind::dot && !is_named(first) && !first->items.empty()) first = first->items.front();
             next.push_back(first);
@@ -226,13 +226,13 @@ Value Domains::productions(Value value) {
     Value result = nullptr;
     if (!is_named(value)) {
         work_.fail("productions of " + text_(value) + ", which is neither an event nor of a datatype", {});
-    } else if (complete(value)) {
+    } else if (is_complete(value)) {
         result = store_.set({value});
     } else {
         const Values& more = extensions(value)->items;
         Values items;
         items.reserve(more.size());
-        for (const Value each : more) items.push_back(combine(value, each, {}));
+        for (const Value each : more) items.push_back(append_fields(value, each, {}));
         result = store_.set(std::move(items));
     }
     productions_.emplace(value, result);
@@ -283,7 +283,7 @@ Value Domains::subtype_set(const Global& global) {
         Value fields = store_.set({store_.dot({})});
         if (fields_code != nullptr) fields = type_set(evaluate_(*fields_code, unit), global.function.span);
         for (const Value each : elements(fields, global.function.span)) {
-            const Values& all = productions(combine(head_value(head), each, global.function.span))->items;
+            const Values& all = productions(append_fields(head_value(head), each, global.function.span))->items;
             items.insert(items.end(), all.begin(), all.end());
         }
     }
@@ -318,12 +318,12 @@ Value Domains::all_events() {
     return all_events_;
 }
 
-process::Event Domains::event(Value value, Span span) {
+process::Event Domains::event_of(Value value, Span span) {
     if (const auto known = event_index_.find(value); known != event_index_.end()) return known->second;
     const bool channel = is_named(value) && program_.heads[static_cast<std::size_t>(head_of(value))].channel;
     if (!channel) work_.fail(text_(value) + " is not an event", span);
-    if (!complete(value)) work_.fail(text_(value) + " is not a complete event", span);
-    const process::Event result = events_.intern(text_.whole(value));
+    if (!is_complete(value)) work_.fail(text_(value) + " is not a complete event", span);
+    const process::Event result = events_.intern(text_.full_text(value));
     const auto [named, fresh] = event_values_.emplace(result, value);
     if (!fresh) work_.fail("two events are both called " + text_(value), span);
     event_index_.emplace(value, result);
@@ -333,7 +333,7 @@ process::Event Domains::event(Value value, Span span) {
 const process::EventSet& Domains::event_set(Value set, Span span) {
     if (const auto known = event_sets_.find(set); known != event_sets_.end()) return known->second;
     process::EventSet result;
-    for (const Value each : elements(set, span)) result.push_back(event(each, span));
+    for (const Value each : elements(set, span)) result.push_back(event_of(each, span));
     std::ranges::sort(result);
     return event_sets_.emplace(set, std::move(result)).first->second;
 }

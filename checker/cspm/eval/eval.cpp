@@ -20,7 +20,7 @@ bool is_process_operator(ExprKind kind) {
 }  // namespace
 
 Value Evaluator::eval(const Code& code, Frame& frame) {
-    work_.count(code.span);
+    work_.count_step(code.span);
     if (code.constant != nullptr) return code.constant;
     switch (code.kind) {
         case ExprKind::name:
@@ -46,9 +46,9 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
         case ExprKind::productions_comprehension:
             return eval_productions(code, frame);
         case ExprKind::dot: {
-            Value result = share(eval(*code.args[0], frame));
+            Value result = share_value(eval(*code.args[0], frame));
             for (std::size_t i = 1; i < code.args.size(); ++i) {
-                result = domains_.combine(result, share(eval(*code.args[i], frame)), code.span);
+                result = domains_.append_fields(result, share_value(eval(*code.args[i], frame)), code.span);
             }
             return result;
         }
@@ -59,11 +59,11 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
         case ExprKind::let:
             return eval_let(code, frame);
         case ExprKind::if_then_else:
-            return eval(*code.args[truth(*code.args[0], frame) ? 1 : 2], frame);
+            return eval(*code.args[eval_boolean(*code.args[0], frame) ? 1 : 2], frame);
         default:
             break;
     }
-    if (code.kind == ExprKind::guard && truth(*code.args[0], frame)) return eval(*code.args[1], frame);
+    if (code.kind == ExprKind::guard && eval_boolean(*code.args[0], frame)) return eval(*code.args[1], frame);
     if (is_process_operator(code.kind)) {
         const process::TermId made = process_evaluator_->process(code, frame);
         return store_.make(Kind::process, static_cast<std::int64_t>(made), {});
@@ -74,14 +74,14 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
 Values Evaluator::eval_all(const Code& code, Frame& frame) {
     Values result;
     result.reserve(code.args.size());
-    for (const Code* arg : code.args) result.push_back(share(eval(*arg, frame)));
+    for (const Code* arg : code.args) result.push_back(share_value(eval(*arg, frame)));
     return result;
 }
 
 Values Evaluator::promise_all(const Code& code, Frame& frame) {
     Values result;
     result.reserve(code.args.size());
-    for (const Code* arg : code.args) result.push_back(promise(*arg, frame));
+    for (const Code* arg : code.args) result.push_back(promise_part(*arg, frame));
     return result;
 }
 
@@ -89,11 +89,11 @@ Value Evaluator::eval_name(const Code& code, Frame& frame) {
     const auto slot = static_cast<std::size_t>(code.slot);
     switch (code.reference) {
         case Reference::local:
-            return force(frame[slot]);
+            return evaluate_in_place(frame[slot]);
         case Reference::member:
-            return member(static_cast<const GroupObject&>(*frame[slot]), code.index, code.span);
+            return member_value(static_cast<const GroupObject&>(*frame[slot]), code.index, code.span);
         case Reference::global:
-            return global(code.slot, code.span);
+            return global_value(code.slot, code.span);
         case Reference::head:
             return domains_.head_value(code.slot);
         case Reference::builtin:
@@ -104,7 +104,7 @@ Value Evaluator::eval_name(const Code& code, Frame& frame) {
     work_.fail("a name without a meaning", code.span);
 }
 
-Value Evaluator::force(Value& value) {
+Value Evaluator::evaluate_in_place(Value& value) {
     if (value->kind != Kind::thunk) return value;
     const auto& thunk = static_cast<const Thunk&>(*value);
     if (thunk.result == nullptr) {
@@ -118,7 +118,7 @@ Value Evaluator::force(Value& value) {
 }
 
 // Evaluates an argument at once if that is cheap and cannot fail; otherwise returns a thunk.
-Value Evaluator::delay(const Code& code, Frame& frame) {
+Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)
         return frame[static_cast<std::size_t>(code.slot)];
@@ -129,7 +129,7 @@ Value Evaluator::delay(const Code& code, Frame& frame) {
 // Evaluates a part of a value at once if that takes little work, because it may never be needed. If the work limit is
 // reached, the current evaluations are completed with unevaluated parts. If that takes too long too, the whole part
 // stays unevaluated.
-Value Evaluator::promise(const Code& code, Frame& frame) {
+Value Evaluator::promise_part(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)
@@ -141,21 +141,21 @@ Value Evaluator::promise(const Code& code, Frame& frame) {
         return eval(code, frame);
     } catch (const EvaluationError&) {  // the error occurs again when the value is needed
     } catch (const GivenUp&) {
-        if (!speculation.outermost()) throw;
+        if (!speculation.is_outermost()) throw;
         ++code.too_long;
     }
     return store_.thunk(code, frame);
 }
 
 // Returns the shared object that is equal to a value. Evaluates what the value captures.
-Value Evaluator::share(Value value) {
+Value Evaluator::share_value(Value value) {
     if (value->shared) return value;
-    if (value->kind == Kind::thunk) return share(force(value));
-    work_.count({});
+    if (value->kind == Kind::thunk) return share_value(evaluate_in_place(value));
+    work_.count_step({});
     if (value->kind == Kind::stream) return by_need_.share_stream(value);
     Values items;
     items.reserve(value->items.size());
-    for (const Value item : value->items) items.push_back(share(item));
+    for (const Value item : value->items) items.push_back(share_value(item));
     if (value->kind == Kind::group) {
         const std::size_t members = static_cast<const GroupObject&>(*value).known.size();
         return store_.shared_group(*value->group, std::move(items), members);
@@ -163,13 +163,13 @@ Value Evaluator::share(Value value) {
     return store_.make(value->kind, value->number, std::move(items), value->function, value->group);
 }
 
-bool Evaluator::truth(const Code& code, Frame& frame) {
+bool Evaluator::eval_boolean(const Code& code, Frame& frame) {
     const Value value = eval(code, frame);
     if (value->kind != Kind::boolean) work_.fail("expected a truth value, found " + text_(value), code.span);
     return value->number != 0;
 }
 
-std::int64_t Evaluator::number(const Code& code, Frame& frame) {
+std::int64_t Evaluator::eval_number(const Code& code, Frame& frame) {
     const Value value = eval(code, frame);
     if (value->kind != Kind::integer) work_.fail("expected a number, found " + text_(value), code.span);
     return value->number;
@@ -204,13 +204,13 @@ Value Evaluator::eval_apply(const Code& code, Frame& frame) {
     const auto which = builtin ? static_cast<Builtin>(function->number) : Builtin::true_;
     const bool by_need = builtin && takes_by_need(which);
     for (std::size_t i = 1; i < code.args.size(); ++i) {
-        const bool second_set = (which == Builtin::inter || which == Builtin::diff) && i == 2;  // see ByNeed::call
+        const bool second_set = (which == Builtin::inter || which == Builtin::diff) && i == 2;  // see ByNeed
         if (by_need)
-            arguments.push_back(promise(*code.args[i], frame));
+            arguments.push_back(promise_part(*code.args[i], frame));
         else if (builtin && !second_set)
-            arguments.push_back(share(eval(*code.args[i], frame)));
+            arguments.push_back(share_value(eval(*code.args[i], frame)));
         else
-            arguments.push_back(delay(*code.args[i], frame));
+            arguments.push_back(delay_argument(*code.args[i], frame));
     }
     return call(function, std::move(arguments), code.span);
 }
@@ -227,11 +227,11 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
         case ExprKind::modulus:
             return eval_arithmetic(code, frame);
         case ExprKind::logical_not:
-            return store_.boolean(!truth(*code.args[0], frame));
+            return store_.boolean(!eval_boolean(*code.args[0], frame));
         case ExprKind::logical_and:
-            return store_.boolean(truth(*code.args[0], frame) && truth(*code.args[1], frame));
+            return store_.boolean(eval_boolean(*code.args[0], frame) && eval_boolean(*code.args[1], frame));
         case ExprKind::logical_or:
-            return store_.boolean(truth(*code.args[0], frame) || truth(*code.args[1], frame));
+            return store_.boolean(eval_boolean(*code.args[0], frame) || eval_boolean(*code.args[1], frame));
         case ExprKind::concat:
             return eval_concat(code, frame);
         case ExprKind::length: {
@@ -250,7 +250,7 @@ Value Evaluator::eval_concat(const Code& code, Frame& frame) {
         work_.fail("expected a sequence, found " + text_(left), code.span);
     if (is_infinite(left)) return left;
     if (left->kind == Kind::sequence && left->items.empty()) return eval(*code.args[1], frame);
-    return by_need_.append(left, promise(*code.args[1], frame));
+    return by_need_.append(left, promise_part(*code.args[1], frame));
 }
 
 namespace {
@@ -269,8 +269,8 @@ std::int64_t floor_modulus(std::int64_t a, std::int64_t b) {
 }  // namespace
 
 Value Evaluator::eval_arithmetic(const Code& code, Frame& frame) {
-    const std::int64_t a = number(*code.args[0], frame);
-    const std::int64_t b = code.args.size() > 1 ? number(*code.args[1], frame) : 0;
+    const std::int64_t a = eval_number(*code.args[0], frame);
+    const std::int64_t b = code.args.size() > 1 ? eval_number(*code.args[1], frame) : 0;
     std::int64_t result = 0;
     bool overflow = false;
     switch (code.kind) {
@@ -301,17 +301,17 @@ Value Evaluator::eval_comparison(const Code& code, Frame& frame) {
     const Value b = eval(*code.args[1], frame);
     switch (code.kind) {
         case ExprKind::equal:
-            return store_.boolean(by_need_.equal(a, b, code.span));
+            return store_.boolean(by_need_.are_equal(a, b, code.span));
         case ExprKind::not_equal:
-            return store_.boolean(!by_need_.equal(a, b, code.span));
+            return store_.boolean(!by_need_.are_equal(a, b, code.span));
         case ExprKind::less_equal:
-            return store_.boolean(by_need_.less_equal(a, b, code.span));
+            return store_.boolean(by_need_.is_less_or_equal(a, b, code.span));
         case ExprKind::greater_equal:
-            return store_.boolean(by_need_.less_equal(b, a, code.span));
+            return store_.boolean(by_need_.is_less_or_equal(b, a, code.span));
         case ExprKind::less:
-            return store_.boolean(by_need_.less(a, b, code.span));
+            return store_.boolean(by_need_.is_less(a, b, code.span));
         case ExprKind::greater:
-            return store_.boolean(by_need_.less(b, a, code.span));
+            return store_.boolean(by_need_.is_less(b, a, code.span));
         default:
             work_.not_supported("this expression", code.span);
     }
@@ -323,7 +323,7 @@ Value Evaluator::eval_map(const Code& code, Frame& frame) {
     Values result = by_need_.map_items(builtins_.value(Builtin::empty_map, nullptr), code.span);
     Value map = store_.make(Kind::map, 0, std::move(result));
     for (std::size_t i = 0; i + 1 < code.args.size(); i += 2) {
-        Values arguments{map, share(eval(*code.args[i], frame)), promise(*code.args[i + 1], frame)};
+        Values arguments{map, share_value(eval(*code.args[i], frame)), promise_part(*code.args[i + 1], frame)};
         map = by_need_.map_builtin(Builtin::map_update, arguments, code.span);
     }
     return map;
@@ -331,9 +331,9 @@ Value Evaluator::eval_map(const Code& code, Frame& frame) {
 
 Value Evaluator::eval_range(const Code& code, Frame& frame) {
     const bool set = code.kind == ExprKind::set_range || code.kind == ExprKind::set_range_comprehension;
-    const std::int64_t first = number(*code.args[0], frame);
+    const std::int64_t first = eval_number(*code.args[0], frame);
     if (code.args[1] == nullptr) return store_.make(set ? Kind::integers_from : Kind::sequence_from, first, {});
-    const std::int64_t last = number(*code.args[1], frame);
+    const std::int64_t last = eval_number(*code.args[1], frame);
     Values items;
     if (last >= first) {
         const auto count = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
@@ -352,7 +352,7 @@ void Evaluator::for_each(const Code& code, const std::vector<ClauseCode>& clause
     if (from == clauses.size()) return use(frame);
     const ClauseCode& clause = clauses[from];
     if (!clause.generator) {
-        if (truth(*clause.value, frame)) for_each(code, clauses, from + 1, frame, use);
+        if (eval_boolean(*clause.value, frame)) for_each(code, clauses, from + 1, frame, use);
         return;
     }
     generate(code, clauses, from, eval(*clause.value, frame), frame, use);
@@ -365,11 +365,11 @@ void Evaluator::generate(const Code& code, const std::vector<ClauseCode>& clause
         work_.not_supported("a generator over an infinite sequence, other than the first of a sequence comprehension,",
                             clause.value->span);
     if (is_stream(source)) source = by_need_.written_out(source, clause.value->span);
-    if (source->kind != Kind::sequence) source = domains_.explicit_set(share(source), clause.value->span);
+    if (source->kind != Kind::sequence) source = domains_.explicit_set(share_value(source), clause.value->span);
     const Values items = source->items;
     for (Value item : items) {
-        work_.count(code.span);
-        if (match(clause.pattern, item, frame)) for_each(code, clauses, from + 1, frame, use);
+        work_.count_step(code.span);
+        if (match_pattern(clause.pattern, item, frame)) for_each(code, clauses, from + 1, frame, use);
     }
 }
 
@@ -390,7 +390,7 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
             const Values more = by_need_.sequence(eval_range(code, inside), code.span);
             items.insert(items.end(), more.begin(), more.end());
         } else {
-            for (const Code* arg : code.args) items.push_back(share(eval(*arg, inside)));
+            for (const Code* arg : code.args) items.push_back(share_value(eval(*arg, inside)));
         }
         if (items.size() > max_elements) work_.fail("more than 5000000 elements", code.span);
     };
@@ -404,29 +404,29 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
 Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     std::size_t first = 0;
     for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)
-        if (!truth(*code.clauses[first].value, frame)) return store_.sequence({});
+        if (!eval_boolean(*code.clauses[first].value, frame)) return store_.sequence({});
     if (first == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
     const ClauseCode& clause = code.clauses[first];
     Value source = eval(*clause.value, frame);
-    if (is_stream(source)) return by_need_.stream(store_.sequence({}), source, {&code, first}, frame);
-    if (source->kind != Kind::sequence) source = domains_.explicit_set(share(source), clause.value->span);
+    if (is_stream(source)) return by_need_.make_stream(store_.sequence({}), source, {&code, first}, frame);
+    if (source->kind != Kind::sequence) source = domains_.explicit_set(share_value(source), clause.value->span);
     const Values all = source->items;
     Values items;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::size_t before = items.size();
         try {
-            work_.count(code.span);
+            work_.count_step(code.span);
             Value item = all[i];
-            if (!match(clause.pattern, item, frame)) continue;
+            if (!match_pattern(clause.pattern, item, frame)) continue;
             for_each(code, code.clauses, first + 1, frame, [&](Frame& inside) {
-                for (const Code* arg : code.args) items.push_back(promise(*arg, inside));
+                for (const Code* arg : code.args) items.push_back(promise_part(*arg, inside));
             });
         } catch (const EvaluationError&) {
             if (work_.used_up()) throw;
             items.resize(before);
             const auto rest = all.begin() + static_cast<std::ptrdiff_t>(i);
-            return by_need_.stream(store_.compound(Kind::sequence, 0, std::move(items)),
-                                   store_.compound(Kind::sequence, 0, {rest, all.end()}), {&code, first}, frame);
+            return by_need_.make_stream(store_.compound(Kind::sequence, 0, std::move(items)),
+                                        store_.compound(Kind::sequence, 0, {rest, all.end()}), {&code, first}, frame);
         }
         if (items.size() > max_elements) work_.fail("more than 5000000 elements", code.span);
     }
@@ -438,18 +438,18 @@ Value Evaluator::comprehension_from(const Code& code, std::size_t clause, Frame&
     if (clause == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
     const ClauseCode& next = code.clauses[clause];
     if (!next.generator)
-        return truth(*next.value, frame) ? comprehension_from(code, clause + 1, frame) : store_.sequence({});
+        return eval_boolean(*next.value, frame) ? comprehension_from(code, clause + 1, frame) : store_.sequence({});
     Value source = eval(*next.value, frame);
     if (source->kind != Kind::sequence && !is_stream(source))
-        source = store_.sequence(domains_.elements(share(source), next.value->span));
-    return by_need_.stream(store_.sequence({}), source, {&code, clause}, frame);
+        source = store_.sequence(domains_.elements(share_value(source), next.value->span));
+    return by_need_.make_stream(store_.sequence({}), source, {&code, clause}, frame);
 }
 
 Value Evaluator::eval_productions(const Code& code, Frame& frame) {
     Values items;
     for_each(code, code.clauses, 0, frame, [&](Frame& inside) {
         for (const Code* arg : code.args) {
-            const Values& more = domains_.productions(share(eval(*arg, inside)))->items;
+            const Values& more = domains_.productions(share_value(eval(*arg, inside)))->items;
             if (items.empty())
                 items = more;
             else

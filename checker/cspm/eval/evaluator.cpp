@@ -18,7 +18,7 @@ Evaluator::Evaluator(Program& program, ValueStore& store, process::EventTable& e
       domains_(program, store, events, work_,
                [this](const Code& type, const Unit& unit) {
                    Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-                   return share(eval(type, frame));
+                   return share_value(eval(type, frame));
                }),
       processes_(store, events, terms, domains_, work_, program),
       builtins_(program, store, events, terms, work_, domains_, processes_),
@@ -38,7 +38,7 @@ std::string Evaluator::print(const Code& code, const Unit& unit) {
     on_deep_stack([&] {
         const Work::Question question(work_);
         Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-        result = text_.whole(share(eval(code, frame)));
+        result = text_.full_text(share_value(eval(code, frame)));
     });
     return result;
 }
@@ -58,11 +58,11 @@ process::EventSet Evaluator::event_set(const Code& code, const Unit& unit) {
     on_deep_stack([&] {
         const Work::Question question(work_);
         Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-        const Value value = share(eval(code, frame));
+        const Value value = share_value(eval(code, frame));
         if (is_set(value))
             result = domains_.event_set(value, code.span);
         else
-            result = {domains_.event(value, code.span)};
+            result = {domains_.event_of(value, code.span)};
     });
     return result;
 }
@@ -81,15 +81,15 @@ std::vector<process::Event> Evaluator::trace(const Code& code, const Unit& unit)
     on_deep_stack([&] {
         const Work::Question question(work_);
         Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-        for (const Value each : by_need_.sequence(share(eval(code, frame)), code.span))
-            result.push_back(domains_.event(each, code.span));
+        for (const Value each : by_need_.sequence(share_value(eval(code, frame)), code.span))
+            result.push_back(domains_.event_of(each, code.span));
     });
     return result;
 }
 
 process::TermId Evaluator::tau_priority(process::TermId term, process::EventSet over) {
-    const process::OrderId order = terms_.order({{}, std::move(over)});
-    return processes_.make(process::Op::prioritise, {term}, static_cast<std::uint32_t>(order));
+    const process::OrderId order = terms_.intern_order({{}, std::move(over)});
+    return processes_.make_term(process::Op::prioritise, {term}, static_cast<std::uint32_t>(order));
 }
 
 }  // namespace robochart::cspm

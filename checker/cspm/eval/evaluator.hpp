@@ -45,12 +45,12 @@ public:
 
     // Entry points; they must only be called from outside.
     /// `poll` is called regularly during evaluation; it may throw to stop it. Empty: none.
-    void watch(std::function<void()> poll) {
-        store_.watch(poll);
-        work_.watch(std::move(poll));
+    void set_poll(std::function<void()> poll) {
+        store_.set_poll(poll);
+        work_.set_poll(std::move(poll));
     }
     /// Sets the observer of calls of some functions; must be called before anything is evaluated.
-    void observe(CallObserver observer) { observer_ = std::move(observer); }
+    void set_observer(CallObserver observer) { observer_ = std::move(observer); }
     /// The definition for a call (process::Op::call); unknown for built-in functions.
     [[nodiscard]] Span place_of_call(std::uint32_t call) const { return processes_.place_of_call(call); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
@@ -82,22 +82,22 @@ public:
     Value eval_name(const Code& code, Frame& frame);
     Value eval_apply(const Code& code, Frame& frame);
     /// Evaluates the value and replaces the thunk by the result.
-    Value force(Value& value);
-    Value forced(Value value) { return force(value); }
+    Value evaluate_in_place(Value& value);
+    Value evaluated_value(Value value) { return evaluate_in_place(value); }
     /// Returns the sequence that the clauses of a comprehension from index `clause` on generate.
     Value comprehension_from(const Code& code, std::size_t clause, Frame& frame);
     /// Returns the value with all its parts evaluated.
-    Value share(Value value);
-    bool truth(const Code& code, Frame& frame);
+    Value share_value(Value value);
+    bool eval_boolean(const Code& code, Frame& frame);
     /// Calls `use` for everything that the clauses from index `from` on generate.
     void for_each(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Frame& frame,
                   const Use& use);
     const GroupObject* open_let(const Code& code, Frame& frame);
     Value call(Value function, Values arguments, Span span);
     /// Returns the clause whose patterns match the arguments. Sets its variables in `frame`.
-    const FunctionClause& choose(const Function& function, const Values& environment, Values& arguments, Frame& frame,
-                                 Span span);
-    bool match(const MatchCode& pattern, Value& value, Frame& frame);
+    const FunctionClause& choose_clause(const Function& function, const Values& environment, Values& arguments,
+                                        Frame& frame, Span span);
+    bool match_pattern(const MatchCode& pattern, Value& value, Frame& frame);
 
 private:
     // eval.cpp: expressions
@@ -113,23 +113,23 @@ private:
     Value eval_concat(const Code& code, Frame& frame);
     Value eval_let(const Code& code, Frame& frame);
     Value eval_lambda(const Code& code, Frame& frame);
-    Value delay(const Code& code, Frame& frame);
-    Value promise(const Code& code, Frame& frame);
+    Value delay_argument(const Code& code, Frame& frame);
+    Value promise_part(const Code& code, Frame& frame);
     Values eval_all(const Code& code, Frame& frame);
     Values promise_all(const Code& code, Frame& frame);
-    std::int64_t number(const Code& code, Frame& frame);
+    std::int64_t eval_number(const Code& code, Frame& frame);
     void generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
                   Frame& frame, const Use& use);
 
     // calls.cpp: functions, constants, groups
-    Value run(const Function& function, const Values& environment, Values& arguments, Span span);
-    void tell(const Function& function, const Values& arguments, Value result, Span span);
-    void install(const Unit& unit, const Function& function, const Values& environment, Frame& frame);
-    Value member(const GroupObject& group, int index, Span span);
+    Value run_function(const Function& function, const Values& environment, Values& arguments, Span span);
+    void report_call(const Function& function, const Values& arguments, Value result, Span span);
+    void fill_frame(const Unit& unit, const Function& function, const Values& environment, Frame& frame);
+    Value member_value(const GroupObject& group, int index, Span span);
     Value member_constant(const GroupObject& group, const Member& member);
-    Value global(int index, Span span);
+    Value global_value(int index, Span span);
     Value global_constant(Global& global);
-    Value component(const FunctionClause& whole, Value value, int slot, Span span);
+    Value component_value(const FunctionClause& whole, Value value, int slot, Span span);
     Value constant_body(const Function& function, const Values& environment, Span span);
     bool match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame);
     bool match_sequence(const MatchCode& pattern, Value value, Frame& frame);

@@ -16,8 +16,8 @@ process::TermId ProcessEvaluator::unfold(std::uint32_t call) {
         const Value function = key->items[0];
         Values arguments(key->items.begin() + 1, key->items.end());
         if (function->kind == Kind::builtin) {  // loop(P) = P; loop(P)
-            const process::TermId body = processes_.term(arguments.at(0), {});
-            result = processes_.make(process::Op::sequential, {body, processes_.call(function, arguments)});
+            const process::TermId body = processes_.term_of(arguments.at(0), {});
+            result = processes_.make_term(process::Op::sequential, {body, processes_.make_call(function, arguments)});
             return;
         }
         const Function& definition = *function->function;
@@ -26,7 +26,7 @@ process::TermId ProcessEvaluator::unfold(std::uint32_t call) {
         Values all(function->items.begin() + static_cast<std::ptrdiff_t>(definition.environment),
                    function->items.end());
         all.insert(all.end(), arguments.begin(), arguments.end());
-        const FunctionClause& clause = values_.choose(definition, function->items, all, frame, definition.span);
+        const FunctionClause& clause = values_.choose_clause(definition, function->items, all, frame, definition.span);
         result = process(*clause.body, frame);
     });
     return result;
@@ -37,7 +37,7 @@ std::vector<process::Branch> ProcessEvaluator::branches(std::uint32_t prefix) {
     on_deep_stack([&] {
         const Work::Question question(work_);
         const auto [kind, key] = processes_.prefix_key(prefix);
-        const auto self = processes_.make(process::Op::prefix, {}, prefix);
+        const auto self = processes_.make_term(process::Op::prefix, {}, prefix);
         switch (kind) {
             case PrefixKind::script:
                 result = script_branches(key);
@@ -47,8 +47,8 @@ std::vector<process::Branch> ProcessEvaluator::branches(std::uint32_t prefix) {
                 break;
             case PrefixKind::waiting: {
                 const auto tock = static_cast<process::Event>(key->items[0]->number);
-                const process::TermId then = processes_.term(key->items[2], {});
-                result = {{tock, processes_.waiting(tock, key->items[1]->number - 1, then)}};
+                const process::TermId then = processes_.term_of(key->items[2], {});
+                result = {{tock, processes_.make_wait(tock, key->items[1]->number - 1, then)}};
                 break;
             }
             case PrefixKind::stopped:  // STOP of a timed section: time passes
@@ -56,7 +56,8 @@ std::vector<process::Branch> ProcessEvaluator::branches(std::uint32_t prefix) {
                 break;
             case PrefixKind::skipping:  // SKIP of a timed section: SKIP [] tock -> itself
                 result = {{static_cast<process::Event>(key->items[0]->number),
-                           processes_.make(process::Op::external_choice, {self, processes_.make(process::Op::skip)})}};
+                           processes_.make_term(process::Op::external_choice,
+                                                {self, processes_.make_term(process::Op::skip)})}};
                 break;
             case PrefixKind::buffer:
                 result = buffer_branches(key);
@@ -65,7 +66,7 @@ std::vector<process::Branch> ProcessEvaluator::branches(std::uint32_t prefix) {
         // A prefix in a timed section lets time pass (semantics 3.10).
         if (kind == PrefixKind::script) {
             const Code& code = *program_.prefixes[static_cast<std::size_t>(key->items[0]->number)];
-            if (code.timed != nullptr) result.push_back({processes_.tock(*code.timed), self});
+            if (code.timed != nullptr) result.push_back({processes_.tock_event(*code.timed), self});
         }
     });
     return result;
@@ -79,7 +80,7 @@ std::string ProcessEvaluator::describe_call(std::uint32_t call) const {
     for (std::size_t i = 1; i < key->items.size(); ++i) {
         result += i == 1 ? "(" : ",";
         const bool unread = definition != nullptr && i <= definition->unread.size() && definition->unread[i - 1];
-        result += unread ? "_" : text_(key->items[i]);  // all values are equivalent (process_terms.cpp: call)
+        result += unread ? "_" : text_(key->items[i]);  // all values are equivalent (process_terms.cpp)
     }
     return result + ")";
 }

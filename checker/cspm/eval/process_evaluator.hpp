@@ -55,17 +55,19 @@ private:
     process::TermId process_rename(const Code& code, Frame& frame);
     process::TermId process_linked(const Code& code, Frame& frame);
     process::TermId process_replicated_linked(const Code& code, Frame& frame);
-    std::vector<process::EventPair> ties(const Code& code, const std::vector<ClauseCode>& clauses, Frame& frame);
-    void collect(const Code& code, ExprKind kind, Frame& frame, std::vector<process::TermId>& out);
-    std::int64_t duration(TimedSection& timed, Value event, Span span);
+    std::vector<process::EventPair> linked_events(const Code& code, const std::vector<ClauseCode>& clauses,
+                                                  Frame& frame);
+    void collect_operands(const Code& code, ExprKind kind, Frame& frame, std::vector<process::TermId>& out);
+    std::int64_t event_duration(TimedSection& timed, Value event, Span span);
 
     // prefixes.cpp
-    process::TermId prefix(const Code& code, Frame& frame);
+    process::TermId process_prefix(const Code& code, Frame& frame);
     void choose_fields(const Code& code, std::size_t field, Value base, Frame& frame,
                        std::vector<process::TermId>& out);
-    void perform(const Code& code, std::size_t field, Value base, Frame& frame, std::vector<process::Branch>& out);
+    void perform_fields(const Code& code, std::size_t field, Value base, Frame& frame,
+                        std::vector<process::Branch>& out);
     using Reach = std::function<void(Value)>;
-    void input(const Code& code, std::size_t field, Value base, Frame& frame, const Reach& reach);
+    void input_field(const Code& code, std::size_t field, Value base, Frame& frame, const Reach& reach);
     void input_parts(const Code& code, std::size_t field, std::size_t part, Value base, Frame& frame,
                      const Reach& reach);
     std::vector<process::Branch> script_branches(Value key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes as terms. A call is a term named by its function and arguments, a prefix one named by its place in the
-// script and the values that it uses; both are evaluated only when the search needs them (evaluator.hpp).
+// Represents processes as terms. A call is named by its function and arguments, and a prefix by its place in the script
+// and the values that it uses. Both are evaluated only when the search needs them (evaluator.hpp).
 #pragma once
 
 #include <cstdint>
@@ -31,23 +31,23 @@ public:
                  const Work& work, const Program& program)
         : store_(store), events_(events), terms_(terms), domains_(domains), work_(work), text_(program) {}
 
-    process::TermId make(process::Op op, std::vector<process::TermId> children = {}, std::uint32_t payload = 0);
+    process::TermId make_term(process::Op op, std::vector<process::TermId> children = {}, std::uint32_t payload = 0);
     /// The operator over the children; a single child is returned unchanged.
-    process::TermId many(process::Op op, std::vector<process::TermId> children, std::uint32_t payload = 0);
+    process::TermId make_operator(process::Op op, std::vector<process::TermId> children, std::uint32_t payload = 0);
     /// The process that the value denotes.
-    process::TermId term(Value value, Span span);
-    process::TermId call(Value function, const Values& arguments);
-    process::TermId prefix(PrefixKind kind, Values key);
+    process::TermId term_of(Value value, Span span);
+    process::TermId make_call(Value function, const Values& arguments);
+    process::TermId make_prefix(PrefixKind kind, Values key);
     /// Linked parallel: `ties` are pairs of an event of the left and one of the right process.
-    process::TermId link(process::TermId left, process::TermId right, const std::vector<process::EventPair>& ties,
-                         Span span);
+    process::TermId make_linked(process::TermId left, process::TermId right,
+                                const std::vector<process::EventPair>& ties, Span span);
 
     // Timed sections (semantics 3.10).
-    process::Event tock(const TimedSection& timed);
+    process::Event tock_event(const TimedSection& timed);
     process::SetId tock_set(const TimedSection& timed);
-    process::TermId stop(const TimedSection* timed);
-    process::TermId skip(const TimedSection* timed);
-    process::TermId waiting(process::Event tock, std::int64_t ticks, process::TermId then);
+    process::TermId make_stop(const TimedSection* timed);
+    process::TermId make_skip(const TimedSection* timed);
+    process::TermId make_wait(process::Event tock, std::int64_t ticks, process::TermId then);
 
     /// A tuple: function, arguments...
     [[nodiscard]] Value call_key(std::uint32_t call) const { return calls_[call]; }

@@ -10,11 +10,11 @@ namespace robochart::cspm {
 using process::Op;
 using process::TermId;
 
-std::int64_t ProcessEvaluator::duration(TimedSection& timed, Value event, Span span) {
+std::int64_t ProcessEvaluator::event_duration(TimedSection& timed, Value event, Span span) {
     if (timed.duration == nullptr) return 1;
     if (timed.duration_value == nullptr) {
         Frame frame(static_cast<std::size_t>(timed.unit->size), nullptr);
-        timed.duration_value = values_.share(values_.eval(*timed.duration, frame));
+        timed.duration_value = values_.share_value(values_.eval(*timed.duration, frame));
     }
     const Value result = values_.call(timed.duration_value, {event}, span);
     if (result->kind != Kind::integer || result->number < 0) {
@@ -24,29 +24,30 @@ std::int64_t ProcessEvaluator::duration(TimedSection& timed, Value event, Span s
 }
 
 process::SetId ProcessEvaluator::set_id(const Code& code, Frame& frame) {
-    const Value set = values_.share(values_.eval(code, frame));
+    const Value set = values_.share_value(values_.eval(code, frame));
     if (!is_set(set)) work_.fail("expected a set of events, found " + text_(set), code.span);
-    return terms_.set(domains_.event_set(set, code.span));
+    return terms_.intern_set(domains_.event_set(set, code.span));
 }
 
 // ---------------------------------------------------------------- calls
 
 TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
-    work_.count(code.span);
+    work_.count_step(code.span);
     switch (code.kind) {
         case ExprKind::name:
             return process_name(code, frame);
         case ExprKind::apply:
             return process_apply(code, frame);
         case ExprKind::if_then_else:
-            return process(*code.args[values_.truth(*code.args[0], frame) ? 1 : 2], frame);
+            return process(*code.args[values_.eval_boolean(*code.args[0], frame) ? 1 : 2], frame);
         case ExprKind::let:
             values_.open_let(code, frame);
             return process(*code.args[0], frame);
         case ExprKind::prefix:
-            return prefix(code, frame);
+            return process_prefix(code, frame);
         case ExprKind::guard:
-            return values_.truth(*code.args[0], frame) ? process(*code.args[1], frame) : processes_.stop(code.timed);
+            return values_.eval_boolean(*code.args[0], frame) ? process(*code.args[1], frame)
+                                                              : processes_.make_stop(code.timed);
         case ExprKind::rename:
             return process_rename(code, frame);
         case ExprKind::linked:
@@ -60,7 +61,7 @@ TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
         return process_replicated(code, frame);
     }
     if (code.kind >= ExprKind::external_choice && code.kind <= ExprKind::project) return process_operator(code, frame);
-    return processes_.term(values_.eval(code, frame), code.span);
+    return processes_.term_of(values_.eval(code, frame), code.span);
 }
 
 // A constant that occurs as a process becomes a term by name. It is not evaluated, so recursion stays finite.
@@ -69,46 +70,46 @@ TermId ProcessEvaluator::process_name(const Code& code, Frame& frame) {
         const auto& group = static_cast<const GroupObject&>(*frame[static_cast<std::size_t>(code.slot)]);
         const Member& member = group.group->members[static_cast<std::size_t>(code.index)];
         if (member.function.groups.empty() && member.component_of < 0) {
-            const Value environment = values_.share(&group);
-            return processes_.call(store_.make(Kind::function, 0, {environment}, &member.function), {});
+            const Value environment = values_.share_value(&group);
+            return processes_.make_call(store_.make(Kind::function, 0, {environment}, &member.function), {});
         }
     }
     if (code.reference == Reference::global) {
         const Global& global = program_.globals[static_cast<std::size_t>(code.slot)];
         if (global.kind == GlobalKind::function && global.function.groups.empty()) {
-            return processes_.call(store_.make(Kind::function, 0, {}, &global.function), {});
+            return processes_.make_call(store_.make(Kind::function, 0, {}, &global.function), {});
         }
     }
-    return processes_.term(values_.eval_name(code, frame), code.span);
+    return processes_.term_of(values_.eval_name(code, frame), code.span);
 }
 
 TermId ProcessEvaluator::process_apply(const Code& code, Frame& frame) {
-    const Value function = values_.share(values_.eval(*code.args[0], frame));
-    if (function->kind != Kind::function) return processes_.term(values_.eval_apply(code, frame), code.span);
+    const Value function = values_.share_value(values_.eval(*code.args[0], frame));
+    if (function->kind != Kind::function) return processes_.term_of(values_.eval_apply(code, frame), code.span);
     const Function& definition = *function->function;
     Values arguments;
     try {
         for (std::size_t i = 1; i < code.args.size(); ++i)
-            arguments.push_back(values_.share(values_.eval(*code.args[i], frame)));
+            arguments.push_back(values_.share_value(values_.eval(*code.args[i], frame)));
     } catch (const EvaluationError&) {
         // A call of a process is named by its arguments, so they must have values. Other functions may not need all of
         // their arguments.
         if (shape_.makes_process(definition)) throw;
-        return processes_.term(values_.eval_apply(code, frame), code.span);
+        return processes_.term_of(values_.eval_apply(code, frame), code.span);
     }
     std::size_t total = 0;
     for (const std::size_t group : definition.groups) total += group;
     const std::size_t given = function->items.size() - definition.environment;
     const bool last =
         !definition.groups.empty() && given + arguments.size() == total && definition.groups.back() == arguments.size();
-    if (!last) return processes_.term(values_.call(function, std::move(arguments), code.span), code.span);
-    return processes_.call(function, arguments);
+    if (!last) return processes_.term_of(values_.call(function, std::move(arguments), code.span), code.span);
+    return processes_.make_call(function, arguments);
 }
 
 // ---------------------------------------------------------------- operators
 
 // Operands of a chain P op Q op R, left to right.
-void ProcessEvaluator::collect(const Code& code, ExprKind kind, Frame& frame, std::vector<TermId>& out) {
+void ProcessEvaluator::collect_operands(const Code& code, ExprKind kind, Frame& frame, std::vector<TermId>& out) {
     std::vector<const Code*> right;
     const Code* left = &code;
     while (left->kind == kind) {
@@ -124,54 +125,55 @@ TermId ProcessEvaluator::process_operator(const Code& code, Frame& frame) {
     std::vector<TermId> operands;
     if (code.kind == ExprKind::external_choice || code.kind == ExprKind::internal_choice ||
         code.kind == ExprKind::interleave) {
-        collect(code, code.kind, frame, operands);
-        if (code.kind == ExprKind::internal_choice) return processes_.many(Op::internal_choice, std::move(operands));
+        collect_operands(code, code.kind, frame, operands);
+        if (code.kind == ExprKind::internal_choice)
+            return processes_.make_operator(Op::internal_choice, std::move(operands));
         if (code.kind == ExprKind::interleave) {
-            const process::SetId set = timed != nullptr ? processes_.tock_set(*timed) : terms_.set({});
-            return processes_.many(Op::parallel, std::move(operands), payload(set));
+            const process::SetId set = timed != nullptr ? processes_.tock_set(*timed) : terms_.intern_set({});
+            return processes_.make_operator(Op::parallel, std::move(operands), payload(set));
         }
-        if (timed == nullptr) return processes_.many(Op::external_choice, std::move(operands));
-        return processes_.many(Op::sync_choice, std::move(operands), payload(processes_.tock_set(*timed)));
+        if (timed == nullptr) return processes_.make_operator(Op::external_choice, std::move(operands));
+        return processes_.make_operator(Op::sync_choice, std::move(operands), payload(processes_.tock_set(*timed)));
     }
     operands.push_back(process(*code.args[0], frame));
     if (code.kind == ExprKind::hide) {
         const process::SetId set = set_id(*code.args[1], frame);
-        return terms_[set].empty() ? operands[0] : processes_.make(Op::hide, std::move(operands), payload(set));
+        return terms_[set].empty() ? operands[0] : processes_.make_term(Op::hide, std::move(operands), payload(set));
     }
     if (code.kind == ExprKind::project) {
         const process::EventSet all = domains_.event_set(domains_.all_events(), code.span);
         const process::EventSet kept = terms_[set_id(*code.args[1], frame)];
         process::EventSet hidden;
         std::ranges::set_difference(all, kept, std::back_inserter(hidden));
-        return processes_.make(Op::hide, std::move(operands), payload(terms_.set(std::move(hidden))));
+        return processes_.make_term(Op::hide, std::move(operands), payload(terms_.intern_set(std::move(hidden))));
     }
     operands.push_back(process(*code.args[1], frame));
     // The event sets of synchronising operators in a timed section contain tock.
     const auto with_tock = [&](const Code& set) {
         process::EventSet events = terms_[set_id(set, frame)];
-        if (timed != nullptr) events.push_back(processes_.tock(*timed));
-        return terms_.set(std::move(events));
+        if (timed != nullptr) events.push_back(processes_.tock_event(*timed));
+        return terms_.intern_set(std::move(events));
     };
     switch (code.kind) {
         case ExprKind::sequential:
-            return processes_.make(Op::sequential, std::move(operands));
+            return processes_.make_term(Op::sequential, std::move(operands));
         case ExprKind::sliding_choice:
-            return processes_.make(Op::sliding, std::move(operands));
+            return processes_.make_term(Op::sliding, std::move(operands));
         case ExprKind::interrupt:
-            if (timed == nullptr) return processes_.make(Op::interrupt, std::move(operands));
-            return processes_.make(Op::sync_interrupt, std::move(operands), payload(processes_.tock_set(*timed)));
+            if (timed == nullptr) return processes_.make_term(Op::interrupt, std::move(operands));
+            return processes_.make_term(Op::sync_interrupt, std::move(operands), payload(processes_.tock_set(*timed)));
         case ExprKind::exception:
-            return processes_.make(Op::exception, std::move(operands), payload(set_id(*code.args[2], frame)));
+            return processes_.make_term(Op::exception, std::move(operands), payload(set_id(*code.args[2], frame)));
         case ExprKind::parallel:
-            return processes_.make(Op::parallel, std::move(operands), payload(with_tock(*code.args[2])));
+            return processes_.make_term(Op::parallel, std::move(operands), payload(with_tock(*code.args[2])));
         case ExprKind::synchronising_choice:
-            return processes_.make(Op::sync_choice, std::move(operands), payload(with_tock(*code.args[2])));
+            return processes_.make_term(Op::sync_choice, std::move(operands), payload(with_tock(*code.args[2])));
         case ExprKind::synchronising_interrupt:
-            return processes_.make(Op::sync_interrupt, std::move(operands), payload(with_tock(*code.args[2])));
+            return processes_.make_term(Op::sync_interrupt, std::move(operands), payload(with_tock(*code.args[2])));
         case ExprKind::alphabetised: {
             process::Term result{Op::alphabetised, 0, std::move(operands), {}};
             result.sets = {with_tock(*code.args[2]), with_tock(*code.args[3])};
-            return terms_.make(result);
+            return terms_.intern_term(result);
         }
         default:
             work_.not_supported("this process operator", code.span);
@@ -184,8 +186,8 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
     std::vector<process::SetId> alphabets;
     const auto with_tock = [&](const Code& set, Frame& inside) {
         process::EventSet events = terms_[set_id(set, inside)];
-        if (timed != nullptr) events.push_back(processes_.tock(*timed));
-        return terms_.set(std::move(events));
+        if (timed != nullptr) events.push_back(processes_.tock_event(*timed));
+        return terms_.intern_set(std::move(events));
     };
     const bool interface =
         code.kind == ExprKind::replicated_parallel || code.kind == ExprKind::replicated_synchronising;
@@ -198,32 +200,34 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
     switch (code.kind) {
         case ExprKind::replicated_internal:
             if (none) work_.fail("|~| over an empty set", code.span);
-            return processes_.many(Op::internal_choice, std::move(operands));
+            return processes_.make_operator(Op::internal_choice, std::move(operands));
         case ExprKind::replicated_external:
-            if (none) return processes_.stop(timed);
-            if (timed == nullptr) return processes_.many(Op::external_choice, std::move(operands));
-            return processes_.many(Op::sync_choice, std::move(operands), payload(processes_.tock_set(*timed)));
+            if (none) return processes_.make_stop(timed);
+            if (timed == nullptr) return processes_.make_operator(Op::external_choice, std::move(operands));
+            return processes_.make_operator(Op::sync_choice, std::move(operands), payload(processes_.tock_set(*timed)));
         case ExprKind::replicated_synchronising:
-            return none ? processes_.stop(timed) : processes_.many(Op::sync_choice, std::move(operands), payload(set));
+            return none ? processes_.make_stop(timed)
+                        : processes_.make_operator(Op::sync_choice, std::move(operands), payload(set));
         case ExprKind::replicated_sequential: {
-            if (none) return processes_.skip(timed);
+            if (none) return processes_.make_skip(timed);
             TermId result = operands.back();
             for (std::size_t i = operands.size() - 1; i-- > 0;)
-                result = processes_.make(Op::sequential, {operands[i], result});
+                result = processes_.make_term(Op::sequential, {operands[i], result});
             return result;
         }
         // An empty parallel terminates: SKIP. In a timed section FDR uses STOP (libcspm, Evaluator).
         case ExprKind::replicated_interleave:
-            if (none) return timed != nullptr ? processes_.stop(timed) : processes_.make(Op::skip);
-            return processes_.many(Op::parallel, std::move(operands),
-                                   payload(timed != nullptr ? processes_.tock_set(*timed) : terms_.set({})));
+            if (none) return timed != nullptr ? processes_.make_stop(timed) : processes_.make_term(Op::skip);
+            return processes_.make_operator(
+                Op::parallel, std::move(operands),
+                payload(timed != nullptr ? processes_.tock_set(*timed) : terms_.intern_set({})));
         case ExprKind::replicated_parallel:
-            if (none) return timed != nullptr ? processes_.stop(timed) : processes_.make(Op::skip);
-            return processes_.many(Op::parallel, std::move(operands), payload(set));
+            if (none) return timed != nullptr ? processes_.make_stop(timed) : processes_.make_term(Op::skip);
+            return processes_.make_operator(Op::parallel, std::move(operands), payload(set));
         default: {
-            if (none) return timed != nullptr ? processes_.stop(timed) : processes_.make(Op::skip);
+            if (none) return timed != nullptr ? processes_.make_stop(timed) : processes_.make_term(Op::skip);
             process::Term result{Op::alphabetised, 0, std::move(operands), std::move(alphabets)};
-            return terms_.make(result);
+            return terms_.intern_term(result);
         }
     }
 }
@@ -231,17 +235,18 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
 // ---------------------------------------------------------------- renaming and links
 
 // Returns pairs of linked events. A channel represents all its events; the events of a pair have equal fields.
-std::vector<process::EventPair> ProcessEvaluator::ties(const Code& code, const std::vector<ClauseCode>& clauses,
-                                                       Frame& frame) {
+std::vector<process::EventPair> ProcessEvaluator::linked_events(const Code& code,
+                                                                const std::vector<ClauseCode>& clauses, Frame& frame) {
     std::vector<process::EventPair> result;
     values_.for_each(code, clauses, 0, frame, [&](Frame& inside) {
         for (const auto& [from_code, to_code] : code.links) {
-            const Value from = values_.share(values_.eval(*from_code, inside));
-            const Value to = values_.share(values_.eval(*to_code, inside));
+            const Value from = values_.share_value(values_.eval(*from_code, inside));
+            const Value to = values_.share_value(values_.eval(*to_code, inside));
             for (const Value more : domains_.extensions(from)->items) {
                 const process::Event left =
-                    domains_.event(domains_.combine(from, more, from_code->span), from_code->span);
-                result.emplace_back(left, domains_.event(domains_.combine(to, more, to_code->span), to_code->span));
+                    domains_.event_of(domains_.append_fields(from, more, from_code->span), from_code->span);
+                result.emplace_back(left,
+                                    domains_.event_of(domains_.append_fields(to, more, to_code->span), to_code->span));
             }
             if (result.size() > max_elements) work_.fail("more than 5000000 pairs of events", code.span);
         }
@@ -251,11 +256,11 @@ std::vector<process::EventPair> ProcessEvaluator::ties(const Code& code, const s
 
 TermId ProcessEvaluator::process_rename(const Code& code, Frame& frame) {
     const TermId child = process(*code.args[0], frame);
-    std::vector<process::EventPair> pairs = ties(code, code.clauses, frame);
+    std::vector<process::EventPair> pairs = linked_events(code, code.clauses, frame);
     if (pairs.empty()) return child;
     std::ranges::sort(pairs);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return processes_.make(Op::rename, {child}, payload(terms_.renaming(std::move(pairs))));
+    return processes_.make_term(Op::rename, {child}, payload(terms_.intern_renaming(std::move(pairs))));
 }
 
 // P [a <-> b] Q: both ends are renamed to one new event, which is shared and hidden.
@@ -263,7 +268,7 @@ TermId ProcessEvaluator::process_linked(const Code& code, Frame& frame) {
     if (code.timed != nullptr) work_.fail("linked parallel is not allowed in a timed section", code.span);
     const TermId left = process(*code.args[0], frame);
     const TermId right = process(*code.args[1], frame);
-    return processes_.link(left, right, ties(code, code.clauses, frame), code.span);
+    return processes_.make_linked(left, right, linked_events(code, code.clauses, frame), code.span);
 }
 
 TermId ProcessEvaluator::process_replicated_linked(const Code& code, Frame& frame) {
@@ -271,13 +276,13 @@ TermId ProcessEvaluator::process_replicated_linked(const Code& code, Frame& fram
     std::vector<TermId> processes;
     std::vector<std::vector<process::EventPair>> links;
     values_.for_each(code, code.clauses, 0, frame, [&](Frame& inside) {
-        links.push_back(ties(code, code.link_clauses, inside));
+        links.push_back(linked_events(code, code.link_clauses, inside));
         processes.push_back(process(*code.args[0], inside));
     });
     if (processes.empty()) work_.fail("replicated linked parallel over an empty sequence", code.span);
     TermId result = processes.back();
     for (std::size_t i = processes.size() - 1; i-- > 0;)
-        result = processes_.link(processes[i], result, links[i], code.span);
+        result = processes_.make_linked(processes[i], result, links[i], code.span);
     return result;
 }
 

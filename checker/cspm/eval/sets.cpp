@@ -19,7 +19,7 @@ Value Domains::explicit_set(Value set, Span span) {
     Value result = nullptr;
     switch (set->kind) {
         case Kind::subsets_of:
-            result = subsets(set->items[0], span);
+            result = list_subsets(set->items[0], span);
             break;
         case Kind::datatype: {
             Global& global = program_.globals[static_cast<std::size_t>(set->number)];
@@ -30,7 +30,7 @@ Value Domains::explicit_set(Value set, Span span) {
             break;
         }
         case Kind::maps_over:
-            result = maps(set->items[0], set->items[1], span);
+            result = list_maps(set->items[0], set->items[1], span);
             break;
         case Kind::sequences_over:
             if (!elements(set->items[0], span).empty()) work_.fail("the set " + text_(set) + " is infinite", span);
@@ -58,7 +58,7 @@ Value Domains::explicit_set(Value set, Span span) {
 }
 
 std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
-    work_.count(span);
+    work_.count_step(span);
     const auto times = [](std::uint64_t a, std::uint64_t b) {
         std::uint64_t result = 0;
         const bool over = __builtin_mul_overflow(a, b, &result) || result > largest_size;
@@ -132,7 +132,7 @@ bool Domains::can_be_listed(Value set, Span span) {
 }
 
 // Returns a union of sets of which at least one cannot be listed.
-Value Domains::united(const Values& sets, Span span) {
+Value Domains::make_union(const Values& sets, Span span) {
     Values endless;
     Values listed;
     for (const Value set : sets) {
@@ -151,7 +151,8 @@ Value Domains::united(const Values& sets, Span span) {
         bool covered = false;
         for (std::size_t k = 0; k < endless.size() && !covered; ++k) {
             const bool earlier = k < i || endless[i] != endless[k];
-            covered = k != i && earlier && endless[i]->kind == endless[k]->kind && subset(endless[i], endless[k], span);
+            covered =
+                k != i && earlier && endless[i]->kind == endless[k]->kind && is_subset(endless[i], endless[k], span);
         }
         if (!covered) kept.push_back(endless[i]);
     }
@@ -160,7 +161,7 @@ Value Domains::united(const Values& sets, Span span) {
     for (std::size_t at = rest->items.size(); at-- > 0;) {  // the largest numbers first, because they may continue
                                                             // downwards
         const Value item = rest->items[at];
-        work_.count(span);
+        work_.count_step(span);
         bool inside = false;
         for (Value& part : kept) {
             if (part->kind == Kind::integers_from && item->kind == Kind::integer && item->number + 1 == part->number)
@@ -178,7 +179,7 @@ Value Domains::union_of_all(const Values& sets, Span span) {
     Values listed;
     Value result = nullptr;
     for (const Value each : sets) {
-        work_.count(span);
+        work_.count_step(span);
         if (each->kind == Kind::set) {
             listed.insert(listed.end(), each->items.begin(), each->items.end());
             if (listed.size() > 2 * max_elements) work_.fail("more than 5000000 elements", span);
@@ -205,13 +206,13 @@ Value Domains::without_listed(std::int64_t from, const Values& taken, Span span)
     return set_union(store_.make(Kind::integers_from, next, {}), store_.sorted_set(std::move(between)), span);
 }
 
-Value Domains::subsets(Value set, Span span) {
+Value Domains::list_subsets(Value set, Span span) {
     const Values& items = elements(set, span);
     if (items.size() > 22)
         work_.fail("Set of a set with " + std::to_string(items.size()) + " elements is too large", span);
     Values result;
     for (std::size_t mask = 0; mask < (std::size_t{1} << items.size()); ++mask) {
-        work_.count(span);
+        work_.count_step(span);
         Values part;
         for (std::size_t i = 0; i < items.size(); ++i) {
             if ((mask >> i & 1U) != 0) part.push_back(items[i]);
@@ -222,13 +223,13 @@ Value Domains::subsets(Value set, Span span) {
 }
 
 // All maps from subsets of the keys to the values.
-Value Domains::maps(Value keys, Value values, Span span) {
+Value Domains::list_maps(Value keys, Value values, Span span) {
     std::vector<Values> partial{{}};
     for (const Value key : elements(keys, span)) {
         const std::size_t before = partial.size();
         for (const Value value : elements(values, span)) {
             for (std::size_t i = 0; i < before; ++i) {
-                work_.count(span);
+                work_.count_step(span);
                 Values longer = partial[i];
                 longer.push_back(key);
                 longer.push_back(value);
@@ -243,7 +244,7 @@ Value Domains::maps(Value keys, Value values, Span span) {
 }
 
 bool Domains::member_of(Value value, Value set, Span span) {
-    value = store_.part(value);
+    value = store_.form_as_part(value);
     const auto all_in = [&](Value of) {
         return std::ranges::all_of(value->items, [&](Value item) { return member_of(item, of, span); });
     };
@@ -256,7 +257,7 @@ bool Domains::member_of(Value value, Value set, Span span) {
             return value->kind == Kind::process;
         case Kind::datatype: {  // constructors have checked their fields
             const bool named = value->kind == Kind::dot && !value->items.empty() && value->items[0]->kind == Kind::head;
-            if (!named || !complete(value)) return false;
+            if (!named || !is_complete(value)) return false;
             return program_.heads[static_cast<std::size_t>(value->items[0]->number)].type == set->number;
         }
         case Kind::sequences_over:
@@ -283,7 +284,7 @@ Value Domains::set_union(Value a, Value b, Span span) {
     if (!is_set(a) || !is_set(b)) work_.fail("expected a set, found " + text_(is_set(a) ? b : a), span);
     if (a->kind == Kind::processes || b->kind == Kind::processes) return a->kind == Kind::processes ? a : b;
     if (a->kind == Kind::integers || b->kind == Kind::integers) return a->kind == Kind::integers ? a : b;
-    if (!can_be_listed(a, span) || !can_be_listed(b, span)) return united({a, b}, span);
+    if (!can_be_listed(a, span) || !can_be_listed(b, span)) return make_union({a, b}, span);
     Values result;
     std::ranges::set_union(elements(a, span), elements(b, span), std::back_inserter(result),
                            [](Value x, Value y) { return compare(x, y) < 0; });
@@ -307,7 +308,7 @@ Value Domains::set_inter(Value a, Value b, Span span) {
     const bool first = a->kind == Kind::set || (b->kind != Kind::set && can_be_listed(a, span));
     Values result;
     for (const Value each : elements(first ? a : b, span)) {
-        work_.count(span);
+        work_.count_step(span);
         if (member_of(each, first ? b : a, span)) result.push_back(each);
     }
     return store_.sorted_set(std::move(result));
@@ -325,14 +326,14 @@ Value Domains::set_diff(Value a, Value b, Span span) {
     }
     if (b->kind == Kind::set && b->items.empty()) return a;
     if (!can_be_listed(a, span)) {
-        if (subset(a, b, span)) return store_.set({});
+        if (is_subset(a, b, span)) return store_.set({});
         if (a->kind == Kind::integers_from && b->kind == Kind::set) return without_listed(a->number, b->items, span);
         if (a->kind != Kind::integers_from || b->kind != Kind::integers_from) {
             work_.fail("the elements of diff(" + text_(a) + ", " + text_(b) + ") cannot be listed", span);
         }
         Values items;
         for (std::int64_t i = a->number; i < b->number; ++i) {
-            work_.count(span);
+            work_.count_step(span);
             if (items.size() > max_elements) work_.fail("more than 5000000 elements", span);
             items.push_back(store_.integer(i));
         }
@@ -340,26 +341,26 @@ Value Domains::set_diff(Value a, Value b, Span span) {
     }
     Values result;
     for (const Value each : elements(a, span)) {
-        work_.count(span);
+        work_.count_step(span);
         if (!member_of(each, b, span)) result.push_back(each);
     }
     return store_.sorted_set(std::move(result));
 }
 
-bool Domains::subset(Value a, Value b, Span span) {
+bool Domains::is_subset(Value a, Value b, Span span) {
     if (a == b || b->kind == Kind::processes) return true;
     if (a->kind == Kind::united)
-        return std::ranges::all_of(a->items, [&](Value part) { return subset(part, b, span); });
+        return std::ranges::all_of(a->items, [&](Value part) { return is_subset(part, b, span); });
     if (a->kind == Kind::integers_from && b->kind == Kind::integers) return true;
     if (a->kind == Kind::integers_from && b->kind == Kind::integers_from) return a->number >= b->number;
     if (b->kind == Kind::united && !can_be_listed(a, span)) {
         for (const Value part : b->items) {
-            if (part->kind == a->kind && subset(a, part, span)) return true;
+            if (part->kind == a->kind && is_subset(a, part, span)) return true;
             if (a->kind != Kind::integers_from || part->kind != Kind::integers_from) continue;
             if (part->number - a->number > static_cast<std::int64_t>(max_elements)) return false;
             bool all = true;
             for (std::int64_t i = a->number; all && i < part->number; ++i) {
-                work_.count(span);
+                work_.count_step(span);
                 all = member_of(store_.integer(i), b, span);
             }
             if (all) return true;
@@ -367,22 +368,22 @@ bool Domains::subset(Value a, Value b, Span span) {
         return false;
     }
     const bool alike = a->kind == b->kind && (a->kind == Kind::sequences_over || a->kind == Kind::subsets_of);
-    if (alike) return subset(a->items[0], b->items[0], span);
+    if (alike) return is_subset(a->items[0], b->items[0], span);
     if (a->kind == Kind::maps_over && b->kind == Kind::maps_over)
-        return subset(a->items[0], b->items[0], span) && subset(a->items[1], b->items[1], span);
+        return is_subset(a->items[0], b->items[0], span) && is_subset(a->items[1], b->items[1], span);
     const auto size = size_of(a, span);
     const auto space = size_of(b, span);
     if (space && (!size || *size > *space)) return false;
     if (!size && (a->kind == Kind::integers || a->kind == Kind::integers_from)) return false;
     return std::ranges::all_of(elements(a, span), [&](Value each) {
-        work_.count(span);
+        work_.count_step(span);
         return member_of(each, b, span);
     });
 }
 
 // Equality of sets with different representations. For two sets of the same form that cannot be listed, their
 // components are compared; a set of all sequences never equals a finite one.
-bool Domains::same(Value a, Value b, Span span) {
+bool Domains::are_equal_sets(Value a, Value b, Span span) {
     if (a == b) return true;
     if (!is_set(a) || !is_set(b)) return false;
     const auto size = size_of(a, span);
@@ -392,7 +393,7 @@ bool Domains::same(Value a, Value b, Span span) {
         const bool composed =
             a->kind == Kind::subsets_of || a->kind == Kind::sequences_over || a->kind == Kind::maps_over;
         for (std::size_t i = 0; composed && i < a->items.size(); ++i)
-            if (!same(a->items[i], b->items[i], span)) return false;
+            if (!are_equal_sets(a->items[i], b->items[i], span)) return false;
         return composed;
     }
     return size && explicit_set(a, span) == explicit_set(b, span);

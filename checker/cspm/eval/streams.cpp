@@ -20,7 +20,7 @@ constexpr std::int64_t joined = -1;
 }  // namespace
 
 Value ByNeed::append(Value first, Value rest) {
-    if (first->kind == Kind::sequence && first->items.empty()) return values_.force(rest);
+    if (first->kind == Kind::sequence && first->items.empty()) return values_.evaluate_in_place(rest);
     if (rest->kind == Kind::thunk && static_cast<const Thunk&>(*rest).result != nullptr)
         rest = static_cast<const Thunk&>(*rest).result;
     if (first->kind == Kind::sequence && rest->kind == Kind::sequence) {
@@ -32,7 +32,7 @@ Value ByNeed::append(Value first, Value rest) {
     return store_.compound(Kind::stream, joined, {first, rest});
 }
 
-Value ByNeed::stream(Value first, Value source, Comprehension of, const Values& frame) {
+Value ByNeed::make_stream(Value first, Value source, Comprehension of, const Values& frame) {
     Values items{first, source};
     for (const Value value : frame) items.push_back(value == nullptr ? store_.tuple({}) : value);
     const auto same = [&](const Comprehension& each) { return each.code == of.code && each.clause == of.clause; };
@@ -42,10 +42,10 @@ Value ByNeed::stream(Value first, Value source, Comprehension of, const Values& 
     return store_.compound(Kind::stream, number, std::move(items));
 }
 
-std::optional<ByNeed::Cut> ByNeed::next(Value sequence, Span span) {
+std::optional<ByNeed::Cut> ByNeed::split_first(Value sequence, Span span) {
     for (std::size_t tried = 0;; ++tried) {
-        work_.count(span);
-        sequence = values_.force(sequence);
+        work_.count_step(span);
+        sequence = values_.evaluate_in_place(sequence);
         if (sequence->kind == Kind::sequence) {
             if (sequence->items.empty()) return std::nullopt;
             Values rest(sequence->items.begin() + 1, sequence->items.end());
@@ -59,7 +59,7 @@ std::optional<ByNeed::Cut> ByNeed::next(Value sequence, Span span) {
         }
         if (sequence->kind != Kind::stream) work_.fail("expected a sequence, found " + text_(sequence), span);
         const Values& items = sequence->items;
-        if (const std::optional<Cut> first = next(items[0], span)) {
+        if (const std::optional<Cut> first = split_first(items[0], span)) {
             const bool last = first->tail->kind == Kind::sequence && first->tail->items.empty();
             if (sequence->number == joined) return Cut{first->head, last ? items[1] : append(first->tail, items[1])};
             Values rest = items;
@@ -72,25 +72,25 @@ std::optional<ByNeed::Cut> ByNeed::next(Value sequence, Span span) {
         }
         if (tried >= most_skipped) work_.fail("none of 200000 elements makes another one of the sequence", span);
         const Comprehension of = streams_.at(static_cast<std::size_t>(sequence->number));
-        const std::optional<Cut> drawn = next(items[1], span);
+        const std::optional<Cut> drawn = split_first(items[1], span);
         if (!drawn) return std::nullopt;
         Values frame(items.begin() + 2, items.end());
         Values rest = items;
         rest[1] = drawn->tail;
         Value item = drawn->head;
-        if (values_.match(of.code->clauses[of.clause].pattern, item, frame))
+        if (values_.match_pattern(of.code->clauses[of.clause].pattern, item, frame))
             rest[0] = values_.comprehension_from(*of.code, of.clause + 1, frame);
         sequence = store_.compound(Kind::stream, sequence->number, std::move(rest));
     }
 }
 
 Value ByNeed::written_out(Value sequence, Span span) {
-    sequence = values_.force(sequence);
+    sequence = values_.evaluate_in_place(sequence);
     if (sequence->kind == Kind::sequence) return sequence;
     if (!is_stream(sequence)) work_.fail("expected a sequence, found " + text_(sequence), span);
     Values items;
     for (;;) {
-        sequence = values_.force(sequence);
+        sequence = values_.evaluate_in_place(sequence);
         if (is_infinite(sequence)) work_.fail("the sequence " + text_(sequence) + " is infinite", span);
         if (sequence->kind == Kind::sequence) {
             items.insert(items.end(), sequence->items.begin(), sequence->items.end());
@@ -101,97 +101,102 @@ Value ByNeed::written_out(Value sequence, Span span) {
             items.insert(items.end(), first->items.begin(), first->items.end());
             sequence = sequence->items[1];
         } else {
-            const std::optional<Cut> cut = next(sequence, span);
+            const std::optional<Cut> cut = split_first(sequence, span);
             if (!cut) break;
             items.push_back(cut->head);
             sequence = cut->tail;
         }
-        work_.count(span);
+        work_.count_step(span);
         if (items.size() > max_elements) work_.fail("the sequence is too long", span);
     }
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
 
-/// The sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
+/// Returns the sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
 Value ByNeed::share_stream(Value value) {
     if (!is_infinite(value)) {
         Values items = value->items;
-        items[1] = values_.forced(items[1]);
+        items[1] = values_.evaluated_value(items[1]);
         value = store_.compound(Kind::stream, value->number, std::move(items));
     }
-    if (!is_infinite(value)) return values_.share(written_out(value, {}));
+    if (!is_infinite(value)) return values_.share_value(written_out(value, {}));
     Values items;
-    for (const Value item : value->items) items.push_back(values_.share(item));
+    for (const Value item : value->items) items.push_back(values_.share_value(item));
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
 /// The element is evaluated only when it is compared, so it is not evaluated for an empty sequence.
-bool ByNeed::contains(Value element, Value sequence, Span span) {
+bool ByNeed::contains_element(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
-        const std::optional<Cut> cut = next(sequence, span);
+        const std::optional<Cut> cut = split_first(sequence, span);
         if (!cut) return false;
-        if (equal(values_.forced(cut->head), values_.force(element), span)) return true;
-        sequence = values_.forced(cut->tail);
+        if (are_equal(values_.evaluated_value(cut->head), values_.evaluate_in_place(element), span)) return true;
+        sequence = values_.evaluated_value(cut->tail);
     }
     work_.fail("not among the first 200000 elements of an infinite sequence", span);
 }
 
 /// Equality of tuples, sequences and maps part by part, up to the first difference.
-bool ByNeed::equal(Value a, Value b, Span span) {
+bool ByNeed::are_equal(Value a, Value b, Span span) {
     if (a == b) return true;
-    work_.count(span);
+    work_.count_step(span);
     const bool sequences = (a->kind == Kind::sequence || is_stream(a)) && (b->kind == Kind::sequence || is_stream(b));
-    if (a->shared && b->shared && !(sequences && (is_stream(a) || is_stream(b)))) return domains_.same(a, b, span);
+    if (a->shared && b->shared && !(sequences && (is_stream(a) || is_stream(b))))
+        return domains_.are_equal_sets(a, b, span);
     if (a->kind == Kind::tuple && b->kind == Kind::tuple) {
         for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i)
-            if (!equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span)) return false;
+            if (!are_equal(values_.evaluated_value(a->items[i]), values_.evaluated_value(b->items[i]), span))
+                return false;
         return a->items.size() == b->items.size();
     }
     if (a->kind == Kind::map && b->kind == Kind::map) {
         if (a->items.size() != b->items.size()) return false;
         for (std::size_t i = 0; i < a->items.size(); ++i)
-            if (!equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span)) return false;
+            if (!are_equal(values_.evaluated_value(a->items[i]), values_.evaluated_value(b->items[i]), span))
+                return false;
         return true;
     }
-    if (!sequences) return domains_.same(values_.share(a), values_.share(b), span);
+    if (!sequences) return domains_.are_equal_sets(values_.share_value(a), values_.share_value(b), span);
     if (a->kind == Kind::sequence && b->kind == Kind::sequence)
-        return begins(a, b, span) && a->items.size() == b->items.size();
+        return is_prefix(a, b, span) && a->items.size() == b->items.size();
     for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
-        const std::optional<Cut> left = next(a, span);
-        const std::optional<Cut> right = next(b, span);
+        const std::optional<Cut> left = split_first(a, span);
+        const std::optional<Cut> right = split_first(b, span);
         if (!left || !right) return !left && !right;
-        if (!equal(values_.forced(left->head), values_.forced(right->head), span)) return false;
-        a = values_.forced(left->tail);
-        b = values_.forced(right->tail);
+        if (!are_equal(values_.evaluated_value(left->head), values_.evaluated_value(right->head), span)) return false;
+        a = values_.evaluated_value(left->tail);
+        b = values_.evaluated_value(right->tail);
     }
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
 /// Whether the first is a prefix of the second; reads both up to the first difference.
-bool ByNeed::begins(Value a, Value b, Span span) {
+bool ByNeed::is_prefix(Value a, Value b, Span span) {
     if (a->kind == Kind::sequence && b->kind == Kind::sequence) {
         for (std::size_t i = 0; i < a->items.size(); ++i)
-            if (i == b->items.size() || !equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span))
+            if (i == b->items.size() ||
+                !are_equal(values_.evaluated_value(a->items[i]), values_.evaluated_value(b->items[i]), span))
                 return false;
         return true;
     }
     for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
-        const std::optional<Cut> left = next(a, span);
+        const std::optional<Cut> left = split_first(a, span);
         if (!left) return true;
-        const std::optional<Cut> right = next(b, span);
-        if (!right || !equal(values_.forced(left->head), values_.forced(right->head), span)) return false;
-        a = values_.forced(left->tail);
-        b = values_.forced(right->tail);
+        const std::optional<Cut> right = split_first(b, span);
+        if (!right || !are_equal(values_.evaluated_value(left->head), values_.evaluated_value(right->head), span))
+            return false;
+        a = values_.evaluated_value(left->tail);
+        b = values_.evaluated_value(right->tail);
     }
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
-// The orders of FDR: numbers and characters; prefixes of sequences; subsets; maps and tuples by parts. Parts after the
-// first difference are not evaluated.
-bool ByNeed::less_equal(Value a, Value b, Span span) {
-    if (is_set(a) && is_set(b)) return domains_.subset(values_.share(a), values_.share(b), span);
+// Compares by the orders of FDR: numbers and characters; prefixes of sequences; subsets; maps and tuples by parts.
+// Parts after the first difference are not evaluated.
+bool ByNeed::is_less_or_equal(Value a, Value b, Span span) {
+    if (is_set(a) && is_set(b)) return domains_.is_subset(values_.share_value(a), values_.share_value(b), span);
     const auto is_sequence = [](Value value) { return value->kind == Kind::sequence || is_stream(value); };
-    if (is_sequence(a) && is_sequence(b)) return begins(a, b, span);
+    if (is_sequence(a) && is_sequence(b)) return is_prefix(a, b, span);
     if (a->kind != b->kind) work_.fail("cannot compare " + text_(a) + " with " + text_(b), span);
     switch (a->kind) {
         case Kind::integer:
@@ -199,9 +204,9 @@ bool ByNeed::less_equal(Value a, Value b, Span span) {
             return a->number <= b->number;
         case Kind::tuple:
             for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i) {
-                const Value left = values_.forced(a->items[i]);
-                const Value right = values_.forced(b->items[i]);
-                if (!equal(left, right, span)) return less_equal(left, right, span);
+                const Value left = values_.evaluated_value(a->items[i]);
+                const Value right = values_.evaluated_value(b->items[i]);
+                if (!are_equal(left, right, span)) return is_less_or_equal(left, right, span);
             }
             return true;
         case Kind::map:
@@ -209,7 +214,7 @@ bool ByNeed::less_equal(Value a, Value b, Span span) {
                 const Values arguments{b, a->items[i]};
                 if (map_builtin(Builtin::map_member, arguments, span)->number == 0) return false;
                 const Value other = map_builtin(Builtin::map_lookup, arguments, span);
-                if (!less_equal(values_.forced(a->items[i + 1]), other, span)) return false;
+                if (!is_less_or_equal(values_.evaluated_value(a->items[i + 1]), other, span)) return false;
             }
             return true;
         default:
@@ -217,8 +222,8 @@ bool ByNeed::less_equal(Value a, Value b, Span span) {
     }
 }
 
-bool ByNeed::less(Value a, Value b, Span span) {
-    return less_equal(a, b, span) && !equal(a, b, span);
+bool ByNeed::is_less(Value a, Value b, Span span) {
+    return is_less_or_equal(a, b, span) && !are_equal(a, b, span);
 }
 
 }  // namespace robochart::cspm

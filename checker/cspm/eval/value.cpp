@@ -83,19 +83,19 @@ Value ValueStore::integer(std::int64_t number) {
     return make(Kind::integer, number, {});
 }
 
-Value ValueStore::text(const std::string& characters) {
+Value ValueStore::make_string(const std::string& characters) {
     Values items;
     for (const char c : characters) items.push_back(character(static_cast<unsigned char>(c)));
     return sequence(std::move(items));
 }
 
-Value ValueStore::part(Value value) const {
+Value ValueStore::form_as_part(Value value) const {
     const bool unlisted = value->kind >= Kind::integers && value->kind <= Kind::united;
     return unlisted && listed_ ? listed_(value) : value;
 }
 
 Value ValueStore::set(Values items) {
-    for (Value& item : items) item = part(item);
+    for (Value& item : items) item = form_as_part(item);
     constexpr std::uint32_t between_polls = 4096;
     std::uint32_t compared = 0;
     const auto less = [&](Value a, Value b) {
@@ -119,7 +119,7 @@ Value ValueStore::make(Kind kind, std::int64_t number, Values items, const Funct
     // A dot without a channel or constructor is a type, A.B: its sets keep their form.
     const bool named = kind == Kind::dot && !items.empty() && items[0]->kind == Kind::head;
     if (named || kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map)
-        for (Value& item : items) item = part(item);
+        for (Value& item : items) item = form_as_part(item);
     Object key{kind, true, false, static_cast<std::uint32_t>(index_.size()), number, function, group, std::move(items)};
     const auto found = index_.find(&key);
     if (found != index_.end()) return *found;
@@ -183,7 +183,7 @@ Value ValueStore::thunk(const Code& code, Values frame) {
     return &object;
 }
 
-void ValueStore::release() {
+void ValueStore::delete_temporaries() {
     temporary_objects_.clear();
     temporary_groups_.clear();
     thunks_.clear();

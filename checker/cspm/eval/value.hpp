@@ -88,19 +88,19 @@ public:
     ValueStore();
 
     /// `poll` is called regularly during long work; it may throw to stop it. Empty: none.
-    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
     /// `listed` lists a set if possible. Parts of values are listed because equal values must be one object:
     /// `(Set({1}), 1)` and `({{}, {1}}, 1)` are equal.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
     /// Returns the value in the form that it has as a part of another value.
-    [[nodiscard]] Value part(Value value) const;
+    [[nodiscard]] Value form_as_part(Value value) const;
 
     [[nodiscard]] Value integer(std::int64_t number);
     [[nodiscard]] Value boolean(bool truth) const { return truth ? true_ : false_; }
     [[nodiscard]] Value character(std::int64_t code) { return make(Kind::character, code, {}); }
     [[nodiscard]] Value tuple(Values items) { return make(Kind::tuple, 0, std::move(items)); }
     [[nodiscard]] Value sequence(Values items) { return make(Kind::sequence, 0, std::move(items)); }
-    [[nodiscard]] Value text(const std::string& characters);
+    [[nodiscard]] Value make_string(const std::string& characters);
     /// Sorts the items and removes duplicates.
     [[nodiscard]] Value set(Values items);
     /// Creates a set from sorted items that are elements of other sets.
@@ -109,7 +109,7 @@ public:
     [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
                              const Group* group = nullptr);
 
-    // Temporary objects, until `release`.
+    // Temporary objects, which are all deleted together.
     /// A tuple, sequence or map, shared if its items are; or a stream, which is never shared.
     [[nodiscard]] Value compound(Kind kind, std::int64_t number, Values items);
     [[nodiscard]] Value closure(const Function& function, Values items);
@@ -118,7 +118,7 @@ public:
     /// The shared object of a group whose items are shared.
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
     /// Deletes all temporary objects; none may be in use.
-    void release();
+    void delete_temporaries();
     /// Whether the order of the elements of some set is the order in which processes were created.
     [[nodiscard]] bool orders_processes() const { return orders_processes_; }
     /// The number of values that live as long as the store.

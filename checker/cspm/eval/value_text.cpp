@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "checker/cspm/types/builtins.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "checker/cspm/types/builtins.hpp"
 
 namespace robochart::cspm {
 
@@ -21,7 +21,7 @@ std::string ValueText::operator()(Value value) const {
     return result;
 }
 
-std::string ValueText::whole(Value value) const {
+std::string ValueText::full_text(Value value) const {
     std::string result;
     print(value, std::numeric_limits<std::size_t>::max(), result);
     return result;

@@ -19,7 +19,7 @@ public:
     void items(const Values& values, const char* open, const char* separator, const char* close,
                std::string& out) const;
     /// Returns the complete text. It is data, because it is used for names of events and for the results of `show`.
-    [[nodiscard]] std::string whole(Value value) const;
+    [[nodiscard]] std::string full_text(Value value) const;
 
 private:
     /// A list that begins after `longest` characters is truncated.

@@ -15,9 +15,9 @@ void Work::fail(const std::string& message, Span span) const {
         }
         stack.push_back(std::move(line));
     }
-    if (!span.known()) span = activations_.empty() ? prefix_place_ : activations_.back().function->span;
-    for (auto call = activations_.rbegin(); call != activations_.rend() && !span.known(); ++call)
-        span = call->called.known() ? call->called : call->function->span;
+    if (!span.is_known()) span = activations_.empty() ? prefix_place_ : activations_.back().function->span;
+    for (auto call = activations_.rbegin(); call != activations_.rend() && !span.is_known(); ++call)
+        span = call->called.is_known() ? call->called : call->function->span;
     throw EvaluationError(message, span, std::move(stack));
 }
 
@@ -25,7 +25,7 @@ void Work::not_supported(const std::string& what, Span span) const {
     fail(what + " is not supported", span);
 }
 
-void Work::count(Span span) {
+void Work::count_step(Span span) {
     if (++steps_ > max_steps) fail("evaluation takes too long (2000000000 steps): runaway recursion?", span);
     if ((steps_ & 255U) == 0 && poll_) poll_();
     if (steps_ > given_up_at_) throw GivenUp{};

@@ -31,9 +31,9 @@ public:
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
 
     /// `poll` is called regularly; it may throw to stop the evaluation. Empty: none.
-    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
     /// Counts one more step.
-    void count(Span span);
+    void count_step(Span span);
     /// The place for errors without a place: the prefix whose events are being computed.
     void at_prefix(Span span) { prefix_place_ = span; }
     [[noreturn]] void fail(const std::string& message, Span span) const;
@@ -89,7 +89,7 @@ public:
     ~Question() {
         work_.stack_base_ = base_;
         work_.activations_.resize(calls_);
-        if (--work_.open_ == 0) work_.store_.release();
+        if (--work_.open_ == 0) work_.store_.delete_temporaries();
     }
     Question(const Question&) = delete;
     Question& operator=(const Question&) = delete;
@@ -105,7 +105,7 @@ class Work::Calling {
 public:
     Calling(Work& work, const Function& function, const Values& arguments, Span span) : work_(work) {
         work_.activations_.push_back({&function, &arguments, span});
-        work_.count(span);
+        work_.count_step(span);
     }
     ~Calling() { work_.activations_.pop_back(); }
     Calling(const Calling&) = delete;
@@ -129,7 +129,7 @@ public:
     }
     Speculation(const Speculation&) = delete;
     Speculation& operator=(const Speculation&) = delete;
-    [[nodiscard]] bool outermost() const { return outermost_; }
+    [[nodiscard]] bool is_outermost() const { return outermost_; }
 
 private:
     Work& work_;

@@ -31,22 +31,22 @@ class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-    [[nodiscard]] std::uint8_t byte() { return bytes_[at_++]; }
+    [[nodiscard]] std::uint8_t read_byte() { return bytes_[at_++]; }
     [[nodiscard]] std::uint8_t peek() const { return bytes_[at_]; }
-    [[nodiscard]] std::uint64_t number() {
+    [[nodiscard]] std::uint64_t read_number() {
         std::uint64_t result = 0;
         for (unsigned shift = 0;; shift += 7) {
-            const std::uint8_t next = byte();
+            const std::uint8_t next = read_byte();
             result |= std::uint64_t{next & 0x7FU} << shift;
             if (next < 0x80U) return result;
         }
     }
     [[nodiscard]] std::int64_t signed_number() {
-        const std::uint64_t bits = number();
+        const std::uint64_t bits = read_number();
         return static_cast<std::int64_t>((bits >> 1U) ^ (~(bits & 1U) + 1U));
     }
-    [[nodiscard]] std::size_t at() const { return at_; }
-    [[nodiscard]] std::span<const std::uint8_t> from(std::size_t begin) const {
+    [[nodiscard]] std::size_t position() const { return at_; }
+    [[nodiscard]] std::span<const std::uint8_t> bytes_since(std::size_t begin) const {
         return bytes_.subspan(begin, at_ - begin);
     }
 

@@ -57,7 +57,7 @@ private:
     class Nested;
 
     // steps of encoded terms
-    void row(ByteReader& in);
+    void steps_of_row(ByteReader& in);
     void row_call(ByteReader& in);
     void row_prefix(ByteReader& in);
     void row_choice(ByteReader& in);
@@ -67,30 +67,30 @@ private:
     void row_rename(ByteReader& in);
 
     // steps of process expressions
-    void process(const Code& code, Frame& frame);
-    void name(const Code& code, Frame& frame);
-    void apply(const Code& code, Frame& frame);
-    void enter(const Function& function, const Values& environment, Values& arguments);
-    void value(Value process);
-    void internal_choice(const Code& code, Frame& frame);
-    void external_choice(const Code& code, Frame& frame);
-    void sequential(const Code& code, Frame& frame);
-    void hide(const Code& code, Frame& frame);
-    void prefix(const Code& code, Frame& frame);
-    void perform_all(const Code& code, Frame& frame);
-    void perform(const Code& code, std::size_t field, Value base, Frame& frame);
-    void input(const Code& code, std::size_t field, Value base, Frame& frame);
+    void steps_of_process(const Code& code, Frame& frame);
+    void steps_of_name(const Code& code, Frame& frame);
+    void steps_of_apply(const Code& code, Frame& frame);
+    void steps_of_function(const Function& function, const Values& environment, Values& arguments);
+    void steps_of_value(Value process);
+    void steps_of_internal_choice(const Code& code, Frame& frame);
+    void steps_of_external_choice(const Code& code, Frame& frame);
+    void steps_of_sequential(const Code& code, Frame& frame);
+    void steps_of_hide(const Code& code, Frame& frame);
+    void steps_of_prefix(const Code& code, Frame& frame);
+    void perform_all_offers(const Code& code, Frame& frame);
+    void perform_fields(const Code& code, std::size_t field, Value base, Frame& frame);
+    void input_field(const Code& code, std::size_t field, Value base, Frame& frame);
     void input_parts(const Code& code, std::size_t field, std::size_t part, Value base, Frame& frame);
 
     // transformations of the steps from index `first` on by an operator
     void refuse_taus(std::size_t first) const;
-    void followed_by(std::size_t first, std::span<const std::uint8_t> next);
-    void hidden(std::size_t first, process::SetId set);
-    void renamed(std::size_t first, process::RenamingId renaming);
-    std::size_t wrap(process::Op op, std::uint32_t part, const PackedSteps::Step& step);
+    void append_next_process(std::size_t first, std::span<const std::uint8_t> next);
+    void hide_events(std::size_t first, process::SetId set);
+    void rename_events(std::size_t first, process::RenamingId renaming);
+    std::size_t wrap_target(process::Op op, std::uint32_t part, const PackedSteps::Step& step);
 
     // bytes of process expressions (direct_bytes.cpp)
-    void write(const Code& code, Frame& frame);
+    void write_process(const Code& code, Frame& frame);
     void write_name(const Code& code, Frame& frame);
     void write_apply(const Code& code, Frame& frame);
     void write_global_call(const Function& function, const Code& code, Frame& frame);
@@ -100,8 +100,8 @@ private:
     void write_made(const Code& code, Frame& frame);
 
     [[nodiscard]] const Function* global_with(const Code& callee, std::size_t arguments) const;
-    [[nodiscard]] Value captured(const Frame& frame, int slot);
-    [[nodiscard]] Value combined(Value base, Value more, Span span);
+    [[nodiscard]] Value captured_value(const Frame& frame, int slot);
+    [[nodiscard]] Value combine_dot(Value base, Value more, Span span);
     [[nodiscard]] process::Event event_of(Value value, Span span);
 
     Evaluator& values_;

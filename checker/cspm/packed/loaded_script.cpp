@@ -9,24 +9,25 @@ namespace robochart::cspm {
 LoadedScript::LoadedScript(const Script& script, process::Compressor* compressor, diagnostics::Budget* budget,
                            bool whole_states)
     : terms(events), semantics(terms, compressor), resolver(program, store), evaluator(program, store, events, terms) {
-    if (budget != nullptr) resolver.watch([budget] { budget->poll(); });
+    if (budget != nullptr) resolver.set_poll([budget] { budget->poll(); });
     on_deep_stack([&] {
-        resolver.script(script);
+        resolver.compile_script(script);
         if (!whole_states) find_unread_parameters(program);
     });
-    resolver.watch({});
+    resolver.set_poll({});
 }
 
-LoadedScript::Ready LoadedScript::ready(const ExprPtr& expr, const Decl* place) {
+LoadedScript::Ready LoadedScript::compile_expression(const ExprPtr& expr, const Decl* place) {
     Unit* unit = nullptr;
     const Code* code = nullptr;
-    on_deep_stack([&] { code = resolver.expression(expr, place, unit); });
+    on_deep_stack([&] { code = resolver.compile_expression(expr, place, unit); });
     return {code, unit};
 }
 
-LoadedScript::Side LoadedScript::side(const ExprPtr& expr, const Decl& assertion) {
-    Side result{ready(expr, &assertion), std::nullopt};
-    if (assertion.assertion.tau_priority) result.tau_priority = ready(assertion.assertion.tau_priority, &assertion);
+LoadedScript::Side LoadedScript::compile_side(const ExprPtr& expr, const Decl& assertion) {
+    Side result{compile_expression(expr, &assertion), std::nullopt};
+    if (assertion.assertion.tau_priority)
+        result.tau_priority = compile_expression(assertion.assertion.tau_priority, &assertion);
     return result;
 }
 
@@ -41,7 +42,7 @@ Span LoadedScript::place_of(process::TermId term) {
     const process::Term& at = terms[term];
     if (at.op == process::Op::call) return evaluator.place_of_call(at.payload);
     for (const process::TermId child : at.children)
-        if (const Span place = place_of(child); place.known()) return place;
+        if (const Span place = place_of(child); place.is_known()) return place;
     return {};
 }
 

@@ -4,11 +4,11 @@
 
 #include <functional>
 
+#include "base/diagnostics/budget.hpp"
 #include "checker/cspm/eval/evaluator.hpp"
 #include "checker/cspm/resolve/resolver.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/process/operational_semantics.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace robochart::cspm {
 
@@ -26,13 +26,13 @@ public:
         const Code* code = nullptr;
         const Unit* unit = nullptr;
     };
-    [[nodiscard]] Ready ready(const ExprPtr& expr, const Decl* place = nullptr);
+    [[nodiscard]] Ready compile_expression(const ExprPtr& expr, const Decl* place = nullptr);
     /// One side of an assertion.
     struct Side {
         Ready process;
         std::optional<Ready> tau_priority;  ///< the events over which taus have priority
     };
-    [[nodiscard]] Side side(const ExprPtr& expr, const Decl& assertion);
+    [[nodiscard]] Side compile_side(const ExprPtr& expr, const Decl& assertion);
     [[nodiscard]] process::TermId term_of(const Side& side);
     /// Converts errors of the firing rules to evaluation errors, so that callers handle one type of exception. The
     /// error is placed at the erroneous definition if it is known, otherwise at `span`.
@@ -42,7 +42,7 @@ public:
             return work();
         } catch (const process::SemanticsError& error) {
             const Span place = error.term ? place_of(*error.term) : Span{};
-            throw EvaluationError(error.what(), place.known() ? place : span, {});
+            throw EvaluationError(error.what(), place.is_known() ? place : span, {});
         }
     }
 

@@ -16,13 +16,13 @@ namespace robochart::cspm {
 class PackedParts {
 public:
     /// Sets the term store of the following calls. Events must have the same numbers in all stores.
-    void use(process::TermStore& terms);
+    void set_terms(process::TermStore& terms);
     /// After this call a part without a number causes NotPacked. This makes the rows of a search the same in every run.
-    void fix() { fixed_ = true; }
+    void fix_numbers() { fixed_ = true; }
 
-    [[nodiscard]] std::uint32_t number(process::SetId set);
-    [[nodiscard]] std::uint32_t number(process::RenamingId renaming);
-    [[nodiscard]] std::uint32_t number(process::OrderId order);
+    [[nodiscard]] std::uint32_t number_of(process::SetId set);
+    [[nodiscard]] std::uint32_t number_of(process::RenamingId renaming);
+    [[nodiscard]] std::uint32_t number_of(process::OrderId order);
     [[nodiscard]] process::SetId set(std::uint32_t number);
     [[nodiscard]] process::RenamingId renaming(std::uint32_t number);
     [[nodiscard]] process::OrderId order(std::uint32_t number);
@@ -31,7 +31,7 @@ private:
     using Content = std::vector<process::EventSet>;  // one set; a renaming is one list of its pairs
     using Numbers = std::vector<std::optional<std::uint32_t>>;
 
-    std::uint32_t keep(Content content);
+    std::uint32_t number_content(Content content);
 
     process::TermStore* terms_ = nullptr;
     bool fixed_ = false;

@@ -59,7 +59,7 @@ PackedProcesses::PackedProcesses(Script script, process::EventTable& events, con
       events_(events),
       settings_(settings),
       no_compressor_(std::make_unique<NoCompressor>()) {
-    load();
+    load_script();
 }
 
 PackedProcesses::~PackedProcesses() = default;
@@ -67,20 +67,20 @@ PackedProcesses::~PackedProcesses() = default;
 std::size_t PackedProcesses::add(const ExprPtr& expr, const Decl& assertion) {
     load_if_needed();
     asked_.push_back({expr, kept_assertion(script_, assertion)});
-    sides_.push_back(loaded_->side(expr, assertion));
+    sides_.push_back(loaded_->compile_side(expr, assertion));
     make_codec();
     return asked_.size() - 1;
 }
 
 // Compiles the sides in the same order each time, so that definitions have the same numbers.
-void PackedProcesses::load() {
+void PackedProcesses::load_script() {
     direct_.reset();
     codec_.reset();
     loaded_ = std::make_unique<LoadedScript>(script_, no_compressor_.get(), nullptr, settings_.whole_states);
-    watch(poll_);
+    set_poll(poll_);
     sides_.clear();
-    for (const Asked& asked : asked_) sides_.push_back(loaded_->side(asked.expr, *asked.assertion));
-    parts_.use(loaded_->terms);
+    for (const Asked& asked : asked_) sides_.push_back(loaded_->compile_side(asked.expr, *asked.assertion));
+    parts_.set_terms(loaded_->terms);
     make_codec();
     kept_at_start_ = 0;
     ++loads_;
@@ -93,14 +93,14 @@ void PackedProcesses::make_codec() {
     direct_ = std::make_unique<DirectSteps>(loaded_->evaluator, *codec_, parts_);
 }
 
-std::size_t PackedProcesses::kept() const {
+std::size_t PackedProcesses::kept_object_count() const {
     return loaded_->store.size() + loaded_->terms.size();
 }
 
 /// Drops all evaluated data if there is much more than after the first state. The first state mainly needs the
 /// constants of the script, which are needed again after every reload.
-void PackedProcesses::forget() {
-    const std::size_t now = kept();
+void PackedProcesses::forget_if_large() {
+    const std::size_t now = kept_object_count();
     if (kept_at_start_ == 0) kept_at_start_ = now;
     if (now < 2 * kept_at_start_ + settings_.most_kept && !settings_.forget_each_state) return;
     direct_.reset();
@@ -110,7 +110,7 @@ void PackedProcesses::forget() {
 
 /// The script is not loaded if a limit stopped the previous attempt.
 void PackedProcesses::load_if_needed() {
-    if (direct_ == nullptr) load();
+    if (direct_ == nullptr) load_script();
 }
 
 Bytes PackedProcesses::initial(std::size_t side) {
@@ -141,7 +141,7 @@ bool PackedProcesses::is_direct(std::size_t side) {
 }
 
 void PackedProcesses::steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out) {
-    if (direct_ != nullptr) forget();
+    if (direct_ != nullptr) forget_if_large();
     load_if_needed();
     const SameEvents same(events_, loaded_->events);
     if (!settings_.terms_alone && direct_->find(state, out))
@@ -172,11 +172,11 @@ std::string PackedProcesses::describe(std::span<const std::uint8_t> state) {
     return process::describe(loaded_->terms, codec_->read(in));
 }
 
-void PackedProcesses::watch(std::function<void()> poll) {
+void PackedProcesses::set_poll(std::function<void()> poll) {
     poll_ = std::move(poll);
     if (loaded_ == nullptr) return;
-    loaded_->evaluator.watch(poll_);
-    loaded_->semantics.watch(poll_);
+    loaded_->evaluator.set_poll(poll_);
+    loaded_->semantics.set_poll(poll_);
 }
 
 }  // namespace robochart::cspm

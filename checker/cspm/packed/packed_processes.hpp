@@ -36,7 +36,7 @@ public:
 
     /// After this call rows are the same in every run. Parts that would be numbered in the order of their appearance
     /// cause NotPacked.
-    void fix_parts() { parts_.fix(); }
+    void fix_parts() { parts_.fix_numbers(); }
 
     // The following functions throw EvaluationError, and NotPacked if a state has no packed form.
     [[nodiscard]] Bytes initial(std::size_t side);
@@ -46,11 +46,11 @@ public:
     [[nodiscard]] std::string describe(std::span<const std::uint8_t> state);
 
     [[nodiscard]] process::EventTable& events() const { return events_; }
-    void watch(std::function<void()> poll);
+    void set_poll(std::function<void()> poll);
     /// Whether the steps of the first states can be computed without terms.
     [[nodiscard]] bool is_direct(std::size_t side);
     /// How often the script has been loaded.
-    [[nodiscard]] std::size_t loads() const { return loads_; }
+    [[nodiscard]] std::size_t load_count() const { return loads_; }
     /// The number of states whose steps were computed without terms.
     [[nodiscard]] std::uint64_t direct_answers() const { return direct_answers_; }
 
@@ -62,12 +62,12 @@ private:
         DeclPtr assertion;
     };
 
-    void load();
+    void load_script();
     void make_codec();
     void load_if_needed();
     void refuse_sets_of_processes() const;
-    void forget();
-    [[nodiscard]] std::size_t kept() const;
+    void forget_if_large();
+    [[nodiscard]] std::size_t kept_object_count() const;
     void steps_of_term(std::span<const std::uint8_t> state, PackedSteps& out);
 
     Script script_;

@@ -33,7 +33,7 @@ PackedSystem::PackedSystem(std::shared_ptr<PackedProcesses> processes, std::size
     width_ = std::max(width_, (first + sizeof(lts::Word) - 1) / sizeof(lts::Word));
 }
 
-void PackedSystem::fill(std::span<const std::uint8_t> bytes, std::span<lts::Word> row) {
+void PackedSystem::fill_row(std::span<const std::uint8_t> bytes, std::span<lts::Word> row) {
     const std::size_t words = (bytes.size() + sizeof(lts::Word) - 1) / sizeof(lts::Word);
     if (words > width_) {
         needed_ = words;
@@ -44,7 +44,7 @@ void PackedSystem::fill(std::span<const std::uint8_t> bytes, std::span<lts::Word
 }
 
 void PackedSystem::initial(std::span<lts::Word> state) {
-    fill(processes_->initial(side_), state);
+    fill_row(processes_->initial(side_), state);
 }
 
 void PackedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
@@ -54,7 +54,7 @@ void PackedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     processes_->steps(bytes_of(state), span_, work.steps);
     work.row.resize(width_);
     for (const PackedSteps::Step& step : work.steps.steps) {
-        fill(work.steps.target(step), work.row);
+        fill_row(work.steps.target(step), work.row);
         sink.add(step.event, work.row, step.revealed);
     }
 }
@@ -64,7 +64,7 @@ std::string PackedSystem::describe(lts::StateView state) const {
 }
 
 // Increases the width by at least one half, so that growing states restart the search only a few times.
-void PackedSystem::widen() {
+void PackedSystem::widen_rows() {
     constexpr std::size_t most_words = 256;
     if (needed_ <= width_) return;
     width_ = std::max(needed_, width_ + width_ / 2);

@@ -24,14 +24,14 @@ public:
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return processes_->events(); }
-    void watch(const std::function<void()>& poll) override { processes_->watch(poll); }
+    void set_poll(const std::function<void()>& poll) override { processes_->set_poll(poll); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
 
     /// Widens the rows to the size of the last state that did not fit. Throws NotPacked if that state is too large.
-    void widen();
+    void widen_rows();
 
 private:
-    void fill(std::span<const std::uint8_t> bytes, std::span<lts::Word> row);
+    void fill_row(std::span<const std::uint8_t> bytes, std::span<lts::Word> row);
 
     std::shared_ptr<PackedProcesses> processes_;
     std::size_t side_;

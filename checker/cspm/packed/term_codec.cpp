@@ -180,20 +180,20 @@ void TermCodec::write_values(const Values& values, std::size_t from, Bytes& out)
 }
 
 Value TermCodec::read_value(ByteReader& in) {
-    const std::uint8_t first = in.byte();
+    const std::uint8_t first = in.read_byte();
     if (first <= most_small) return store_.integer(first);
     if (first == false_value || first == true_value) return store_.boolean(first == true_value);
     if (first == bare_head) {
-        const auto head = static_cast<std::int64_t>(in.number());
+        const auto head = static_cast<std::int64_t>(in.read_number());
         return store_.dot({store_.make(Kind::head, head, {})});
     }
     const auto kind = static_cast<Kind>(first - first_kind);
     if (kind == Kind::integer) return store_.integer(in.signed_number());
     if (kind == Kind::process) return store_.make(kind, static_cast<std::int64_t>(read(in)), {});
     const std::int64_t number = has_number(kind) ? in.signed_number() : 0;
-    const Function* const function = kind == Kind::function ? functions_.at(in.number()) : nullptr;
-    const Group* const group = kind == Kind::group ? groups_.at(in.number()) : nullptr;
-    Values items = read_values(in.number(), in);
+    const Function* const function = kind == Kind::function ? functions_.at(in.read_number()) : nullptr;
+    const Group* const group = kind == Kind::group ? groups_.at(in.read_number()) : nullptr;
+    Values items = read_values(in.read_number(), in);
     if (group != nullptr) return store_.shared_group(*group, std::move(items), group->members.size());
     return store_.make(kind, number, std::move(items), function);
 }
@@ -206,14 +206,14 @@ Values TermCodec::read_values(std::size_t count, ByteReader& in) {
 }
 
 void TermCodec::skip_value(ByteReader& in) {
-    const std::uint8_t first = in.byte();
+    const std::uint8_t first = in.read_byte();
     if (first <= most_small || first == false_value || first == true_value) return;
     const auto kind = static_cast<Kind>(first - first_kind);
-    if (first == bare_head || kind == Kind::integer) return static_cast<void>(in.number());
+    if (first == bare_head || kind == Kind::integer) return static_cast<void>(in.read_number());
     if (kind == Kind::process) return skip(in);
-    if (has_number(kind)) (void)in.number();
-    if (kind == Kind::function || kind == Kind::group) (void)in.number();
-    skip_values(in.number(), in);
+    if (has_number(kind)) (void)in.read_number();
+    if (kind == Kind::function || kind == Kind::group) (void)in.read_number();
+    skip_values(in.read_number(), in);
 }
 
 void TermCodec::skip_values(std::size_t count, ByteReader& in) {
@@ -235,7 +235,7 @@ void TermCodec::begin_call(const Function& function, Bytes& out) {
 }
 
 const Function* TermCodec::call_head(ByteReader& in) const {
-    const std::uint64_t number = in.number();
+    const std::uint64_t number = in.read_number();
     return number == 0 ? nullptr : functions_.at(number - 1);
 }
 
@@ -259,12 +259,12 @@ void TermCodec::write_call(const process::Term& term, Bytes& out) {
 TermId TermCodec::read_call(ByteReader& in) {
     const Function* const definition = call_head(in);
     if (definition == nullptr) {
-        const Values key = read_values(in.number(), in);
-        return processes_.call(key[0], {key.begin() + 1, key.end()});
+        const Values key = read_values(in.read_number(), in);
+        return processes_.make_call(key[0], {key.begin() + 1, key.end()});
     }
     const CallShape expected = shape(*definition);
     const Value function = store_.make(Kind::function, 0, read_values(expected.given, in), definition);
-    return processes_.call(function, read_values(expected.arguments, in));
+    return processes_.make_call(function, read_values(expected.arguments, in));
 }
 
 // ---------------------------------------------------------------- prefixes
@@ -299,31 +299,31 @@ void TermCodec::write_prefix(const process::Term& term, Bytes& out) {
         put_number(place, out);
     } else if (first == 1) {
         const auto tock = static_cast<process::Event>(key->items[0]->number);
-        put_number(parts_.number(terms_.set({tock})), out);
+        put_number(parts_.number_of(terms_.intern_set({tock})), out);
     }
     if (key->items.size() != first + values_of_prefix(kind, place)) throw NotPacked{"a prefix of another form"};
     write_values(key->items, first, out);
 }
 
 TermId TermCodec::read_prefix(ByteReader& in) {
-    const auto kind = static_cast<PrefixKind>(in.byte());
+    const auto kind = static_cast<PrefixKind>(in.read_byte());
     Values key;
     std::uint64_t place = 0;
     if (kind == PrefixKind::script || kind == PrefixKind::chosen) {
-        place = in.number();
+        place = in.read_number();
         key.push_back(store_.integer(static_cast<std::int64_t>(place)));
     } else if (kind != PrefixKind::buffer) {
-        const process::SetId tock = parts_.set(static_cast<std::uint32_t>(in.number()));
+        const process::SetId tock = parts_.set(static_cast<std::uint32_t>(in.read_number()));
         key.push_back(store_.integer(terms_[tock].front()));
     }
     const Values values = read_values(values_of_prefix(kind, place), in);
     key.insert(key.end(), values.begin(), values.end());
-    return processes_.prefix(kind, std::move(key));
+    return processes_.make_prefix(kind, std::move(key));
 }
 
 void TermCodec::skip_prefix(ByteReader& in) {
-    const auto kind = static_cast<PrefixKind>(in.byte());
-    const std::uint64_t place = kind == PrefixKind::buffer ? 0 : in.number();
+    const auto kind = static_cast<PrefixKind>(in.read_byte());
+    const std::uint64_t place = kind == PrefixKind::buffer ? 0 : in.read_number();
     skip_values(values_of_prefix(kind, place), in);
 }
 
@@ -348,13 +348,13 @@ void TermCodec::write(TermId id, Bytes& out) {
         case Part::none:
             break;
         case Part::set:
-            put_number(parts_.number(process::SetId{term.payload}), out);
+            put_number(parts_.number_of(process::SetId{term.payload}), out);
             break;
         case Part::renaming:
-            put_number(parts_.number(process::RenamingId{term.payload}), out);
+            put_number(parts_.number_of(process::RenamingId{term.payload}), out);
             break;
         case Part::order:
-            put_number(parts_.number(process::OrderId{term.payload}), out);
+            put_number(parts_.number_of(process::OrderId{term.payload}), out);
             break;
     }
     if (!operands_of(term.op)) put_number(term.children.size(), out);
@@ -362,19 +362,19 @@ void TermCodec::write(TermId id, Bytes& out) {
 }
 
 void TermCodec::write_children(const process::Term& term, Bytes& out) {
-    for (const process::SetId set : term.sets) put_number(parts_.number(set), out);
+    for (const process::SetId set : term.sets) put_number(parts_.number_of(set), out);
     for (const TermId child : term.children) write(child, out);
 }
 
 TermId TermCodec::read(ByteReader& in) {
-    const auto op = static_cast<Op>(in.byte());
+    const auto op = static_cast<Op>(in.read_byte());
     if (op == Op::call) return read_call(in);
     if (op == Op::prefix) return read_prefix(in);
     return read_operator(op, in);
 }
 
 std::uint32_t TermCodec::read_part(Op op, ByteReader& in) {
-    const auto number = [&in] { return static_cast<std::uint32_t>(in.number()); };
+    const auto number = [&in] { return static_cast<std::uint32_t>(in.read_number()); };
     switch (part_of(op)) {
         case Part::none:
             return 0;
@@ -391,28 +391,28 @@ std::uint32_t TermCodec::read_part(Op op, ByteReader& in) {
 TermId TermCodec::read_operator(Op op, ByteReader& in) {
     process::Term term{op, read_part(op, in), {}, {}};
     const std::optional<std::size_t> fixed = operands_of(op);
-    const std::size_t operands = fixed ? *fixed : in.number();
+    const std::size_t operands = fixed ? *fixed : in.read_number();
     if (op == Op::alphabetised)
         for (std::size_t i = 0; i < operands; ++i)
-            term.sets.push_back(parts_.set(static_cast<std::uint32_t>(in.number())));
+            term.sets.push_back(parts_.set(static_cast<std::uint32_t>(in.read_number())));
     for (std::size_t i = 0; i < operands; ++i) term.children.push_back(read(in));
-    return terms_.make(term);
+    return terms_.intern_term(term);
 }
 
 void TermCodec::skip(ByteReader& in) {
-    const auto op = static_cast<Op>(in.byte());
+    const auto op = static_cast<Op>(in.read_byte());
     if (op == Op::prefix) return skip_prefix(in);
     if (op == Op::call) {
         const Function* const definition = call_head(in);
-        if (definition == nullptr) return skip_values(in.number(), in);
+        if (definition == nullptr) return skip_values(in.read_number(), in);
         const CallShape expected = shape(*definition);
         return skip_values(expected.given + expected.arguments, in);
     }
-    if (part_of(op) != Part::none) (void)in.number();
+    if (part_of(op) != Part::none) (void)in.read_number();
     const std::optional<std::size_t> fixed = operands_of(op);
-    const std::size_t operands = fixed ? *fixed : in.number();
+    const std::size_t operands = fixed ? *fixed : in.read_number();
     if (op == Op::alphabetised)
-        for (std::size_t i = 0; i < operands; ++i) (void)in.number();
+        for (std::size_t i = 0; i < operands; ++i) (void)in.read_number();
     for (std::size_t i = 0; i < operands; ++i) skip(in);
 }
 

@@ -36,17 +36,17 @@ const Code* Resolver::compile(const ExprPtr& expr) {
         case ExprKind::character:
         case ExprKind::string:
         case ExprKind::boolean:
-            return literal(*expr);
+            return compile_literal(*expr);
         case ExprKind::name:
-            return name(*expr);
+            return compile_name(*expr);
         case ExprKind::lambda:
-            return lambda(*expr);
+            return compile_lambda(*expr);
         case ExprKind::let:
-            return let(*expr);
+            return compile_let(*expr);
         case ExprKind::prefix:
-            return prefix(*expr, {});
+            return compile_prefix(*expr, {});
         case ExprKind::replicated_external:
-            return offers_events(*expr) ? prefix(*expr->args[0], expr->clauses) : with_clauses(*expr);
+            return offers_events(*expr) ? compile_prefix(*expr->args[0], expr->clauses) : with_clauses(*expr);
         default:
             return with_clauses(*expr);
     }
@@ -63,7 +63,7 @@ bool Resolver::offers_events(const Expr& choice) const {
            event.text == variable->text;
 }
 
-const Code* Resolver::literal(const Expr& expr) {
+const Code* Resolver::compile_literal(const Expr& expr) {
     Code& code = new_code(expr);
     switch (expr.kind) {
         case ExprKind::integer:
@@ -76,14 +76,14 @@ const Code* Resolver::literal(const Expr& expr) {
             code.constant = store_.boolean(expr.number != 0);
             break;
         default:
-            code.constant = store_.text(expr.text);
+            code.constant = store_.make_string(expr.text);
             break;
     }
     return &code;
 }
 
 // The clauses bind their variables in the frame of the expression that contains them.
-std::vector<ClauseCode> Resolver::clauses(const std::vector<Clause>& clauses) {
+std::vector<ClauseCode> Resolver::compile_clauses(const std::vector<Clause>& clauses) {
     std::vector<ClauseCode> result;
     for (const Clause& each : clauses) {
         ClauseCode code;
@@ -91,7 +91,7 @@ std::vector<ClauseCode> Resolver::clauses(const std::vector<Clause>& clauses) {
         code.value = compile(each.value);
         if (each.pattern) {
             scope_ = &new_scope(scope_);
-            code.pattern = match(*each.pattern);
+            code.pattern = compile_pattern(*each.pattern);
         }
         result.push_back(std::move(code));
     }
@@ -119,11 +119,11 @@ const Code* Resolver::with_clauses(const Expr& expr) {
         }
     };
     args(true);
-    code.clauses = clauses(expr.clauses);
+    code.clauses = compile_clauses(expr.clauses);
     if (expr.kind == ExprKind::replicated_linked && expr.args.size() > 1) {
         code.args.resize(1);
         code.args[0] = compile(expr.args[0]);
-        code.link_clauses = clauses(expr.args[1]->clauses);
+        code.link_clauses = compile_clauses(expr.args[1]->clauses);
     } else {
         args(false);
     }
@@ -132,7 +132,7 @@ const Code* Resolver::with_clauses(const Expr& expr) {
     return &code;
 }
 
-const Code* Resolver::lambda(const Expr& expr) {
+const Code* Resolver::compile_lambda(const Expr& expr) {
     Code& code = new_code(expr);
     Function& function = program_.lambdas.emplace_back();
     function.number = functions_++;
@@ -149,7 +149,7 @@ const Code* Resolver::lambda(const Expr& expr) {
     return &code;
 }
 
-const Code* Resolver::let(const Expr& expr) {
+const Code* Resolver::compile_let(const Expr& expr) {
     Code& code = new_code(expr);
     Group& group = program_.groups.emplace_back();
     group.number = static_cast<std::uint32_t>(program_.groups.size());
@@ -228,7 +228,7 @@ void Resolver::let_value(const Decl& decl, LetScope& let) {
         let_bind(let, variable, component, decl.span);
         let.jobs.emplace_back([this, &group = let.group, whole, component, variable, &pattern] {
             std::vector<std::pair<std::string, int>> slots;
-            variables(group.members[whole].function.clauses.at(0).patterns.at(0), pattern, slots);
+            collect_variables(group.members[whole].function.clauses.at(0).patterns.at(0), pattern, slots);
             for (const auto& [found, at] : slots) {
                 if (found == variable) group.members[component].component_slot = at;
             }
@@ -269,16 +269,16 @@ void Resolver::let_timed(const Decl& decl, LetScope& let) {
     timed_ = outside;
 }
 
-const Code* Resolver::prefix(const Expr& expr, const std::vector<Clause>& offered) {
+const Code* Resolver::compile_prefix(const Expr& expr, const std::vector<Clause>& offered) {
     Code& code = new_code(expr);
     code.number = static_cast<std::uint32_t>(program_.prefixes.size());
     program_.prefixes.push_back(&code);
     code.unit = &new_unit(unit_);
     Unit* const outer_unit = std::exchange(unit_, code.unit);
     Scope* const outer_scope = scope_;
-    code.clauses = clauses(offered);
+    code.clauses = compile_clauses(offered);
     code.args.push_back(compile(expr.args[0]));
-    for (const Field& each : expr.fields) code.fields.push_back(field(each));
+    for (const Field& each : expr.fields) code.fields.push_back(compile_field(each));
     code.args.push_back(compile(expr.args[1]));
     scope_ = outer_scope;
     unit_ = outer_unit;
@@ -286,7 +286,7 @@ const Code* Resolver::prefix(const Expr& expr, const std::vector<Clause>& offere
     return &code;
 }
 
-FieldCode Resolver::field(const Field& given) {
+FieldCode Resolver::compile_field(const Field& given) {
     FieldCode result;
     result.kind = given.kind;
     result.span = given.span;
@@ -297,7 +297,7 @@ FieldCode Resolver::field(const Field& given) {
     if (!given.pattern) return result;
     scope_ = &new_scope(scope_);
     if (given.value) {
-        result.patterns.push_back(match(*given.pattern));
+        result.patterns.push_back(compile_pattern(*given.pattern));
     } else {
         field_parts(*given.pattern, result.patterns);
     }
@@ -310,10 +310,10 @@ void Resolver::field_parts(const Pattern& pattern, std::vector<MatchCode>& parts
         return;
     }
     if (pattern.kind == PatternKind::both) fail("@@ is not allowed in a prefix", pattern.span);
-    parts.push_back(match(pattern));
+    parts.push_back(compile_pattern(pattern));
 }
 
-MatchCode Resolver::match(const Pattern& pattern) {
+MatchCode Resolver::compile_pattern(const Pattern& pattern) {
     MatchCode result;
     result.kind = pattern.kind;
     result.number = pattern.number;
@@ -346,7 +346,7 @@ MatchCode Resolver::match(const Pattern& pattern) {
             }
         }
     }
-    for (const PatternPtr& arg : pattern.args) result.args.push_back(match(*arg));
+    for (const PatternPtr& arg : pattern.args) result.args.push_back(compile_pattern(*arg));
     return result;
 }
 

@@ -19,12 +19,12 @@ void Resolver::fail(const std::string& message, Span span) {
     throw EvaluationError(message, span, {});
 }
 
-void Resolver::script(const Script& script) {
+void Resolver::compile_script(const Script& script) {
     declare(script.decls, {global_, nullptr, "", nullptr});
     run_jobs();
 }
 
-const Code* Resolver::expression(const ExprPtr& expr, const Decl* place, Unit*& unit) {
+const Code* Resolver::compile_expression(const ExprPtr& expr, const Decl* place, Unit*& unit) {
     const auto found = places_.find(place);
     const Place where = found == places_.end() ? Place{global_, nullptr} : found->second;
     unit = &new_unit(nullptr);
@@ -46,7 +46,7 @@ void Resolver::run_jobs() {
 
 // ---------------------------------------------------------------- declarations
 
-void Resolver::later(const Target& target, std::function<void()> job) {
+void Resolver::schedule_job(const Target& target, std::function<void()> job) {
     jobs_.push_back([this, scope = target.scope, timed = target.timed, job = std::move(job)] {
         scope_ = scope;
         timed_ = timed;
@@ -55,7 +55,7 @@ void Resolver::later(const Target& target, std::function<void()> job) {
     });
 }
 
-void Resolver::bind(const Target& target, const std::string& name, Binding binding) {
+void Resolver::bind_name(const Target& target, const std::string& name, Binding binding) {
     const auto [place, fresh] = target.scope->names.emplace(name, binding);
     if (!fresh) fail("'" + name + "' is declared twice in one scope", binding.span);
     if (target.exported != nullptr) target.exported->names.emplace(name, binding);
@@ -126,10 +126,10 @@ std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::s
         ++last;
     }
     const int index = new_global(GlobalKind::function, target.prefix + decl.names.at(0), decl.span);
-    bind(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
+    bind_name(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
     const std::vector<DeclPtr> clauses(decls.begin() + static_cast<std::ptrdiff_t>(first),
                                        decls.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    later(target, [this, index, clauses] {
+    schedule_job(target, [this, index, clauses] {
         for (const DeclPtr& clause : clauses) {
             clause_of(program_.globals[static_cast<std::size_t>(index)].function, *clause, nullptr, nullptr);
         }
@@ -148,7 +148,7 @@ void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, con
     std::vector<std::size_t> groups;
     for (const auto& group : decl.patterns) {
         groups.push_back(group.size());
-        for (const PatternPtr& pattern : group) clause.patterns.push_back(match(*pattern));
+        for (const PatternPtr& pattern : group) clause.patterns.push_back(compile_pattern(*pattern));
     }
     if (decl.kind == DeclKind::value) groups.clear();
     if (!function.clauses.empty() && function.groups != groups) {
@@ -163,10 +163,10 @@ void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, con
     function.clauses.push_back(std::move(clause));
 }
 
-void Resolver::variables(const MatchCode& code, const Pattern& pattern,
-                         std::vector<std::pair<std::string, int>>& out) const {
+void Resolver::collect_variables(const MatchCode& code, const Pattern& pattern,
+                                 std::vector<std::pair<std::string, int>>& out) const {
     if (code.kind == PatternKind::name && !code.head) out.emplace_back(pattern.text, static_cast<int>(code.number));
-    for (std::size_t i = 0; i < code.args.size(); ++i) variables(code.args[i], *pattern.args[i], out);
+    for (std::size_t i = 0; i < code.args.size(); ++i) collect_variables(code.args[i], *pattern.args[i], out);
 }
 
 namespace {
@@ -206,8 +206,8 @@ void Resolver::declare_value(const Decl& decl, const Target& target) {
     const Pattern& pattern = *decl.patterns.at(0).at(0);
     const bool plain = pattern.kind == PatternKind::name;
     const int index = new_global(GlobalKind::function, target.prefix + (plain ? pattern.text : "_"), decl.span);
-    if (plain) bind(target, pattern.text, {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
-    later(target, [this, index, &decl] {
+    if (plain) bind_name(target, pattern.text, {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
+    schedule_job(target, [this, index, &decl] {
         clause_of(program_.globals[static_cast<std::size_t>(index)].function, decl, nullptr, nullptr);
     });
     if (plain) return;
@@ -218,11 +218,11 @@ void Resolver::declare_value(const Decl& decl, const Target& target) {
         if (existing != nullptr && existing->what == What::head) continue;
         const int component = new_global(GlobalKind::component, target.prefix + each, decl.span);
         program_.globals[static_cast<std::size_t>(component)].component_of = index;
-        bind(target, each, {What::global, nullptr, -1, nullptr, component, nullptr, decl.span});
-        later(target, [this, index, component, each, &pattern] {
+        bind_name(target, each, {What::global, nullptr, -1, nullptr, component, nullptr, decl.span});
+        schedule_job(target, [this, index, component, each, &pattern] {
             const Function& whole = program_.globals[static_cast<std::size_t>(index)].function;
             std::vector<std::pair<std::string, int>> slots;
-            variables(whole.clauses.at(0).patterns.at(0), pattern, slots);
+            collect_variables(whole.clauses.at(0).patterns.at(0), pattern, slots);
             for (const auto& [name, slot] : slots) {
                 if (name == each) program_.globals[static_cast<std::size_t>(component)].component_slot = slot;
             }
@@ -239,10 +239,10 @@ void Resolver::declare_channel(const Decl& decl, const Target& target) {
         head.span = decl.span;
         head.channel = true;
         heads.push_back(index);
-        bind(target, each, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
+        bind_name(target, each, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
     }
     if (!decl.body) return;
-    later(target, [this, heads, &decl] {
+    schedule_job(target, [this, heads, &decl] {
         unit_ = &new_unit(nullptr);
         const Code* code = compile(decl.body);
         for (const int index : heads) {
@@ -254,7 +254,7 @@ void Resolver::declare_channel(const Decl& decl, const Target& target) {
 
 void Resolver::declare_datatype(const Decl& decl, const Target& target) {
     const int type = new_global(GlobalKind::datatype, target.prefix + decl.names.at(0), decl.span);
-    bind(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, type, nullptr, decl.span});
+    bind_name(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, type, nullptr, decl.span});
     for (const Constructor& each : decl.constructors) {
         const int index = static_cast<int>(program_.heads.size());
         Head& head = program_.heads.emplace_back();
@@ -262,9 +262,9 @@ void Resolver::declare_datatype(const Decl& decl, const Target& target) {
         head.span = each.span;
         head.type = type;
         program_.globals[static_cast<std::size_t>(type)].heads.push_back(index);
-        bind(target, each.name, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
+        bind_name(target, each.name, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
         if (!each.fields) continue;
-        later(target, [this, index, &each] {
+        schedule_job(target, [this, index, &each] {
             unit_ = &new_unit(nullptr);
             program_.heads[static_cast<std::size_t>(index)].fields_code = compile(each.fields);
             program_.heads[static_cast<std::size_t>(index)].unit = unit_;
@@ -274,8 +274,8 @@ void Resolver::declare_datatype(const Decl& decl, const Target& target) {
 
 void Resolver::declare_subtype(const Decl& decl, const Target& target) {
     const int index = new_global(GlobalKind::subtype, target.prefix + decl.names.at(0), decl.span);
-    bind(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
-    later(target, [this, index, &decl] {
+    bind_name(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
+    schedule_job(target, [this, index, &decl] {
         FunctionClause clause;
         clause.unit = unit_ = &new_unit(nullptr);
         Global& global = program_.globals[static_cast<std::size_t>(index)];
@@ -293,8 +293,8 @@ void Resolver::declare_subtype(const Decl& decl, const Target& target) {
 
 void Resolver::declare_nametype(const Decl& decl, const Target& target) {
     const int index = new_global(GlobalKind::nametype, target.prefix + decl.names.at(0), decl.span);
-    bind(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
-    later(target, [this, index, &decl] {
+    bind_name(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
+    schedule_job(target, [this, index, &decl] {
         FunctionClause clause;
         clause.unit = unit_ = &new_unit(nullptr);
         clause.body = compile(decl.body);
@@ -323,7 +323,7 @@ void Resolver::declare_builtins(const Decl& decl, Scope& scope, Scope* exported)
 void Resolver::declare_timed(const Decl& decl, const Target& target) {
     TimedSection& section = program_.timed.emplace_back();
     const Target inside{target.scope, target.exported, target.prefix, &section};
-    later(target, [this, &section, &decl] {
+    schedule_job(target, [this, &section, &decl] {
         const Binding* tock = find("tock", scope_);
         if (tock == nullptr || tock->what != What::head) {
             fail("a timed section needs a channel 'tock' in scope", decl.span);
@@ -342,13 +342,13 @@ void Resolver::declare_module(const Decl& decl, const Target& target) {
     module.outer = target.scope;
     module.timed = target.timed;
     module.name = target.prefix + decl.names.at(0);
-    bind(target, decl.names.at(0), {What::module, nullptr, -1, nullptr, -1, &module, decl.span});
-    if (decl.parameters.empty()) fill(module, module.name + "::", target.timed, &new_scope(target.scope));
+    bind_name(target, decl.names.at(0), {What::module, nullptr, -1, nullptr, -1, &module, decl.span});
+    if (decl.parameters.empty()) declare_contents(module, module.name + "::", target.timed, &new_scope(target.scope));
 }
 
 // Adds the declarations of the module: all of them to `inner`, and the exported ones also to the exports, with the name
 // of the module as prefix.
-void Resolver::fill(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner) {
+void Resolver::declare_contents(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner) {
     declare(module.decl->decls, {inner, nullptr, prefix, timed});
     declare(module.decl->exports, {inner, &module.exported, prefix, timed});
 }
@@ -359,12 +359,12 @@ void Resolver::declare_instance(const Decl& decl, const Target& target) {
     module.instance_scope = target.scope;
     module.timed = target.timed;
     module.name = target.prefix + decl.names.at(0);
-    bind(target, decl.names.at(0), {What::module, nullptr, -1, nullptr, -1, &module, decl.span});
-    jobs_.push_back([this, &module] { ensure(module); });
+    bind_name(target, decl.names.at(0), {What::module, nullptr, -1, nullptr, -1, &module, decl.span});
+    jobs_.push_back([this, &module] { create_instance(module); });
 }
 
 // Creates an instance: a copy of its module in which the parameters are defined as the arguments.
-void Resolver::ensure(Module& module) {
+void Resolver::create_instance(Module& module) {
     if (module.instance == nullptr) return;
     const Decl& decl = *module.instance;
     if (module.running) fail("instance '" + module.name + "' is made of itself", decl.span);
@@ -372,7 +372,7 @@ void Resolver::ensure(Module& module) {
     module.running = true;
     const Binding* found = find(decl.text, module.instance_scope);
     if (found == nullptr || found->what != What::module) fail("'" + decl.text + "' is not a module", decl.span);
-    ensure(*found->module);
+    create_instance(*found->module);
     const Module& original = *found->module;
     if (original.decl == nullptr) fail("'" + decl.text + "' is an instance, not a module", decl.span);
     if (original.decl->parameters.size() != decl.arguments.size()) {
@@ -385,9 +385,10 @@ void Resolver::ensure(Module& module) {
     for (std::size_t i = 0; i < decl.arguments.size(); ++i) {
         const int index =
             new_global(GlobalKind::function, module.name + "::" + original.decl->parameters[i], decl.span);
-        bind(parameters, original.decl->parameters[i], {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
+        bind_name(parameters, original.decl->parameters[i],
+                  {What::global, nullptr, -1, nullptr, index, nullptr, decl.span});
         const ExprPtr argument = decl.arguments[i];
-        later({module.instance_scope, nullptr, "", module.timed}, [this, index, argument] {
+        schedule_job({module.instance_scope, nullptr, "", module.timed}, [this, index, argument] {
             FunctionClause clause;
             clause.unit = unit_ = &new_unit(nullptr);
             clause.patterns.push_back({});
@@ -396,7 +397,7 @@ void Resolver::ensure(Module& module) {
         });
     }
     module.decl = original.decl;
-    fill(module, module.name + "::", original.timed, inner);
+    declare_contents(module, module.name + "::", original.timed, inner);
     module.decl = nullptr;
     module.running = false;
 }
@@ -424,7 +425,7 @@ const Resolver::Binding* Resolver::find(std::string_view text, Scope* scope) {
 }
 
 const Resolver::Binding* Resolver::find_inside(Module& module, std::string_view path) {
-    ensure(module);
+    create_instance(module);
     const std::size_t colons = path.find("::");
     const auto found = module.exported.names.find(path.substr(0, colons));
     if (found == module.exported.names.end()) return nullptr;
@@ -433,7 +434,7 @@ const Resolver::Binding* Resolver::find_inside(Module& module, std::string_view 
     return find_inside(*found->second.module, path.substr(colons + 2));
 }
 
-int Resolver::capture(Unit& unit, int parent_slot) {
+int Resolver::capture_variable(Unit& unit, int parent_slot) {
     for (const auto& [from, to] : unit.captures) {
         if (from == parent_slot) return to;
     }
@@ -443,7 +444,7 @@ int Resolver::capture(Unit& unit, int parent_slot) {
 
 int Resolver::import_local(Unit& unit, const Unit& owner, int slot) {
     if (&unit == &owner) return slot;
-    return capture(unit, import_local(*unit.parent, owner, slot));
+    return capture_variable(unit, import_local(*unit.parent, owner, slot));
 }
 
 int Resolver::import_group(Unit& unit, const Binding& binding) {
@@ -452,10 +453,10 @@ int Resolver::import_group(Unit& unit, const Binding& binding) {
         if (unit.self_slot < 0) unit.self_slot = unit.size++;
         return unit.self_slot;
     }
-    return capture(unit, import_group(*unit.parent, binding));
+    return capture_variable(unit, import_group(*unit.parent, binding));
 }
 
-const Code* Resolver::reference(const Expr& expr, const Binding& binding) {
+const Code* Resolver::compile_reference(const Expr& expr, const Binding& binding) {
     Code& code = new_code(expr);
     code.kind = ExprKind::name;
     switch (binding.what) {
@@ -487,8 +488,8 @@ const Code* Resolver::reference(const Expr& expr, const Binding& binding) {
     return &code;
 }
 
-const Code* Resolver::name(const Expr& expr) {
-    if (const Binding* found = find(expr.text, scope_)) return reference(expr, *found);
+const Code* Resolver::compile_name(const Expr& expr) {
+    if (const Binding* found = find(expr.text, scope_)) return compile_reference(expr, *found);
     const BuiltinName* builtin = find_builtin(expr.text);
     if (builtin == nullptr) fail("'" + expr.text + "' is not in scope", expr.span);
     if (builtin->visibility == Visibility::timed_sections && timed_ == nullptr) {
@@ -499,7 +500,8 @@ const Code* Resolver::name(const Expr& expr) {
                  (builtin->visibility == Visibility::external ? "external" : "transparent") + " before use",
              expr.span);
     }
-    return reference(expr, {What::builtin, nullptr, -1, nullptr, static_cast<int>(builtin->builtin), nullptr, {}});
+    return compile_reference(expr,
+                             {What::builtin, nullptr, -1, nullptr, static_cast<int>(builtin->builtin), nullptr, {}});
 }
 
 }  // namespace robochart::cspm

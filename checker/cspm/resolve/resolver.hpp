@@ -20,12 +20,12 @@ public:
     Resolver(Program& program, ValueStore& store);
 
     /// `poll` is called regularly while a script is compiled; it may throw.
-    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
     /// Declares and compiles a script's declarations.
-    void script(const Script& script);
+    void compile_script(const Script& script);
     /// Compiles an expression in the script's global scope; if `place` is given (an assertion of the script), in the
     /// scope of its module or timed section.
-    const Code* expression(const ExprPtr& expr, const Decl* place, Unit*& unit);
+    const Code* compile_expression(const ExprPtr& expr, const Decl* place, Unit*& unit);
 
 private:
     struct Module;
@@ -85,31 +85,31 @@ private:
     void declare_instance(const Decl& decl, const Target& target);
     void declare_timed(const Decl& decl, const Target& target);
     void declare_builtins(const Decl& decl, Scope& scope, Scope* exported);
-    void fill(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner);
-    void ensure(Module& module);
-    void bind(const Target& target, const std::string& name, Binding binding);
+    void declare_contents(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner);
+    void create_instance(Module& module);
+    void bind_name(const Target& target, const std::string& name, Binding binding);
     int new_global(GlobalKind kind, const std::string& name, Span span);
-    void later(const Target& target, std::function<void()> job);
+    void schedule_job(const Target& target, std::function<void()> job);
     void run_jobs();
 
     // names
     [[nodiscard]] const Binding* find(std::string_view text, Scope* scope);
     const Binding* find_inside(Module& module, std::string_view path);
     [[nodiscard]] const Binding* find_simple(std::string_view name, Scope* scope) const;
-    const Code* name(const Expr& expr);
-    const Code* reference(const Expr& expr, const Binding& binding);
+    const Code* compile_name(const Expr& expr);
+    const Code* compile_reference(const Expr& expr, const Binding& binding);
     static int import_local(Unit& unit, const Unit& owner, int slot);
     static int import_group(Unit& unit, const Binding& binding);
-    static int capture(Unit& unit, int parent_slot);
+    static int capture_variable(Unit& unit, int parent_slot);
 
     // code
     Unit& new_unit(Unit* parent);
     Code& new_code(const Expr& expr);
     Scope& new_scope(Scope* parent);
     const Code* compile(const ExprPtr& expr);
-    const Code* literal(const Expr& expr);
-    const Code* lambda(const Expr& expr);
-    const Code* let(const Expr& expr);
+    const Code* compile_literal(const Expr& expr);
+    const Code* compile_lambda(const Expr& expr);
+    const Code* compile_let(const Expr& expr);
     void let_members(const std::vector<DeclPtr>& decls, LetScope& let);
     std::size_t let_member(LetScope& let, const std::string& name, Span span);
     void let_bind(LetScope& let, const std::string& name, std::size_t index, Span span);
@@ -117,15 +117,16 @@ private:
     void let_value(const Decl& decl, LetScope& let);
     void let_timed(const Decl& decl, LetScope& let);
     std::vector<std::string> pattern_variables(const Pattern& pattern);
-    const Code* prefix(const Expr& expr, const std::vector<Clause>& offered);
+    const Code* compile_prefix(const Expr& expr, const std::vector<Clause>& offered);
     [[nodiscard]] bool offers_events(const Expr& choice) const;
-    FieldCode field(const Field& field);
+    FieldCode compile_field(const Field& field);
     void field_parts(const Pattern& pattern, std::vector<MatchCode>& parts);
     const Code* with_clauses(const Expr& expr);
-    std::vector<ClauseCode> clauses(const std::vector<Clause>& clauses);
+    std::vector<ClauseCode> compile_clauses(const std::vector<Clause>& clauses);
     void clause_of(Function& function, const Decl& decl, Unit* parent, const Group* member_of);
-    MatchCode match(const Pattern& pattern);
-    void variables(const MatchCode& match, const Pattern& pattern, std::vector<std::pair<std::string, int>>& out) const;
+    MatchCode compile_pattern(const Pattern& pattern);
+    void collect_variables(const MatchCode& match, const Pattern& pattern,
+                           std::vector<std::pair<std::string, int>>& out) const;
     [[noreturn]] static void fail(const std::string& message, Span span);
 
     Program& program_;

@@ -111,7 +111,7 @@ void Reading::expression(const Code* code, const Unit* unit) {
     for (const Code* arg : code->args) expression(arg, unit);
 }
 
-void fill(Function& function, const Reading& reading) {
+void mark_unread(Function& function, const Reading& reading) {
     if (function.groups.size() != 1) return;
     function.unread.assign(function.groups.front(), true);
     for (const FunctionClause& clause : function.clauses)
@@ -128,9 +128,9 @@ void fill(Function& function, const Reading& reading) {
 
 void find_unread_parameters(Program& program) {
     const Reading reading(program);
-    for (Global& global : program.globals) fill(global.function, reading);
+    for (Global& global : program.globals) mark_unread(global.function, reading);
     for (Group& group : program.groups)
-        for (Member& member : group.members) fill(member.function, reading);
+        for (Member& member : group.members) mark_unread(member.function, reading);
 }
 
 }  // namespace robochart::cspm

@@ -8,13 +8,13 @@ namespace robochart::cspm::build {
 
 namespace {
 
-ExprPtr finish(Expr node) {
+ExprPtr share_node(Expr node) {
     return std::make_shared<const Expr>(std::move(node));
 }
-PatternPtr finish(Pattern node) {
+PatternPtr share_node(Pattern node) {
     return std::make_shared<const Pattern>(std::move(node));
 }
-DeclPtr finish(Decl node) {
+DeclPtr share_node(Decl node) {
     return std::make_shared<const Decl>(std::move(node));
 }
 
@@ -22,7 +22,7 @@ ExprPtr node(ExprKind kind, Exprs args = {}) {
     Expr result;
     result.kind = kind;
     result.args = std::move(args);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 ExprPtr leaf(ExprKind kind, std::string text, std::int64_t number = 0) {
@@ -30,7 +30,7 @@ ExprPtr leaf(ExprKind kind, std::string text, std::int64_t number = 0) {
     result.kind = kind;
     result.text = std::move(text);
     result.number = number;
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 ExprPtr comprehension(ExprKind kind, Exprs heads, std::vector<Clause> clauses) {
@@ -38,19 +38,19 @@ ExprPtr comprehension(ExprKind kind, Exprs heads, std::vector<Clause> clauses) {
     result.kind = kind;
     result.args = std::move(heads);
     result.clauses = std::move(clauses);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
-ExprPtr linking(ExprKind kind, Exprs args, std::vector<Link> links, std::vector<Clause> clauses) {
+ExprPtr make_linked(ExprKind kind, Exprs args, std::vector<Link> links, std::vector<Clause> clauses) {
     Expr result;
     result.kind = kind;
     result.args = std::move(args);
     result.links = std::move(links);
     result.clauses = std::move(clauses);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
-ExprPtr fold(ExprKind op, Exprs operands, const ExprPtr& empty) {
+ExprPtr fold_operands(ExprKind op, Exprs operands, const ExprPtr& empty) {
     if (operands.empty()) return empty;
     ExprPtr result = operands.front();
     for (std::size_t i = 1; i < operands.size(); ++i) result = binary(op, result, operands[i]);
@@ -61,7 +61,7 @@ PatternPtr pattern(PatternKind kind, Patterns args) {
     Pattern result;
     result.kind = kind;
     result.args = std::move(args);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 Field field(FieldKind kind, PatternPtr pattern, ExprPtr value) {
@@ -83,7 +83,7 @@ Decl declaration(DeclKind kind, std::vector<std::string> names, std::string comm
 DeclPtr with_body(DeclKind kind, std::vector<std::string> names, ExprPtr body, std::string comment) {
     Decl result = declaration(kind, std::move(names), std::move(comment));
     result.body = std::move(body);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 }  // namespace
@@ -98,21 +98,21 @@ PatternPtr variable(std::string name) {
     Pattern result;
     result.kind = PatternKind::name;
     result.text = std::move(name);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 PatternPtr integer_pattern(std::int64_t value) {
     Pattern result;
     result.kind = PatternKind::integer;
     result.number = value;
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 PatternPtr boolean_pattern(bool value) {
     Pattern result;
     result.kind = PatternKind::boolean;
     result.number = value ? 1 : 0;
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 PatternPtr tuple_pattern(Patterns parts) {
@@ -207,7 +207,7 @@ ExprPtr lambda(Patterns parameters, ExprPtr body) {
     result.kind = ExprKind::lambda;
     result.patterns = std::move(parameters);
     result.args = {std::move(body)};
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 ExprPtr let_(Decls decls, ExprPtr body) {
@@ -216,7 +216,7 @@ ExprPtr let_(Decls decls, ExprPtr body) {
     result.kind = ExprKind::let;
     result.decls = std::move(decls);
     result.args = {std::move(body)};
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 ExprPtr if_(ExprPtr condition, ExprPtr then, ExprPtr otherwise) {
@@ -233,10 +233,10 @@ ExprPtr logical_not(ExprPtr operand) {
     return node(ExprKind::logical_not, {std::move(operand)});
 }
 ExprPtr all_of(Exprs operands) {
-    return fold(ExprKind::logical_and, std::move(operands), boolean(true));
+    return fold_operands(ExprKind::logical_and, std::move(operands), boolean(true));
 }
 ExprPtr any_of(Exprs operands) {
-    return fold(ExprKind::logical_or, std::move(operands), boolean(false));
+    return fold_operands(ExprKind::logical_or, std::move(operands), boolean(false));
 }
 
 ExprPtr union_of(Exprs sets) {
@@ -290,7 +290,7 @@ ExprPtr prefix(ExprPtr event, std::vector<Field> fields, ExprPtr process) {
     result.kind = ExprKind::prefix;
     result.fields = std::move(fields);
     result.args = {std::move(event), std::move(process)};
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 ExprPtr guard(ExprPtr condition, ExprPtr process) {
@@ -298,16 +298,16 @@ ExprPtr guard(ExprPtr condition, ExprPtr process) {
 }
 
 ExprPtr choice(Exprs processes) {
-    return fold(ExprKind::external_choice, std::move(processes), stop());
+    return fold_operands(ExprKind::external_choice, std::move(processes), stop());
 }
 ExprPtr internal_choice(Exprs processes) {
-    return fold(ExprKind::internal_choice, std::move(processes), nullptr);
+    return fold_operands(ExprKind::internal_choice, std::move(processes), nullptr);
 }
 ExprPtr sequential(Exprs processes) {
-    return fold(ExprKind::sequential, std::move(processes), skip());
+    return fold_operands(ExprKind::sequential, std::move(processes), skip());
 }
 ExprPtr interleave(Exprs processes) {
-    return fold(ExprKind::interleave, std::move(processes), skip());
+    return fold_operands(ExprKind::interleave, std::move(processes), skip());
 }
 
 ExprPtr interrupt(ExprPtr process, ExprPtr handler) {
@@ -348,11 +348,11 @@ ExprPtr project(ExprPtr process, ExprPtr events) {
 }
 
 ExprPtr rename(ExprPtr process, std::vector<Link> links, std::vector<Clause> clauses) {
-    return linking(ExprKind::rename, {std::move(process)}, std::move(links), std::move(clauses));
+    return make_linked(ExprKind::rename, {std::move(process)}, std::move(links), std::move(clauses));
 }
 
 ExprPtr linked(ExprPtr left, std::vector<Link> links, ExprPtr right) {
-    return linking(ExprKind::linked, {std::move(left), std::move(right)}, std::move(links), {});
+    return make_linked(ExprKind::linked, {std::move(left), std::move(right)}, std::move(links), {});
 }
 
 ExprPtr replicated(ExprKind op, std::vector<Clause> clauses, ExprPtr body, ExprPtr set) {
@@ -367,7 +367,7 @@ DeclPtr value(std::string name, ExprPtr body, std::string comment) {
     Decl result = declaration(DeclKind::value, {}, std::move(comment));
     result.patterns = {{variable(std::move(name))}};
     result.body = std::move(body);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr function_decl(std::string name, Patterns parameters, ExprPtr body, std::string comment) {
@@ -375,7 +375,7 @@ DeclPtr function_decl(std::string name, Patterns parameters, ExprPtr body, std::
     Decl result = declaration(DeclKind::function, {std::move(name)}, std::move(comment));
     result.patterns = {std::move(parameters)};
     result.body = std::move(body);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr channel(std::vector<std::string> names, ExprPtr fields, std::string comment) {
@@ -385,7 +385,7 @@ DeclPtr channel(std::vector<std::string> names, ExprPtr fields, std::string comm
 DeclPtr datatype(std::string name, std::vector<Constructor> constructors, std::string comment) {
     Decl result = declaration(DeclKind::datatype, {std::move(name)}, std::move(comment));
     result.constructors = std::move(constructors);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 Constructor constructor(std::string name, ExprPtr fields) {
@@ -402,32 +402,32 @@ DeclPtr module_(std::string name, std::vector<std::string> parameters, Decls pri
     result.parameters = std::move(parameters);
     result.decls = std::move(private_part);
     result.exports = std::move(exported);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr instance(std::string name, std::string module, Exprs arguments) {
     Decl result = declaration(DeclKind::instance, {std::move(name)});
     result.text = std::move(module);
     result.arguments = std::move(arguments);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr timed(ExprPtr duration, Decls decls) {
     Decl result = declaration(DeclKind::timed, {});
     result.body = std::move(duration);
     result.decls = std::move(decls);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr transparent(std::vector<std::string> names) {
-    return finish(declaration(DeclKind::transparent, std::move(names)));
+    return share_node(declaration(DeclKind::transparent, std::move(names)));
 }
 
 DeclPtr external(std::vector<std::string> names) {
-    return finish(declaration(DeclKind::external, std::move(names)));
+    return share_node(declaration(DeclKind::external, std::move(names)));
 }
 DeclPtr include(std::string path) {
-    return finish(declaration(DeclKind::include, {std::move(path)}));
+    return share_node(declaration(DeclKind::include, {std::move(path)}));
 }
 
 DeclPtr assert_refines(ExprPtr specification, Model model, ExprPtr implementation, bool negated) {
@@ -437,7 +437,7 @@ DeclPtr assert_refines(ExprPtr specification, Model model, ExprPtr implementatio
     result.assertion.negated = negated;
     result.assertion.specification = std::move(specification);
     result.assertion.implementation = std::move(implementation);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr assert_property(ExprPtr process, AssertionKind kind, Model model, bool negated) {
@@ -446,7 +446,7 @@ DeclPtr assert_property(ExprPtr process, AssertionKind kind, Model model, bool n
     result.assertion.model = model;
     result.assertion.negated = negated;
     result.assertion.specification = std::move(process);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 DeclPtr assert_has_trace(ExprPtr process, ExprPtr trace, Model model, bool negated) {
@@ -456,7 +456,7 @@ DeclPtr assert_has_trace(ExprPtr process, ExprPtr trace, Model model, bool negat
     result.assertion.negated = negated;
     result.assertion.specification = std::move(process);
     result.assertion.implementation = std::move(trace);
-    return finish(std::move(result));
+    return share_node(std::move(result));
 }
 
 }  // namespace robochart::cspm::build

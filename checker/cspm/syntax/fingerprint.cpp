@@ -9,7 +9,7 @@
 namespace robochart::cspm {
 namespace {
 
-std::uint64_t mixed(std::uint64_t sum, std::uint64_t word) {
+std::uint64_t mix_word(std::uint64_t sum, std::uint64_t word) {
     return diagnostics::splitmix64_mixed(sum + diagnostics::splitmix64_step + word);
 }
 
@@ -21,99 +21,99 @@ public:
 
     [[nodiscard]] Fingerprint result() const { return result_; }
 
-    void decls(const std::vector<DeclPtr>& list) {
-        word(list.size());
-        for (const DeclPtr& each : list) decl(each);
+    void add_decls(const std::vector<DeclPtr>& list) {
+        add_word(list.size());
+        for (const DeclPtr& each : list) add_decl(each);
     }
 
 private:
-    void word(std::uint64_t value) { result_.hash = mixed(result_.hash, value); }
-    void text(std::string_view value) {
-        word(value.size());
+    void add_word(std::uint64_t value) { result_.hash = mix_word(result_.hash, value); }
+    void add_text(std::string_view value) {
+        add_word(value.size());
         // FNV-1a, which does not depend on the library's std::hash.
         std::uint64_t hash = 0xcbf29ce484222325U;
         for (const char each : value) hash = (hash ^ static_cast<unsigned char>(each)) * 0x100000001b3U;
-        word(hash);
+        add_word(hash);
         result_.size += value.size();
     }
-    void texts(const std::vector<std::string>& list) {
-        word(list.size());
-        for (const std::string& each : list) text(each);
+    void add_texts(const std::vector<std::string>& list) {
+        add_word(list.size());
+        for (const std::string& each : list) add_text(each);
     }
 
-    void patterns(const std::vector<PatternPtr>& list) {
-        word(list.size());
-        for (const PatternPtr& each : list) pattern(each);
+    void add_patterns(const std::vector<PatternPtr>& list) {
+        add_word(list.size());
+        for (const PatternPtr& each : list) add_pattern(each);
     }
-    void pattern(const PatternPtr& pattern) {
-        if (!pattern) return word(0);
-        word(1 + static_cast<std::uint64_t>(pattern->kind));
-        word(static_cast<std::uint64_t>(pattern->number));
-        text(pattern->text);
-        patterns(pattern->args);
+    void add_pattern(const PatternPtr& pattern) {
+        if (!pattern) return add_word(0);
+        add_word(1 + static_cast<std::uint64_t>(pattern->kind));
+        add_word(static_cast<std::uint64_t>(pattern->number));
+        add_text(pattern->text);
+        add_patterns(pattern->args);
         ++result_.size;
     }
 
-    void exprs(const std::vector<ExprPtr>& list) {
-        word(list.size());
-        for (const ExprPtr& each : list) expr(each);
+    void add_exprs(const std::vector<ExprPtr>& list) {
+        add_word(list.size());
+        for (const ExprPtr& each : list) add_expr(each);
     }
-    void expr(const ExprPtr& outer) {
+    void add_expr(const ExprPtr& outer) {
         const Expr* expr = outer.get();
         while (expr != nullptr && expr->kind == ExprKind::parenthesised) expr = expr->args.at(0).get();
-        if (expr == nullptr) return word(0);
-        word(1 + static_cast<std::uint64_t>(expr->kind));
-        word(static_cast<std::uint64_t>(expr->number));
-        text(expr->text);
-        exprs(expr->args);
-        for (const Field& field : expr->fields) this->field(field);
+        if (expr == nullptr) return add_word(0);
+        add_word(1 + static_cast<std::uint64_t>(expr->kind));
+        add_word(static_cast<std::uint64_t>(expr->number));
+        add_text(expr->text);
+        add_exprs(expr->args);
+        for (const Field& field : expr->fields) this->add_field(field);
         for (const Clause& clause : expr->clauses) {
-            pattern(clause.pattern);
-            this->expr(clause.value);
+            add_pattern(clause.pattern);
+            this->add_expr(clause.value);
         }
         for (const Link& link : expr->links) {
-            this->expr(link.from);
-            this->expr(link.to);
+            this->add_expr(link.from);
+            this->add_expr(link.to);
         }
-        patterns(expr->patterns);
-        decls(expr->decls);
+        add_patterns(expr->patterns);
+        add_decls(expr->decls);
         result_.size += 2;
     }
-    void field(const Field& field) {
+    void add_field(const Field& field) {
         const FieldKind kind = field.kind == FieldKind::dot ? FieldKind::output : field.kind;  // as in syntax.cpp
-        word(static_cast<std::uint64_t>(kind));
-        expr(field.value);
-        pattern(field.pattern);
+        add_word(static_cast<std::uint64_t>(kind));
+        add_expr(field.value);
+        add_pattern(field.pattern);
     }
 
-    void decl(const DeclPtr& pointer) {
+    void add_decl(const DeclPtr& pointer) {
         const Decl& decl = *pointer;
-        word(static_cast<std::uint64_t>(decl.kind));
-        texts(decl.names);
-        word(decl.patterns.size());
-        for (const auto& group : decl.patterns) patterns(group);
-        expr(decl.body);
-        word(decl.constructors.size());
+        add_word(static_cast<std::uint64_t>(decl.kind));
+        add_texts(decl.names);
+        add_word(decl.patterns.size());
+        for (const auto& group : decl.patterns) add_patterns(group);
+        add_expr(decl.body);
+        add_word(decl.constructors.size());
         for (const Constructor& each : decl.constructors) {
-            text(each.name);
-            expr(each.fields);
+            add_text(each.name);
+            add_expr(each.fields);
         }
-        texts(decl.parameters);
-        decls(decl.decls);
+        add_texts(decl.parameters);
+        add_decls(decl.decls);
         const Fingerprint inside = known_.of_exports(pointer);
-        word(inside.hash);
+        add_word(inside.hash);
         result_.size += inside.size + 3;
-        exprs(decl.arguments);
-        text(decl.text);
-        assertion(decl.assertion);
+        add_exprs(decl.arguments);
+        add_text(decl.text);
+        add_assertion(decl.assertion);
     }
-    void assertion(const Assertion& assertion) {
-        word(static_cast<std::uint64_t>(assertion.kind));
-        word(static_cast<std::uint64_t>(assertion.model));
-        word((assertion.negated ? 1U : 0U) + (assertion.partial_order ? 2U : 0U));
-        expr(assertion.specification);
-        expr(assertion.implementation);
-        expr(assertion.tau_priority);
+    void add_assertion(const Assertion& assertion) {
+        add_word(static_cast<std::uint64_t>(assertion.kind));
+        add_word(static_cast<std::uint64_t>(assertion.model));
+        add_word((assertion.negated ? 1U : 0U) + (assertion.partial_order ? 2U : 0U));
+        add_expr(assertion.specification);
+        add_expr(assertion.implementation);
+        add_expr(assertion.tau_priority);
     }
 
     Fingerprints& known_;
@@ -124,7 +124,7 @@ Fingerprint Fingerprints::of_exports(const DeclPtr& module) {
     if (module->exports.empty()) return {};
     if (const auto found = exports_.find(module); found != exports_.end()) return found->second;
     Digest digest(*this);
-    digest.decls(module->exports);
+    digest.add_decls(module->exports);
     return exports_[module] = digest.result();
 }
 

@@ -17,7 +17,7 @@ bool would_join(char before, char after) {
 
 }  // namespace
 
-void Layout::text(std::string_view piece) {
+void Layout::add_text(std::string_view piece) {
     if (piece.empty()) return;
     std::string text = would_join(last_, piece.front()) ? " " : "";
     text += piece;
@@ -25,7 +25,7 @@ void Layout::text(std::string_view piece) {
     pieces_.push_back({Kind::text, std::move(text)});
 }
 
-void Layout::place(Kind kind, std::string text) {
+void Layout::add_piece(Kind kind, std::string text) {
     last_ = '\0';
     pieces_.push_back({kind, std::move(text)});
 }

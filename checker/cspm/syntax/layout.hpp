@@ -15,11 +15,11 @@ public:
     explicit Layout(std::size_t width) : width_(width) {}
 
     /// Text without line ends. Spaces are inserted where two texts would join to another token: `{-`, `<-`, `{|`.
-    void text(std::string_view piece);
-    void space_or_line() { place(Kind::line, " "); }
-    void line() { place(Kind::hard_line, ""); }
-    void open() { pieces_.push_back({Kind::open, ""}); }
-    void close() { pieces_.push_back({Kind::close, ""}); }
+    void add_text(std::string_view piece);
+    void space_or_line() { add_piece(Kind::line, " "); }
+    void break_line() { add_piece(Kind::hard_line, ""); }
+    void open_group() { pieces_.push_back({Kind::open, ""}); }
+    void close_group() { pieces_.push_back({Kind::close, ""}); }
     void indent() { pieces_.push_back({Kind::indent, ""}); }
     void outdent() { pieces_.push_back({Kind::outdent, ""}); }
 
@@ -32,7 +32,7 @@ private:
         std::string text;
     };
 
-    void place(Kind kind, std::string text);
+    void add_piece(Kind kind, std::string text);
     [[nodiscard]] std::vector<std::size_t> group_widths() const;
 
     std::size_t width_;

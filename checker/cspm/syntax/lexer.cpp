@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
+#include "base/diagnostics/utf8.hpp"
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 
@@ -27,7 +27,7 @@ struct Symbol {
     LineBreaks layout;
 };
 
-// Longest spellings first, so that the first match is the longest.
+// The longest spellings come first, so that the first match is the longest.
 constexpr std::array symbols{
     Symbol{Tok::refines_fd, "[FD=", both_sides},
     Symbol{Tok::refines_vd, "[VD=", both_sides},
@@ -129,12 +129,12 @@ public:
     std::vector<Token> run() {
         while (skip_space(), at_ < text_.size()) {
             diagnostics_.poll();
-            token();
+            read_token();
         }
         const auto place = static_cast<std::uint32_t>(line_end_ ? line_end_at_ : at_);
         tokens_.push_back({Tok::newline, {source_, place, place}, {}, 0});
         line_end_ = false;
-        emit(Tok::end, at_, plain);
+        emit_token(Tok::end, at_, plain);
         return std::move(tokens_);
     }
 
@@ -206,10 +206,10 @@ private:
             {place, "`{-` begins a comment: a set that begins with a negative number is written `{ " +
                         std::string(text_.substr(from + 1, close - from)) + "`, with a blank"});
         at_ = from + 1;
-        emit(Tok::l_brace, from, after);
+        emit_token(Tok::l_brace, from, after);
     }
 
-    void emit(Tok kind, std::size_t from, LineBreaks layout, std::int64_t number = 0) {
+    void emit_token(Tok kind, std::size_t from, LineBreaks layout, std::int64_t number = 0) {
         if (line_end_ && kind != Tok::newline && (layout & before) == 0 && !soaking_) {
             const auto place = static_cast<std::uint32_t>(line_end_at_);
             tokens_.push_back({Tok::newline, {source_, place, place}, {}, 0});
@@ -219,24 +219,24 @@ private:
         tokens_.push_back({kind, span(from), text_.substr(from, at_ - from), number});
     }
 
-    void token() {
+    void read_token() {
         const char c = peek();
         if (is_letter(c) || foreign_letter(text_.substr(at_)) > 0) {
-            word();
+            read_word();
         } else if (is_digit(c)) {
-            integer();
+            read_integer();
         } else if (c == '"') {
-            string();
+            read_string();
         } else if (c == '\'') {
-            character();
+            read_character();
         } else if (looking_at(":[")) {
-            property();
-        } else if (!special() && !symbol()) {
-            junk();
+            read_property();
+        } else if (!read_special() && !read_symbol()) {
+            report_bad_character();
         }
     }
 
-    void word() {
+    void read_word() {
         const std::size_t from = at_;
         bool foreign = false;
         for (;;) {
@@ -253,11 +253,11 @@ private:
         if (foreign) foreign_name(from);
         const std::string_view text = text_.substr(from, at_ - from);
         const bool first = starts_declaration();
-        if (text == "print" && peek() == ' ' && first) return print(from);
-        if (text == "include" && first) return include(from);
+        if (text == "print" && peek() == ' ' && first) return read_print_line(from);
+        if (text == "include" && first) return read_include(from);
         const auto* found = std::ranges::find(words, text, &Symbol::text);
-        if (found != words.end()) return emit(found->kind, from, found->layout);
-        emit(Tok::identifier, from, plain);
+        if (found != words.end()) return emit_token(found->kind, from, found->layout);
+        emit_token(Tok::identifier, from, plain);
     }
 
     // Reports the name once and then accepts it as a name.
@@ -277,17 +277,17 @@ private:
     }
 
     // `print` takes the rest of its line, independently of the beginning of the next line.
-    void print(std::size_t from) {
-        emit(Tok::print, from, after);
+    void read_print_line(std::size_t from) {
+        emit_token(Tok::print, from, after);
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
         const std::string_view whole = text_;
         text_ = text_.substr(0, line);
-        while (skip_space(), at_ < text_.size()) token();
+        while (skip_space(), at_ < text_.size()) read_token();
         text_ = whole;
-        emit(Tok::newline, at_, plain);
+        emit_token(Tok::newline, at_, plain);
     }
 
-    void include(std::size_t from) {
+    void read_include(std::size_t from) {
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
         const std::size_t open = text_.find_first_not_of(" \t\r", at_);
         const std::size_t close =
@@ -298,12 +298,12 @@ private:
             return;
         }
         at_ = close;
-        emit(Tok::include, open + 1, plain);
+        emit_token(Tok::include, open + 1, plain);
         at_ = close + 1;
-        emit(Tok::newline, at_, plain);
+        emit_token(Tok::newline, at_, plain);
     }
 
-    void integer() {
+    void read_integer() {
         const std::size_t from = at_;
         std::int64_t value = 0;
         bool fits = true;
@@ -316,10 +316,10 @@ private:
             const std::string_view digits = text_.substr(from, std::min<std::size_t>(at_ - from, 40));
             diagnostics_.report(rules::big_number, span(from), {std::string(digits)});
         }
-        emit(Tok::integer, from, before, value);
+        emit_token(Tok::integer, from, before, value);
     }
 
-    void string() {
+    void read_string() {
         const std::size_t from = at_++;
         while (at_ < text_.size() && peek() != '"' && peek() != '\n')
             at_ += peek() == '\\' && peek(1) != '\n' ? 2U : 1U;
@@ -329,10 +329,10 @@ private:
             return;
         }
         ++at_;
-        emit(Tok::string, from, before);
+        emit_token(Tok::string, from, before);
     }
 
-    void character() {
+    void read_character() {
         const std::size_t from = at_++;
         char value = peek();
         ++at_;
@@ -352,11 +352,11 @@ private:
             return;
         }
         ++at_;
-        emit(Tok::character, from, before, static_cast<unsigned char>(value));
+        emit_token(Tok::character, from, before, static_cast<unsigned char>(value));
     }
 
     // `:[words [M]]` or `:[words]:` is one token; the parser parses its contents.
-    void property() {
+    void read_property() {
         const std::size_t from = at_;
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
         const std::size_t inner = text_.find('[', at_ + 2);
@@ -373,24 +373,24 @@ private:
         const std::string_view inside = text_.substr(from + 2, close - from - 2);
         const bool takes_more =
             inside.find("trace") != std::string_view::npos || inside.find("priority") != std::string_view::npos;
-        emit(Tok::property, from, takes_more ? both_sides : before);
+        emit_token(Tok::property, from, takes_more ? both_sides : before);
     }
 
     // Tokens that depend on their neighbours.
-    bool special() {
+    bool read_special() {
         const std::size_t from = at_;
         if (looking_at("(|") && (is_blank(peek(2)) || peek(2) == '\n')) {
             at_ += 2;
-            emit(Tok::l_map, from, after);
+            emit_token(Tok::l_map, from, after);
             return true;
         }
         if (peek() == '<' && empty_sequence()) {
-            emit(Tok::empty_sequence, from, plain);
+            emit_token(Tok::empty_sequence, from, plain);
             return true;
         }
         if (looking_at("::") && (blank_before_ || is_blank(peek(2)))) {
             at_ += 2;
-            emit(Tok::of_type, from, both_sides);
+            emit_token(Tok::of_type, from, both_sides);
             return true;
         }
         return false;
@@ -404,25 +404,25 @@ private:
         return true;
     }
 
-    bool symbol() {
+    bool read_symbol() {
         const std::size_t from = at_;
         const auto* found =
             std::ranges::find_if(symbols, [this](const Symbol& candidate) { return looking_at(candidate.text); });
         if (found == symbols.end()) return false;
         at_ += found->text.size();
-        emit(found->kind, from, found->layout);
+        emit_token(found->kind, from, found->layout);
         return true;
     }
 
     // Emits the intended token, if there is one, so that the rest of the declaration can be parsed.
     void read_as(std::string_view written, std::size_t from) {
         if (const auto* word = std::ranges::find(words, written, &Symbol::text); word != words.end())
-            return emit(word->kind, from, word->layout);
+            return emit_token(word->kind, from, word->layout);
         const auto* symbol = std::ranges::find(symbols, written, &Symbol::text);
-        if (symbol != symbols.end()) emit(symbol->kind, from, symbol->layout);
+        if (symbol != symbols.end()) emit_token(symbol->kind, from, symbol->layout);
     }
 
-    void junk() {
+    void report_bad_character() {
         const std::size_t from = at_;
         const std::size_t length = diagnostics::utf8_length(text_.substr(at_));
         at_ += std::max<std::size_t>(length, 1);

@@ -13,7 +13,7 @@ constexpr std::string_view separator = "::";
 /// Lists of declarations, the outermost first: the scopes of a name that is used in the last of them.
 using Scopes = std::vector<const std::vector<DeclPtr>*>;
 
-bool declares(const Decl& decl, std::string_view name) {
+bool declares_name(const Decl& decl, std::string_view name) {
     switch (decl.kind) {
         case DeclKind::value:
             return decl.patterns.front().front()->kind == PatternKind::name &&
@@ -32,38 +32,38 @@ bool declares(const Decl& decl, std::string_view name) {
 }
 
 /// Timed sections are not scopes.
-DeclPtr declared(const std::vector<DeclPtr>& decls, std::string_view name) {
+DeclPtr find_declared(const std::vector<DeclPtr>& decls, std::string_view name) {
     for (const DeclPtr& decl : decls) {
-        if (declares(*decl, name)) return decl;
+        if (declares_name(*decl, name)) return decl;
         if (decl->kind != DeclKind::timed) continue;
-        if (DeclPtr inside = declared(decl->decls, name)) return inside;
+        if (DeclPtr inside = find_declared(decl->decls, name)) return inside;
     }
     return nullptr;
 }
 
-DeclPtr inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes);
+DeclPtr find_inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes);
 
-DeclPtr found(std::string_view path, const Scopes& scopes) {
+DeclPtr find_path(std::string_view path, const Scopes& scopes) {
     const std::size_t end = path.find(separator);
-    DeclPtr first = declared(*scopes.back(), path.substr(0, end));
+    DeclPtr first = find_declared(*scopes.back(), path.substr(0, end));
     if (end == std::string_view::npos || !first) return first;
-    return inside(first, path.substr(end + separator.size()), scopes);
+    return find_inside(first, path.substr(end + separator.size()), scopes);
 }
 
 /// The module of an instance must be visible at the instance; inner modules see the declarations around them.
-DeclPtr inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
+DeclPtr find_inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
     if (decl->kind == DeclKind::module) {
         for (const auto* part : {&decl->exports, &decl->decls}) {
             Scopes within = scopes;
             within.push_back(part);
-            if (DeclPtr result = found(path, within)) return result;
+            if (DeclPtr result = find_path(path, within)) return result;
         }
         return nullptr;
     }
     if (decl->kind != DeclKind::instance) return nullptr;
     for (Scopes around = scopes; !around.empty(); around.pop_back())
-        if (const DeclPtr module = found(decl->text, around); module && module->kind == DeclKind::module)
-            return inside(module, path, around);
+        if (const DeclPtr module = find_path(decl->text, around); module && module->kind == DeclKind::module)
+            return find_inside(module, path, around);
     return nullptr;
 }
 
@@ -79,7 +79,7 @@ std::vector<std::string> declared_names(const Decl& decl) {
 
 DeclPtr declaration_of(const Script& script, std::string_view path) {
     if (path.substr(0, separator.size()) == separator) path.remove_prefix(separator.size());
-    return found(path, {&script.decls});
+    return find_path(path, {&script.decls});
 }
 
 std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls) {

@@ -4,44 +4,44 @@
 #include <array>
 #include <map>
 
+#include "base/diagnostics/spelling.hpp"
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cspm {
 
-std::vector<DeclPtr> Parser::script() {
+std::vector<DeclPtr> Parser::parse_script() {
     std::vector<DeclPtr> result;
-    newlines();
+    skip_newlines();
     while (!at_end()) {
-        std::vector<DeclPtr> more = declarations(Place::top, &Parser::at_end);
+        std::vector<DeclPtr> more = parse_declarations(Place::top, &Parser::at_end);
         result.insert(result.end(), more.begin(), more.end());
     }
     return result;
 }
 
-void Parser::newlines() {
+void Parser::skip_newlines() {
     while (accept(Tok::newline)) {
     }
 }
 
 // Parses declarations until `done` returns true. Errors are caught here, except in a `let`: an error in a `let` drops
 // the whole enclosing declaration.
-std::vector<DeclPtr> Parser::declarations(Place place, bool (Parser::*done)() const) {
+std::vector<DeclPtr> Parser::parse_declarations(Place place, bool (Parser::*done)() const) {
     std::vector<DeclPtr> result;
-    newlines();
+    skip_newlines();
     while (!(this->*done)()) {
         const Span from = peek().span;
         try {
-            DeclPtr decl = declaration(place);
+            DeclPtr decl = parse_declaration(place);
             report_misplaced(*decl, place, diagnostics_);
             result.push_back(std::move(decl));
             if (!(this->*done)()) expect(Tok::newline);
         } catch (const SyntaxError&) {
             if (place == Place::let) throw;
-            recover(from, done);
+            skip_malformed_declaration(from, done);
         }
-        newlines();
+        skip_newlines();
     }
     check_annotations(result);
     return result;
@@ -51,7 +51,7 @@ namespace {
 constexpr std::size_t widest_margin = 200;
 
 // The number of characters before the token on its line, at most `most`.
-std::size_t margin(const Token& token, std::size_t most) {
+std::size_t width_before(const Token& token, std::size_t most) {
     std::size_t result = 0;
     while (result < most && result < token.span.begin && *(token.text.data() - result - 1) != '\n') ++result;
     return result;
@@ -59,52 +59,52 @@ std::size_t margin(const Token& token, std::size_t most) {
 }  // namespace
 
 // Continues at the next line whose indentation is at most that of the malformed declaration.
-void Parser::recover(Span from, bool (Parser::*done)() const) {
+void Parser::skip_malformed_declaration(Span from, bool (Parser::*done)() const) {
     open_sequences_ = 0;
     const auto first =
         std::ranges::lower_bound(tokens_, from.begin, {}, [](const Token& each) { return each.span.begin; });
     const bool known = first != tokens_.end() && !first->text.empty();
-    const std::size_t limit = known ? margin(*first, widest_margin) : 0;
-    if (peek().span.begin == from.begin) take();
+    const std::size_t limit = known ? width_before(*first, widest_margin) : 0;
+    if (peek().span.begin == from.begin) take_token();
     while (!at_end()) {
         const bool line_start = at_ > 0 && tokens_[at_ - 1].kind == Tok::newline;
-        if (line_start || at(Tok::r_brace)) {
-            const bool outermost = !peek().text.empty() && margin(peek(), limit + 1) <= limit;
+        if (line_start || at_token(Tok::r_brace)) {
+            const bool outermost = !peek().text.empty() && width_before(peek(), limit + 1) <= limit;
             if (outermost || (this->*done)()) return;
         }
-        take();
+        take_token();
     }
 }
 
-DeclPtr Parser::declaration(Place place) {
+DeclPtr Parser::parse_declaration(Place place) {
     const Depth guard(*this);
     switch (peek().kind) {
         case Tok::kw_channel:
-            return channel();
+            return parse_channel();
         case Tok::kw_datatype:
-            return datatype(DeclKind::datatype);
+            return parse_datatype(DeclKind::datatype);
         case Tok::kw_subtype:
-            return datatype(DeclKind::subtype);
+            return parse_datatype(DeclKind::subtype);
         case Tok::kw_nametype:
-            return nametype();
+            return parse_nametype();
         case Tok::kw_module:
-            return module();
+            return parse_module();
         case Tok::kw_instance:
-            return instance();
+            return parse_instance();
         case Tok::kw_timed:
-            return timed(place);
+            return parse_timed(place);
         case Tok::kw_transparent:
-            return named(DeclKind::transparent);
+            return parse_name_list(DeclKind::transparent);
         case Tok::kw_external:
-            return named(DeclKind::external);
+            return parse_name_list(DeclKind::external);
         case Tok::kw_assert:
-            return assertion();
+            return parse_assertion();
         case Tok::print:
-            return print();
+            return parse_print();
         case Tok::include:
-            return include();
+            return parse_include();
         default:
-            return annotation_ahead() ? annotation() : definition();
+            return annotation_ahead() ? parse_annotation() : parse_definition();
     }
 }
 
@@ -115,45 +115,46 @@ bool Parser::annotation_ahead() const {
 }
 
 // f(p, q)(r) = e, or pattern = e.
-DeclPtr Parser::definition() {
+DeclPtr Parser::parse_definition() {
     const Span from = peek().span;
     DeclNode result;
-    if (at(Tok::identifier) && peek(1).kind == Tok::l_paren) {
+    if (at_token(Tok::identifier) && peek(1).kind == Tok::l_paren) {
         result.kind = DeclKind::function;
         result.names = {name_token()};
         while (accept(Tok::l_paren)) {
-            result.patterns.push_back(at(Tok::r_paren) ? std::vector<PatternPtr>{} : patterns());
+            result.patterns.push_back(at_token(Tok::r_paren) ? std::vector<PatternPtr>{} : parse_patterns());
             expect(Tok::r_paren);
         }
     } else {
         result.kind = DeclKind::value;
-        result.patterns = {{pattern()}};
+        result.patterns = {{parse_pattern()}};
     }
     expect(Tok::equals);
-    result.body = expression();
-    return finish(std::move(result), from);
+    result.body = parse_expression();
+    return finish_node(std::move(result), from);
 }
 
-std::vector<std::string> Parser::names() {
+std::vector<std::string> Parser::parse_names() {
     std::vector<std::string> result{name_token()};
     while (accept(Tok::comma)) result.push_back(name_token());
     return result;
 }
 
-DeclPtr Parser::channel() {
-    const Span from = take().span;
+DeclPtr Parser::parse_channel() {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::channel;
-    result.names = names();
-    const bool typed = at(Tok::identifier) || at(Tok::l_brace) || at(Tok::l_paren) || at(Tok::dot);
+    result.names = parse_names();
+    const bool typed =
+        at_token(Tok::identifier) || at_token(Tok::l_brace) || at_token(Tok::l_paren) || at_token(Tok::dot);
     if (typed)
         fail("':'", "the type of what a channel carries stands behind a `:`, as in `channel c : T`", peek().span);
-    if (accept(Tok::colon)) result.body = expression();
-    return finish(std::move(result), from);
+    if (accept(Tok::colon)) result.body = parse_expression();
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::datatype(DeclKind kind) {
-    const Span from = take().span;
+DeclPtr Parser::parse_datatype(DeclKind kind) {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = kind;
     result.names = {name_token()};
@@ -162,102 +163,102 @@ DeclPtr Parser::datatype(DeclKind kind) {
         const Span start = peek().span;
         Constructor constructor;
         constructor.name = name_token();
-        if (accept(Tok::dot)) constructor.fields = expression();
-        constructor.span = since(start);
+        if (accept(Tok::dot)) constructor.fields = parse_expression();
+        constructor.span = span_since(start);
         result.constructors.push_back(std::move(constructor));
     } while (accept(Tok::pipe));
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::nametype() {
-    const Span from = take().span;
+DeclPtr Parser::parse_nametype() {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::nametype;
     result.names = {name_token()};
     expect(Tok::equals);
-    result.body = expression();
-    return finish(std::move(result), from);
+    result.body = parse_expression();
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::module() {
-    const Span from = take().span;
+DeclPtr Parser::parse_module() {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::module;
     result.names = {name_token()};
     if (accept(Tok::l_paren)) {
-        result.parameters = names();
+        result.parameters = parse_names();
         expect(Tok::r_paren);
     }
     expect(Tok::newline);
-    result.decls = declarations(Place::module, &Parser::at_exports);
+    result.decls = parse_declarations(Place::module, &Parser::at_exports);
     expect(Tok::kw_exports);
     expect(Tok::newline);
-    result.exports = declarations(Place::module, &Parser::at_endmodule);
+    result.exports = parse_declarations(Place::module, &Parser::at_endmodule);
     expect(Tok::kw_endmodule);
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::instance() {
-    const Span from = take().span;
+DeclPtr Parser::parse_instance() {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::instance;
     result.names = {name_token()};
     expect(Tok::equals);
-    result.text = qualified();
+    result.text = parse_qualified_name();
     if (accept(Tok::l_paren)) {
-        do result.arguments.push_back(expression());
+        do result.arguments.push_back(parse_expression());
         while (accept(Tok::comma));
         expect(Tok::r_paren);
     }
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::timed(Place place) {
-    const Span from = take().span;
+DeclPtr Parser::parse_timed(Place place) {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::timed;
     if (accept(Tok::l_paren)) {
-        result.body = expression();
+        result.body = parse_expression();
         expect(Tok::r_paren);
     }
     expect(Tok::l_brace);
-    result.decls = declarations(timed_inside(place), &Parser::at_brace);
+    result.decls = parse_declarations(timed_inside(place), &Parser::at_brace);
     expect(Tok::r_brace);
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::named(DeclKind kind) {
-    const Span from = take().span;
+DeclPtr Parser::parse_name_list(DeclKind kind) {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = kind;
-    result.names = names();
-    return finish(std::move(result), from);
+    result.names = parse_names();
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::annotation() {
+DeclPtr Parser::parse_annotation() {
     const Span from = peek().span;
     DeclNode result;
     result.kind = DeclKind::annotation;
-    result.names = names();
+    result.names = parse_names();
     expect(Tok::of_type);
-    result.text = type_scheme();
-    return finish(std::move(result), from);
+    result.text = parse_type_scheme();
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::print() {
-    const Span from = take().span;
+DeclPtr Parser::parse_print() {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::print;
-    result.body = expression();
-    return finish(std::move(result), from);
+    result.body = parse_expression();
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::include() {
-    const Token& token = take();
+DeclPtr Parser::parse_include() {
+    const Token& token = take_token();
     DeclNode result;
     result.kind = DeclKind::include;
     result.names = {std::string(token.text)};
-    return finish(std::move(result), token.span);
+    return finish_node(std::move(result), token.span);
 }
 
 // ---------------------------------------------------------------- assertions
@@ -328,37 +329,37 @@ bool is_option(const PropertyText& text) {
 
 }  // namespace
 
-DeclPtr Parser::assertion() {
-    const Span from = take().span;
+DeclPtr Parser::parse_assertion() {
+    const Span from = take_token().span;
     DeclNode result;
     result.kind = DeclKind::assertion;
     Assertion& assertion = result.assertion;
     assertion.negated = accept(Tok::kw_not);
-    assertion.specification = expression();
+    assertion.specification = parse_expression();
     const auto* refinement = std::ranges::find(refinements, peek().kind, &Refinement::token);
     if (refinement != refinements.end()) {
-        take();
+        take_token();
         assertion.model = refinement->model;
-        assertion.implementation = expression();
-    } else if (at(Tok::property)) {
-        assertion_property(assertion, take());
+        assertion.implementation = parse_expression();
+    } else if (at_token(Tok::property)) {
+        parse_assertion_property(assertion, take_token());
     } else {
         fail("a refinement or a property");
     }
-    assertion_options(assertion);
-    return finish(std::move(result), from);
+    parse_assertion_options(assertion);
+    return finish_node(std::move(result), from);
 }
 
 void Parser::unknown_property(Span span, const std::string& words) {
     std::vector<std::string> names;
     for (const PropertyName& each : property_names) names.emplace_back(each.text);
     diagnostics::Diagnostic& finding = diagnostics_.report(rules::bad_property, span, {words});
-    if (const std::string meant = diagnostics::nearest(words, names); !meant.empty())
+    if (const std::string meant = diagnostics::nearest_spelling(words, names); !meant.empty())
         finding.notes.push_back({span, "did you mean '" + meant + "'?"});
     throw SyntaxError{};
 }
 
-void Parser::assertion_property(Assertion& assertion, const Token& property) {
+void Parser::parse_assertion_property(Assertion& assertion, const Token& property) {
     const PropertyText text = split_property(property.text);
     const auto* found = std::ranges::find(property_names, text.words, &PropertyName::text);
     if (found == property_names.end()) unknown_property(property.span, text.words);
@@ -368,17 +369,17 @@ void Parser::assertion_property(Assertion& assertion, const Token& property) {
         if (model == model_names.end()) fail(rules::bad_property, property.span, {text.model});
         assertion.model = model->model;
     }
-    if (assertion.kind == AssertionKind::has_trace) assertion.implementation = trace();
+    if (assertion.kind == AssertionKind::has_trace) assertion.implementation = parse_trace();
 }
 
-ExprPtr Parser::trace() {
-    if (!at(Tok::less) && !at(Tok::empty_sequence)) fail("a sequence of events");
-    return angles();
+ExprPtr Parser::parse_trace() {
+    if (!at_token(Tok::less) && !at_token(Tok::empty_sequence)) fail("a sequence of events");
+    return parse_angle_brackets();
 }
 
-void Parser::assertion_options(Assertion& assertion) {
-    while (at(Tok::property)) {
-        const Token& token = take();
+void Parser::parse_assertion_options(Assertion& assertion) {
+    while (at_token(Tok::property)) {
+        const Token& token = take_token();
         const PropertyText text = split_property(token.text);
         if (!is_option(text)) fail(rules::bad_property, token.span, {text.words});
         const bool order = text.words == "partial order reduce";
@@ -388,7 +389,7 @@ void Parser::assertion_options(Assertion& assertion) {
         if (order)
             assertion.partial_order = true;
         else
-            assertion.tau_priority = expression();
+            assertion.tau_priority = parse_expression();
     }
 }
 
@@ -452,7 +453,7 @@ Place timed_inside(Place outer) {
 }
 
 // The rules are those of FDR's front end (libcspm, Parser.ppy).
-std::string misplaced(DeclKind kind, Place place) {
+std::string forbidden_place(DeclKind kind, Place place) {
     const bool asks = kind == DeclKind::assertion || kind == DeclKind::print;
     switch (place) {
         case Place::top:
@@ -469,13 +470,13 @@ std::string misplaced(DeclKind kind, Place place) {
 }
 
 void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics) {
-    if (const std::string where = misplaced(decl.kind, place); !where.empty())
+    if (const std::string where = forbidden_place(decl.kind, place); !where.empty())
         diagnostics.report(rules::misplaced_declaration, decl.span, {std::string(kind_name(decl.kind)), where});
 }
 
 namespace {
 
-std::vector<std::string> declared(const Decl& decl) {
+std::vector<std::string> names_declared_by(const Decl& decl) {
     if (decl.kind == DeclKind::value && decl.patterns[0][0]->kind == PatternKind::name) {
         return {decl.patterns[0][0]->text};
     }
@@ -506,7 +507,7 @@ void Parser::check_annotations(const std::vector<DeclPtr>& decls) {
     if (annotated.empty()) return;
     for (const DeclPtr& decl : decls) {
         std::size_t found = 0;
-        for (const std::string& name : declared(*decl)) {
+        for (const std::string& name : names_declared_by(*decl)) {
             found += annotated.erase(name);
             if (decl->kind == DeclKind::channel && found > 1) {
                 diagnostics_.report(rules::annotation_repeated, decl->span, {name});

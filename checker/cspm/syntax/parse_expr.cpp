@@ -65,38 +65,38 @@ Level square_level(Tok token) {
 
 }  // namespace
 
-ExprPtr Parser::expression(int minimum) {
+ExprPtr Parser::parse_expression(int minimum) {
     const Depth guard(*this);
-    return climb(operand(), minimum);
+    return parse_operators(parse_operand(), minimum);
 }
 
 // The operators after an operand. Hiding has the lowest precedence on its left, but its right side is one operand: FDR
 // parses `P \ A ||| Q` as `(P \ A) ||| Q`.
-ExprPtr Parser::climb(ExprPtr left, int minimum) {
+ExprPtr Parser::parse_operators(ExprPtr left, int minimum) {
     for (;;) {
         const Tok next = peek().kind;
         if (next == Tok::l_paren || next == Tok::l_double_square) {
-            left = postfix(std::move(left));
+            left = parse_postfix(std::move(left));
         } else if (next == Tok::dot && minimum <= dot_level_expr) {
             ExprNode dot;
             dot.kind = ExprKind::dot;
             const Span from = left->span;
             dot.args = {std::move(left)};
-            while (accept(Tok::dot)) dot.args.push_back(expression(dot_level_expr + 1));
-            left = finish(std::move(dot), from);
+            while (accept(Tok::dot)) dot.args.push_back(parse_expression(dot_level_expr + 1));
+            left = finish_node(std::move(dot), from);
         } else if ((next == Tok::arrow || is_field(next)) && minimum <= prefix_level) {
-            left = prefixed(std::move(left));
+            left = parse_prefix(std::move(left));
         } else if ((next == Tok::backslash || next == Tok::project) && minimum <= hiding_level) {
-            take();
+            take_token();
             const Span from = left->span;
             const ExprKind kind = next == Tok::project ? ExprKind::project : ExprKind::hide;
-            ExprPtr set = expression(dot_level_expr);
-            left = node(kind, from, {std::move(left), std::move(set)});
+            ExprPtr set = parse_expression(dot_level_expr);
+            left = make_node(kind, from, {std::move(left), std::move(set)});
         } else if (is_square(next) && minimum <= square_level(next)) {
-            left = bracketed_infix(std::move(left));
+            left = parse_bracketed_infix(std::move(left));
         } else if (const Operator* found = find_operator(next);
                    found != nullptr && minimum <= found->level && !(next == Tok::greater && closes_sequence())) {
-            left = infix(std::move(left), found->kind, found->level, found->side == Side::right);
+            left = parse_infix(std::move(left), found->kind, found->level, found->side == Side::right);
             const Operator* again = find_operator(peek().kind);
             if (found->side == Side::none && again != nullptr && again->level == found->level &&
                 !(peek().kind == Tok::greater && closes_sequence())) {
@@ -108,50 +108,50 @@ ExprPtr Parser::climb(ExprPtr left, int minimum) {
     }
 }
 
-ExprPtr Parser::infix(ExprPtr left, ExprKind kind, int level, bool right_associative) {
-    take();
+ExprPtr Parser::parse_infix(ExprPtr left, ExprKind kind, int level, bool right_associative) {
+    take_token();
     const Span from = left->span;
-    ExprPtr right = expression(right_associative ? level : level + 1);
-    return node(kind, from, {std::move(left), std::move(right)});
+    ExprPtr right = parse_expression(right_associative ? level : level + 1);
+    return make_node(kind, from, {std::move(left), std::move(right)});
 }
 
-ExprPtr Parser::prefixed(ExprPtr event) {
+ExprPtr Parser::parse_prefix(ExprPtr event) {
     const Span from = event->span;
     ExprNode prefix;
     prefix.kind = ExprKind::prefix;
-    while (is_field(peek().kind)) prefix.fields.push_back(field());
+    while (is_field(peek().kind)) prefix.fields.push_back(parse_field());
     expect(Tok::arrow);
-    ExprPtr process = expression(prefix_level);
+    ExprPtr process = parse_expression(prefix_level);
     prefix.args = {std::move(event), std::move(process)};
-    return finish(std::move(prefix), from);
+    return finish_node(std::move(prefix), from);
 }
 
-Field Parser::field() {
-    const Token& mark = take();
+Field Parser::parse_field() {
+    const Token& mark = take_token();
     Field result;
     if (mark.kind == Tok::exclamation) {
         result.kind = FieldKind::output;
-        result.value = expression(field_level);
+        result.value = parse_expression(field_level);
     } else {
         result.kind = mark.kind == Tok::question ? FieldKind::input : FieldKind::nondeterministic;
-        result.pattern = pattern(1);
-        if (accept(Tok::colon)) result.value = expression(restriction_level);
+        result.pattern = parse_pattern(1);
+        if (accept(Tok::colon)) result.value = parse_expression(restriction_level);
     }
-    result.span = since(mark.span);
+    result.span = span_since(mark.span);
     return result;
 }
 
-// P [|A|] Q, P [|A|> Q, P [A||B] Q, P [a <-> b] Q, P [+A+] Q, P /+A+\ Q.
-ExprPtr Parser::bracketed_infix(ExprPtr left) {
+// Parses P [|A|] Q, P [|A|> Q, P [A||B] Q, P [a <-> b] Q, P [+A+] Q and P /+A+\ Q.
+ExprPtr Parser::parse_bracketed_infix(ExprPtr left) {
     const Tok open = peek().kind;
-    if (open == Tok::l_square) return square_infix(std::move(left));
+    if (open == Tok::l_square) return parse_square_infix(std::move(left));
     const Span from = left->span;
-    take();
+    take_token();
     ExprPtr set;
     ExprKind kind = ExprKind::parallel;
     {
         const Bracket bracket(*this);
-        set = expression();
+        set = parse_expression();
         if (open == Tok::l_sync_choice) {
             kind = ExprKind::synchronising_choice;
             expect(Tok::r_sync_choice);
@@ -164,122 +164,122 @@ ExprPtr Parser::bracketed_infix(ExprPtr left) {
             expect(Tok::r_pipe_square);
         }
     }
-    ExprPtr right = expression(square_level(open) + 1);
+    ExprPtr right = parse_expression(square_level(open) + 1);
     if (square_level(open) == parallel_level && is_square(peek().kind) && square_level(peek().kind) == parallel_level) {
         fail(rules::not_associative, peek().span, {std::string(spelling(peek().kind))});
     }
-    return node(kind, from, {std::move(left), std::move(right), std::move(set)});
+    return make_node(kind, from, {std::move(left), std::move(right), std::move(set)});
 }
 
-ExprPtr Parser::square_infix(ExprPtr left) {
+ExprPtr Parser::parse_square_infix(ExprPtr left) {
     const Span from = left->span;
-    take();
+    take_token();
     ExprNode result;
     {
         const Bracket bracket(*this);
-        ExprPtr first = expression();
+        ExprPtr first = parse_expression();
         if (accept(Tok::parallel_bar)) {
             result.kind = ExprKind::alphabetised;
-            result.args = {left, nullptr, std::move(first), expression()};
+            result.args = {left, nullptr, std::move(first), parse_expression()};
         } else {
-            if (!at(Tok::tie)) half_refinement(*first, from);
+            if (!at_token(Tok::tie)) half_refinement(*first, from);
             expect(Tok::tie);
             result.kind = ExprKind::linked;
-            result.links.push_back({std::move(first), expression()});
+            result.links.push_back({std::move(first), parse_expression()});
             if (accept(Tok::comma)) {
-                std::vector<Link> more = links(Tok::tie);
+                std::vector<Link> more = parse_links(Tok::tie);
                 result.links.insert(result.links.end(), more.begin(), more.end());
             }
-            result.clauses = optional_clauses();
+            result.clauses = parse_optional_clauses();
             result.args = {left, nullptr};
         }
         expect(Tok::r_square);
     }
-    result.args[1] = expression(parallel_level + 1);
+    result.args[1] = parse_expression(parallel_level + 1);
     if (is_square(peek().kind) && square_level(peek().kind) == parallel_level) {
         fail(rules::not_associative, peek().span, {std::string(spelling(peek().kind))});
     }
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-// `P [T Q` and `P [FDR= Q`, incomplete refinements.
+// Reports `P [T Q` and `P [FDR= Q`, which are incomplete refinements.
 void Parser::half_refinement(const Expr& model, Span process) {
     const bool named = model.kind == ExprKind::name && !model.text.empty() && model.text.size() <= 3 &&
                        std::ranges::all_of(model.text, [](char c) { return c >= 'A' && c <= 'Z'; });
-    if (named && !at(Tok::r_square))
+    if (named && !at_token(Tok::r_square))
         fail("'<->' or '||'", "a refinement is written `[T=`, `[F=` or `[FD=`, without blanks, between two processes",
              process);
 }
 
-ExprPtr Parser::postfix(ExprPtr left) {
-    if (at(Tok::l_double_square)) return rename(std::move(left));
+ExprPtr Parser::parse_postfix(ExprPtr left) {
+    if (at_token(Tok::l_double_square)) return parse_renaming(std::move(left));
     const Span from = left->span;
-    take();
+    take_token();
     const Bracket bracket(*this);
-    std::vector<ExprPtr> args = expressions(Tok::r_paren);
+    std::vector<ExprPtr> args = parse_expressions(Tok::r_paren);
     args.insert(args.begin(), std::move(left));
-    return node(ExprKind::apply, from, std::move(args));
+    return make_node(ExprKind::apply, from, std::move(args));
 }
 
-ExprPtr Parser::rename(ExprPtr process) {
+ExprPtr Parser::parse_renaming(ExprPtr process) {
     const Span from = process->span;
-    take();
+    take_token();
     const Bracket bracket(*this);
     ExprNode result;
     result.kind = ExprKind::rename;
     result.args = {std::move(process)};
-    result.links = links(Tok::drawn_from);
-    result.clauses = optional_clauses();
+    result.links = parse_links(Tok::drawn_from);
+    result.clauses = parse_optional_clauses();
     expect(Tok::r_double_square);
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-std::vector<Link> Parser::links(Tok arrow) {
+std::vector<Link> Parser::parse_links(Tok arrow) {
     std::vector<Link> result;
     do {
         Link link;
-        link.from = expression();
+        link.from = parse_expression();
         expect(arrow);
-        link.to = expression();
+        link.to = parse_expression();
         result.push_back(std::move(link));
     } while (accept(Tok::comma));
     return result;
 }
 
-std::vector<Clause> Parser::optional_clauses() {
-    if (accept(Tok::pipe)) return clauses();
+std::vector<Clause> Parser::parse_optional_clauses() {
+    if (accept(Tok::pipe)) return parse_clauses();
     return {};
 }
 
-std::vector<Clause> Parser::clauses() {
-    std::vector<Clause> result{clause()};
-    while (accept(Tok::comma)) result.push_back(clause());
+std::vector<Clause> Parser::parse_clauses() {
+    std::vector<Clause> result{parse_clause()};
+    while (accept(Tok::comma)) result.push_back(parse_clause());
     return result;
 }
 
-Clause Parser::clause() {
+Clause Parser::parse_clause() {
     if (!generator_ahead()) {
         // A process is not a condition.
-        if (at(Tok::identifier) && peek(1).kind == Tok::arrow) {
-            take();
+        if (at_token(Tok::identifier) && peek(1).kind == Tok::arrow) {
+            take_token();
             fail("'<-'");
         }
-        return {nullptr, expression()};
+        return {nullptr, parse_expression()};
     }
-    PatternPtr variable = pattern();
+    PatternPtr variable = parse_pattern();
     if (!accept(Tok::drawn_from)) expect(Tok::colon);
-    return {std::move(variable), expression()};
+    return {std::move(variable), parse_expression()};
 }
 
 namespace {
 
-bool opens(Tok kind) {
+bool opens_bracket(Tok kind) {
     return kind == Tok::l_paren || kind == Tok::l_brace || kind == Tok::l_pipe_brace || kind == Tok::l_map ||
            kind == Tok::l_double_square || kind == Tok::l_pipe_square || kind == Tok::l_square ||
            kind == Tok::l_sync_choice || kind == Tok::l_sync_interrupt;
 }
 
-bool closes(Tok kind) {
+bool closes_bracket(Tok kind) {
     return kind == Tok::r_paren || kind == Tok::r_brace || kind == Tok::r_pipe_brace || kind == Tok::r_map ||
            kind == Tok::r_double_square || kind == Tok::r_pipe_square || kind == Tok::r_square ||
            kind == Tok::exception_end || kind == Tok::r_sync_choice || kind == Tok::r_sync_interrupt;
@@ -288,7 +288,7 @@ bool closes(Tok kind) {
 bool ends_operand(Tok kind) {
     return kind == Tok::identifier || kind == Tok::integer || kind == Tok::character || kind == Tok::string ||
            kind == Tok::underscore || kind == Tok::kw_true || kind == Tok::kw_false || kind == Tok::empty_sequence ||
-           kind == Tok::greater || closes(kind);
+           kind == Tok::greater || closes_bracket(kind);
 }
 
 }  // namespace
@@ -304,10 +304,10 @@ bool Parser::generator_ahead() const {
         if (open.empty() && (kind == Tok::drawn_from || kind == Tok::colon)) return true;
         if (open.empty() && (kind == Tok::comma || kind == Tok::pipe || kind == Tok::at)) return false;
         const bool angle = kind == Tok::greater && (open.empty() ? closes_sequence() : open.back());
-        if (closes(kind) || angle) {
+        if (closes_bracket(kind) || angle) {
             if (open.empty()) return false;
             open.pop_back();
-        } else if (opens(kind) || (kind == Tok::less && !ends_operand(previous))) {
+        } else if (opens_bracket(kind) || (kind == Tok::less && !ends_operand(previous))) {
             open.push_back(kind == Tok::less);
         }
         previous = kind;

@@ -12,13 +12,13 @@ bool is_constraint(std::string_view name) {
 }
 }  // namespace
 
-// T, C a => T, or (C a, D b) => T.
-std::string Parser::type_scheme() {
-    const bool group = at(Tok::l_paren) && peek(1).kind == Tok::identifier && peek(2).kind == Tok::identifier;
-    const bool single = at(Tok::identifier) && peek(1).kind == Tok::identifier;
-    if (!group && !single) return type();
+// Parses T, C a => T, or (C a, D b) => T.
+std::string Parser::parse_type_scheme() {
+    const bool group = at_token(Tok::l_paren) && peek(1).kind == Tok::identifier && peek(2).kind == Tok::identifier;
+    const bool single = at_token(Tok::identifier) && peek(1).kind == Tok::identifier;
+    if (!group && !single) return parse_type();
     std::string result;
-    if (group) take();
+    if (group) take_token();
     do {
         const Token& name = expect(Tok::identifier);
         if (!is_constraint(name.text)) {
@@ -32,51 +32,51 @@ std::string Parser::type_scheme() {
         result = "(" + result + ")";
     }
     expect(Tok::yield);
-    return result + " => " + type();
+    return result + " => " + parse_type();
 }
 
-std::string Parser::type() {
+std::string Parser::parse_type() {
     const Depth guard(*this);
     bool grouped = false;
     const Span from = peek().span;
-    std::string result = type_operand(grouped);
-    if (at(Tok::arrow)) {
-        if (!grouped) fail(rules::bad_annotation, since(from));
-        take();
-        return result + " -> " + type();
+    std::string result = parse_type_operand(grouped);
+    if (at_token(Tok::arrow)) {
+        if (!grouped) fail(rules::bad_annotation, span_since(from));
+        take_token();
+        return result + " -> " + parse_type();
     }
-    if (accept(Tok::yield_star)) return result + " =>* " + type();
-    if (accept(Tok::yield)) return result + " => " + type();
-    if (accept(Tok::dot)) return result + "." + type();
+    if (accept(Tok::yield_star)) return result + " =>* " + parse_type();
+    if (accept(Tok::yield)) return result + " => " + parse_type();
+    if (accept(Tok::dot)) return result + "." + parse_type();
     return result;
 }
 
-std::string Parser::type_operand(bool& grouped) {
-    if (at(Tok::identifier)) return qualified();
+std::string Parser::parse_type_operand(bool& grouped) {
+    if (at_token(Tok::identifier)) return parse_qualified_name();
     if (accept(Tok::l_brace)) {
-        std::string inner = "{" + type() + "}";
+        std::string inner = "{" + parse_type() + "}";
         expect(Tok::r_brace);
         return inner;
     }
     if (accept(Tok::less)) {
-        std::string inner = "<" + type() + ">";
+        std::string inner = "<" + parse_type() + ">";
         expect(Tok::greater);
         return inner;
     }
     if (accept(Tok::l_map)) {
-        std::string key = type_operand(grouped);
+        std::string key = parse_type_operand(grouped);
         expect(Tok::yield);
-        std::string value = type();
+        std::string value = parse_type();
         expect(Tok::r_map);
         grouped = false;
         return "(| " + key + " => " + value + " |)";
     }
-    if (!at(Tok::l_paren)) fail("a type");
-    take();
+    if (!at_token(Tok::l_paren)) fail("a type");
+    take_token();
     grouped = true;
     std::string inner = "(";
-    if (!at(Tok::r_paren)) inner += type();
-    while (accept(Tok::comma)) inner += ", " + type();
+    if (!at_token(Tok::r_paren)) inner += parse_type();
+    while (accept(Tok::comma)) inner += ", " + parse_type();
     expect(Tok::r_paren);
     return inner + ")";
 }

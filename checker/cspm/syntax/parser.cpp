@@ -7,9 +7,9 @@
 #include <array>
 #include <utility>
 
+#include "base/diagnostics/spelling.hpp"
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cspm {
 
@@ -17,20 +17,20 @@ const Token& Parser::peek(std::size_t ahead) const {
     return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
 }
 
-const Token& Parser::take() {
+const Token& Parser::take_token() {
     const Token& token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
     return token;
 }
 
 bool Parser::accept(Tok kind) {
-    if (!at(kind)) return false;
-    take();
+    if (!at_token(kind)) return false;
+    take_token();
     return true;
 }
 
 namespace {
-std::string described(Tok kind) {
+std::string describe_token(Tok kind) {
     const std::string text(spelling(kind));
     const bool spelt = kind > Tok::include || kind == Tok::print || kind == Tok::include;
     return spelt ? "'" + text + "'" : text;
@@ -41,11 +41,11 @@ std::string described(Tok kind) {
 std::string meant_word(std::string_view expected, const Token& found, const Token* before) {
     if (found.kind == Tok::identifier && expected.size() > 3 && expected.front() == '\'') {
         const std::string word(expected.substr(1, expected.size() - 2));
-        if (const std::string near = diagnostics::nearest(found.text, {word}); !near.empty()) return near;
+        if (const std::string near = diagnostics::nearest_spelling(found.text, {word}); !near.empty()) return near;
     }
     if (expected != "'='" || before == nullptr || before->kind != Tok::identifier) return "";
-    return diagnostics::nearest(before->text, {"assert", "channel", "datatype", "external", "include", "instance",
-                                               "module", "nametype", "subtype", "transparent"});
+    return diagnostics::nearest_spelling(before->text, {"assert", "channel", "datatype", "external", "include",
+                                                        "instance", "module", "nametype", "subtype", "transparent"});
 }
 
 diagnostics::AdviceWord advice_word(const Token& token) {
@@ -68,13 +68,13 @@ diagnostics::AdviceWord advice_word(const Token& token) {
 }  // namespace
 
 const Token& Parser::expect(Tok kind) {
-    if (!at(kind)) fail(described(kind));
-    return take();
+    if (!at_token(kind)) fail(describe_token(kind));
+    return take_token();
 }
 
 void Parser::fail(std::string_view expected) {
     const Token& found = peek();
-    std::string what = described(found.kind);
+    std::string what = describe_token(found.kind);
     if (found.kind == Tok::identifier) what = "'" + std::string(found.text.substr(0, 60)) + "'";
     diagnostics::Diagnostic& finding =
         diagnostics_.report(rules::unexpected_token, found.span, {std::string(expected), what});
@@ -90,7 +90,7 @@ void Parser::fail(std::string_view expected) {
         finding.notes.push_back({found.span, std::string(advice)});
     if (found.kind == Tok::newline || found.kind == Tok::end)
         if (const Token* const open = open_bracket(expected))
-            finding.notes.push_back({open->span, fmt::format("this {} is not closed", described(open->kind))});
+            finding.notes.push_back({open->span, fmt::format("this {} is not closed", describe_token(open->kind))});
     throw SyntaxError{};
 }
 
@@ -100,7 +100,7 @@ const Token* Parser::open_bracket(std::string_view expected) const {
                                                            {Tok::l_pipe_brace, Tok::r_pipe_brace},
                                                            {Tok::l_map, Tok::r_map}}};
     for (const auto& [opening, closing] : brackets) {
-        if (expected != described(closing)) continue;
+        if (expected != describe_token(closing)) continue;
         std::size_t closed = 0;
         for (std::size_t i = at_; i-- > 0;) {
             if (tokens_[i].kind == closing) ++closed;
@@ -111,8 +111,8 @@ const Token* Parser::open_bracket(std::string_view expected) const {
 }
 
 void Parser::fail(std::string_view expected, std::string_view advice, Span about) {
-    std::string what = described(peek().kind);
-    if (at(Tok::identifier)) what = "'" + std::string(peek().text.substr(0, 60)) + "'";
+    std::string what = describe_token(peek().kind);
+    if (at_token(Tok::identifier)) what = "'" + std::string(peek().text.substr(0, 60)) + "'";
     diagnostics_.report(rules::unexpected_token, peek().span, {std::string(expected), what})
         .notes.push_back({about, std::string(advice)});
     throw SyntaxError{};
@@ -123,7 +123,7 @@ void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::str
     throw SyntaxError{};
 }
 
-Span Parser::since(Span from) const {
+Span Parser::span_since(Span from) const {
     const Span last = at_ > 0 ? tokens_[at_ - 1].span : from;
     return {from.source, from.begin, std::max(from.end, last.end)};
 }
@@ -138,40 +138,40 @@ Parser::Depth::Depth(Parser& parser) : parser_(parser) {
 // ---------------------------------------------------------------- nodes
 
 // The parser has built every tree that it visits, so the casts below are safe.
-unsigned Parser::height(const ExprPtr& expr) {
+unsigned Parser::height_of(const ExprPtr& expr) {
     return expr ? static_cast<const ExprNode&>(*expr).height : 0;
 }
-unsigned Parser::height(const Decl& decl) {
+unsigned Parser::height_of(const Decl& decl) {
     return static_cast<const DeclNode&>(decl).height;
 }
 
-ExprPtr Parser::finish(ExprNode node, Span from) {
-    node.span = since(from);
+ExprPtr Parser::finish_node(ExprNode node, Span from) {
+    node.span = span_since(from);
     unsigned tallest = 0;
-    for (const ExprPtr& arg : node.args) tallest = std::max(tallest, height(arg));
-    for (const Field& each : node.fields) tallest = std::max(tallest, height(each.value));
-    for (const Clause& each : node.clauses) tallest = std::max(tallest, height(each.value));
-    for (const Link& each : node.links) tallest = std::max({tallest, height(each.from), height(each.to)});
-    for (const DeclPtr& each : node.decls) tallest = std::max(tallest, height(*each));
+    for (const ExprPtr& arg : node.args) tallest = std::max(tallest, height_of(arg));
+    for (const Field& each : node.fields) tallest = std::max(tallest, height_of(each.value));
+    for (const Clause& each : node.clauses) tallest = std::max(tallest, height_of(each.value));
+    for (const Link& each : node.links) tallest = std::max({tallest, height_of(each.from), height_of(each.to)});
+    for (const DeclPtr& each : node.decls) tallest = std::max(tallest, height_of(*each));
     node.height = tallest + 1;
     if (node.height > max_height) fail(rules::too_deep, node.span, {std::to_string(max_height)});
     return std::make_shared<const ExprNode>(std::move(node));
 }
 
-ExprPtr Parser::node(ExprKind kind, Span from, std::vector<ExprPtr> args) {
+ExprPtr Parser::make_node(ExprKind kind, Span from, std::vector<ExprPtr> args) {
     ExprNode result;
     result.kind = kind;
     result.args = std::move(args);
-    return finish(std::move(result), from);
+    return finish_node(std::move(result), from);
 }
 
-DeclPtr Parser::finish(DeclNode decl, Span from) {
-    decl.span = since(from);
-    unsigned tallest = height(decl.body);
-    for (const Constructor& each : decl.constructors) tallest = std::max(tallest, height(each.fields));
-    for (const DeclPtr& each : decl.decls) tallest = std::max(tallest, height(*each));
-    for (const DeclPtr& each : decl.exports) tallest = std::max(tallest, height(*each));
-    for (const ExprPtr& each : decl.arguments) tallest = std::max(tallest, height(each));
+DeclPtr Parser::finish_node(DeclNode decl, Span from) {
+    decl.span = span_since(from);
+    unsigned tallest = height_of(decl.body);
+    for (const Constructor& each : decl.constructors) tallest = std::max(tallest, height_of(each.fields));
+    for (const DeclPtr& each : decl.decls) tallest = std::max(tallest, height_of(*each));
+    for (const DeclPtr& each : decl.exports) tallest = std::max(tallest, height_of(*each));
+    for (const ExprPtr& each : decl.arguments) tallest = std::max(tallest, height_of(each));
     decl.height = tallest + 1;
     if (decl.height > max_height) fail(rules::too_deep, decl.span, {std::to_string(max_height)});
     return std::make_shared<const DeclNode>(std::move(decl));

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/syntax/lexer.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
 
@@ -19,7 +19,7 @@ enum class Place { top, module, let, timed, timed_in_module };
 /// The kind of list inside a timed section that is in a list of this kind.
 [[nodiscard]] Place timed_inside(Place outer);
 /// The place where a declaration of this kind is forbidden: "in a module"; "" if it is allowed.
-[[nodiscard]] std::string misplaced(DeclKind kind, Place place);
+[[nodiscard]] std::string forbidden_place(DeclKind kind, Place place);
 void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics);
 
 class Parser {
@@ -31,7 +31,7 @@ public:
     Parser(const std::vector<Token>& tokens, diagnostics::Diagnostics& diagnostics)
         : tokens_(tokens), diagnostics_(diagnostics) {}
 
-    [[nodiscard]] std::vector<DeclPtr> script();
+    [[nodiscard]] std::vector<DeclPtr> parse_script();
 
 private:
     struct SyntaxError {};
@@ -72,8 +72,8 @@ private:
 
     // tokens
     [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
-    [[nodiscard]] bool at(Tok kind) const { return peek().kind == kind; }
-    const Token& take();
+    [[nodiscard]] bool at_token(Tok kind) const { return peek().kind == kind; }
+    const Token& take_token();
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
@@ -82,94 +82,94 @@ private:
     /// The same with advice about the probable meaning. `about` is the part of the text that shows it.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
-    [[nodiscard]] Span since(Span from) const;
+    [[nodiscard]] Span span_since(Span from) const;
 
     // nodes
-    [[nodiscard]] static unsigned height(const ExprPtr& expr);
-    [[nodiscard]] static unsigned height(const Decl& decl);
-    ExprPtr finish(ExprNode node, Span from);
-    ExprPtr node(ExprKind kind, Span from, std::vector<ExprPtr> args = {});
-    DeclPtr finish(DeclNode decl, Span from);
+    [[nodiscard]] static unsigned height_of(const ExprPtr& expr);
+    [[nodiscard]] static unsigned height_of(const Decl& decl);
+    ExprPtr finish_node(ExprNode node, Span from);
+    ExprPtr make_node(ExprKind kind, Span from, std::vector<ExprPtr> args = {});
+    DeclPtr finish_node(DeclNode decl, Span from);
 
     // expressions
-    ExprPtr expression(int minimum = 0);
-    ExprPtr operand();
-    ExprPtr climb(ExprPtr left, int minimum);
-    ExprPtr infix(ExprPtr left, ExprKind kind, int level, bool right_associative);
-    ExprPtr bracketed_infix(ExprPtr left);
-    ExprPtr square_infix(ExprPtr left);
+    ExprPtr parse_expression(int minimum = 0);
+    ExprPtr parse_operand();
+    ExprPtr parse_operators(ExprPtr left, int minimum);
+    ExprPtr parse_infix(ExprPtr left, ExprKind kind, int level, bool right_associative);
+    ExprPtr parse_bracketed_infix(ExprPtr left);
+    ExprPtr parse_square_infix(ExprPtr left);
     void half_refinement(const Expr& model, Span process);
-    ExprPtr prefixed(ExprPtr event);
-    ExprPtr postfix(ExprPtr left);
-    ExprPtr rename(ExprPtr process);
-    ExprPtr literal();
-    ExprPtr name();
-    std::string qualified();
-    ExprPtr parenthesis();
-    ExprPtr braces();
-    ExprPtr angles();
-    ExprPtr pipe_braces();
-    ExprPtr map();
-    ExprPtr collection(ExprNode node, Span from, Tok close, const ExprKind (&kinds)[4]);
-    ExprPtr let();
-    ExprPtr conditional();
-    ExprPtr lambda();
-    ExprPtr unary(ExprKind kind, int level);
-    ExprPtr replicated(ExprKind kind);
-    ExprPtr replicated_square();
-    ExprPtr replicated_bracketed(ExprKind kind, Tok close);
-    ExprPtr alphabetised_replication();
-    std::vector<ExprPtr> expressions(Tok close);
-    std::vector<Link> links(Tok arrow);
-    std::vector<Clause> clauses();
-    std::vector<Clause> optional_clauses();
-    Clause clause();
+    ExprPtr parse_prefix(ExprPtr event);
+    ExprPtr parse_postfix(ExprPtr left);
+    ExprPtr parse_renaming(ExprPtr process);
+    ExprPtr parse_literal();
+    ExprPtr parse_name();
+    std::string parse_qualified_name();
+    ExprPtr parse_parenthesis();
+    ExprPtr parse_braces();
+    ExprPtr parse_angle_brackets();
+    ExprPtr parse_pipe_braces();
+    ExprPtr parse_map();
+    ExprPtr parse_collection(ExprNode node, Span from, Tok close, const ExprKind (&kinds)[4]);
+    ExprPtr parse_let();
+    ExprPtr parse_conditional();
+    ExprPtr parse_lambda();
+    ExprPtr parse_unary(ExprKind kind, int level);
+    ExprPtr parse_replicated(ExprKind kind);
+    ExprPtr parse_replicated_square();
+    ExprPtr parse_replicated_bracketed(ExprKind kind, Tok close);
+    ExprPtr parse_replicated_alphabetised();
+    std::vector<ExprPtr> parse_expressions(Tok close);
+    std::vector<Link> parse_links(Tok arrow);
+    std::vector<Clause> parse_clauses();
+    std::vector<Clause> parse_optional_clauses();
+    Clause parse_clause();
     [[nodiscard]] bool generator_ahead() const;
     [[nodiscard]] bool closes_sequence() const { return open_sequences_ > 0; }
-    Field field();
+    Field parse_field();
 
     // patterns
-    PatternPtr pattern(int minimum = 0);
-    PatternPtr pattern_operand();
-    PatternPtr pattern_group(PatternKind kind, Tok close);
-    std::vector<PatternPtr> patterns();
-    PatternPtr finish(PatternNode pattern, Span from);
+    PatternPtr parse_pattern(int minimum = 0);
+    PatternPtr parse_pattern_operand();
+    PatternPtr parse_pattern_group(PatternKind kind, Tok close);
+    std::vector<PatternPtr> parse_patterns();
+    PatternPtr finish_node(PatternNode pattern, Span from);
 
     // declarations
-    std::vector<DeclPtr> declarations(Place place, bool (Parser::*done)() const);
-    void recover(Span from, bool (Parser::*done)() const);
-    DeclPtr declaration(Place place);
-    DeclPtr definition();
-    DeclPtr channel();
-    DeclPtr datatype(DeclKind kind);
-    DeclPtr nametype();
-    DeclPtr module();
-    DeclPtr instance();
-    DeclPtr timed(Place place);
-    DeclPtr named(DeclKind kind);
-    DeclPtr annotation();
-    DeclPtr print();
-    DeclPtr include();
-    DeclPtr assertion();
+    std::vector<DeclPtr> parse_declarations(Place place, bool (Parser::*done)() const);
+    void skip_malformed_declaration(Span from, bool (Parser::*done)() const);
+    DeclPtr parse_declaration(Place place);
+    DeclPtr parse_definition();
+    DeclPtr parse_channel();
+    DeclPtr parse_datatype(DeclKind kind);
+    DeclPtr parse_nametype();
+    DeclPtr parse_module();
+    DeclPtr parse_instance();
+    DeclPtr parse_timed(Place place);
+    DeclPtr parse_name_list(DeclKind kind);
+    DeclPtr parse_annotation();
+    DeclPtr parse_print();
+    DeclPtr parse_include();
+    DeclPtr parse_assertion();
     [[noreturn]] void unknown_property(Span span, const std::string& words);
-    void assertion_property(Assertion& assertion, const Token& property);
-    void assertion_options(Assertion& assertion);
-    ExprPtr trace();
+    void parse_assertion_property(Assertion& assertion, const Token& property);
+    void parse_assertion_options(Assertion& assertion);
+    ExprPtr parse_trace();
     void check_annotations(const std::vector<DeclPtr>& decls);
-    std::vector<std::string> names();
+    std::vector<std::string> parse_names();
     std::string name_token();
-    void newlines();
-    [[nodiscard]] bool at_end() const { return at(Tok::end); }
-    [[nodiscard]] bool at_exports() const { return at(Tok::kw_exports) || at(Tok::end); }
-    [[nodiscard]] bool at_endmodule() const { return at(Tok::kw_endmodule) || at(Tok::end); }
-    [[nodiscard]] bool at_within() const { return at(Tok::kw_within) || at(Tok::end); }
-    [[nodiscard]] bool at_brace() const { return at(Tok::r_brace) || at(Tok::end); }
+    void skip_newlines();
+    [[nodiscard]] bool at_end() const { return at_token(Tok::end); }
+    [[nodiscard]] bool at_exports() const { return at_token(Tok::kw_exports) || at_token(Tok::end); }
+    [[nodiscard]] bool at_endmodule() const { return at_token(Tok::kw_endmodule) || at_token(Tok::end); }
+    [[nodiscard]] bool at_within() const { return at_token(Tok::kw_within) || at_token(Tok::end); }
+    [[nodiscard]] bool at_brace() const { return at_token(Tok::r_brace) || at_token(Tok::end); }
     [[nodiscard]] bool annotation_ahead() const;
 
     // types in annotations, stored as text in a canonical form
-    std::string type();
-    std::string type_operand(bool& grouped);
-    std::string type_scheme();
+    std::string parse_type();
+    std::string parse_type_operand(bool& grouped);
+    std::string parse_type_scheme();
 
     const std::vector<Token>& tokens_;
     diagnostics::Diagnostics& diagnostics_;

@@ -11,7 +11,7 @@ namespace {
 
 std::string on_one_line(const ExprPtr& expr) {
     Layout layout(1U << 30U);
-    Printer(layout).expression(expr);
+    Printer(layout).print_expression(expr);
     std::string result = layout.render();
     std::ranges::replace(result, '\n', ' ');
     return result;
@@ -19,162 +19,163 @@ std::string on_one_line(const ExprPtr& expr) {
 
 }  // namespace
 
-void Printer::script(const Script& script) {
-    declarations(script.decls);
-    out_.line();
+void Printer::print_script(const Script& script) {
+    print_declarations(script.decls);
+    out_.break_line();
 }
 
-void Printer::declarations(const std::vector<DeclPtr>& decls) {
+void Printer::print_declarations(const std::vector<DeclPtr>& decls) {
     bool first = true;
     for (const DeclPtr& decl : decls) {
-        if (!first) out_.line();
-        if (!first && !decl->comment.empty()) out_.line();
+        if (!first) out_.break_line();
+        if (!first && !decl->comment.empty()) out_.break_line();
         first = false;
-        comment(decl->comment);
-        declaration(*decl);
+        print_comment(decl->comment);
+        print_declaration(*decl);
     }
 }
 
-void Printer::comment(const std::string& text) {
+void Printer::print_comment(const std::string& text) {
     std::size_t from = 0;
     while (from < text.size()) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
-        out_.text("-- " + text.substr(from, end - from));
-        out_.line();
+        out_.add_text("-- " + text.substr(from, end - from));
+        out_.break_line();
         from = end + 1;
     }
 }
 
-void Printer::names(const std::vector<std::string>& names) {
+void Printer::print_names(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (i > 0) {
-            out_.text(",");
+            out_.add_text(",");
             out_.space_or_line();
         }
-        out_.text(names[i]);
+        out_.add_text(names[i]);
     }
 }
 
-void Printer::declaration(const Decl& decl) {
-    out_.open();
+void Printer::print_declaration(const Decl& decl) {
+    out_.open_group();
     out_.indent();
     switch (decl.kind) {
         case DeclKind::function:
         case DeclKind::value:
-            definition(decl);
+            print_definition(decl);
             break;
         case DeclKind::channel:
-            out_.text("channel ");
-            names(decl.names);
+            out_.add_text("channel ");
+            print_names(decl.names);
             if (decl.body) {
-                out_.text(" : ");
-                expression(decl.body);
+                out_.add_text(" : ");
+                print_expression(decl.body);
             }
             break;
         case DeclKind::datatype:
         case DeclKind::subtype:
-            datatype(decl);
+            print_datatype(decl);
             break;
         case DeclKind::nametype:
-            out_.text("nametype " + decl.names.at(0) + " = ");
-            expression(decl.body);
+            out_.add_text("nametype " + decl.names.at(0) + " = ");
+            print_expression(decl.body);
             break;
         case DeclKind::module:
-            module(decl);
+            print_module(decl);
             break;
         case DeclKind::instance:
-            out_.text("instance " + decl.names.at(0) + " = " + decl.text);
-            if (!decl.arguments.empty()) list("(", decl.arguments, ")");
+            out_.add_text("instance " + decl.names.at(0) + " = " + decl.text);
+            if (!decl.arguments.empty()) print_list("(", decl.arguments, ")");
             break;
         case DeclKind::timed:
-            out_.text("Timed");
+            out_.add_text("Timed");
             if (decl.body) {
-                out_.text("(");
-                expression(decl.body);
-                out_.text(")");
+                out_.add_text("(");
+                print_expression(decl.body);
+                out_.add_text(")");
             }
-            out_.text(" {");
-            block(decl.decls);
+            out_.add_text(" {");
+            print_block(decl.decls);
             out_.outdent();
-            out_.line();
-            out_.text("}");
+            out_.break_line();
+            out_.add_text("}");
             out_.indent();
             break;
         case DeclKind::transparent:
         case DeclKind::external:
-            out_.text(decl.kind == DeclKind::transparent ? "transparent " : "external ");
-            names(decl.names);
+            out_.add_text(decl.kind == DeclKind::transparent ? "transparent " : "external ");
+            print_names(decl.names);
             break;
         case DeclKind::annotation:
-            names(decl.names);
-            out_.text(" :: " + decl.text);
+            print_names(decl.names);
+            out_.add_text(" :: " + decl.text);
             break;
         case DeclKind::print:
-            out_.text("print " + on_one_line(decl.body));  // FDR reads the rest of the line
+            out_.add_text("print " + on_one_line(decl.body));  // FDR reads the rest of the line
             break;
         case DeclKind::assertion:
-            assertion(decl.assertion);
+            print_assertion(decl.assertion);
             break;
         case DeclKind::include:
-            out_.text("include \"" + decl.names.at(0) + "\"");
+            out_.add_text("include \"" + decl.names.at(0) + "\"");
             break;
     }
     out_.outdent();
-    out_.close();
+    out_.close_group();
 }
 
-void Printer::definition(const Decl& decl) {
+void Printer::print_definition(const Decl& decl) {
     if (decl.kind == DeclKind::function) {
-        out_.text(decl.names.at(0));
-        for (const auto& group : decl.patterns) patterns("(", group, ")");
+        out_.add_text(decl.names.at(0));
+        for (const auto& group : decl.patterns) print_patterns("(", group, ")");
     } else {
-        pattern(*decl.patterns.at(0).at(0));
+        print_pattern(*decl.patterns.at(0).at(0));
     }
-    out_.text(" =");
-    if (bare(decl.body).kind == ExprKind::let)
-        out_.line();
+    out_.add_text(" =");
+    if (strip_parentheses(decl.body).kind == ExprKind::let)
+        out_.break_line();
     else
         out_.space_or_line();
-    expression(decl.body);
+    print_expression(decl.body);
 }
 
-void Printer::datatype(const Decl& decl) {
-    out_.text((decl.kind == DeclKind::datatype ? "datatype " : "subtype ") + decl.names.at(0) + " =");
+void Printer::print_datatype(const Decl& decl) {
+    out_.add_text((decl.kind == DeclKind::datatype ? "datatype " : "subtype ") + decl.names.at(0) + " =");
     bool first = true;
     for (const Constructor& each : decl.constructors) {
         out_.space_or_line();
-        if (!first) out_.text("| ");
+        if (!first) out_.add_text("| ");
         first = false;
-        out_.text(each.name);
+        out_.add_text(each.name);
         if (!each.fields) continue;
-        out_.text(".");
-        expression(each.fields, bare(each.fields).kind == ExprKind::dot ? dot_level_expr : postfix_level);
+        out_.add_text(".");
+        print_expression(each.fields,
+                         strip_parentheses(each.fields).kind == ExprKind::dot ? dot_level_expr : postfix_level);
     }
 }
 
-void Printer::block(const std::vector<DeclPtr>& decls) {
+void Printer::print_block(const std::vector<DeclPtr>& decls) {
     if (decls.empty()) return;
-    out_.line();
-    declarations(decls);
+    out_.break_line();
+    print_declarations(decls);
 }
 
 // The group around a declaration has indented once; the module's own keywords are one level to the left.
-void Printer::module(const Decl& decl) {
-    out_.text("module " + decl.names.at(0));
+void Printer::print_module(const Decl& decl) {
+    out_.add_text("module " + decl.names.at(0));
     if (!decl.parameters.empty()) {
-        out_.text("(");
-        names(decl.parameters);
-        out_.text(")");
+        out_.add_text("(");
+        print_names(decl.parameters);
+        out_.add_text(")");
     }
-    block(decl.decls);
+    print_block(decl.decls);
     out_.outdent();
-    out_.line();
-    out_.text("exports");
+    out_.break_line();
+    out_.add_text("exports");
     out_.indent();
-    block(decl.exports);
+    print_block(decl.exports);
     out_.outdent();
-    out_.line();
-    out_.text("endmodule");
+    out_.break_line();
+    out_.add_text("endmodule");
     out_.indent();
 }
 
@@ -217,39 +218,40 @@ std::string_view property_name(AssertionKind kind) {
 
 }  // namespace
 
-void Printer::assertion(const Assertion& assertion) {
-    out_.text(assertion.negated ? "assert not " : "assert ");
+void Printer::print_assertion(const Assertion& assertion) {
+    out_.add_text(assertion.negated ? "assert not " : "assert ");
     // `assert not P` would be a negated assertion.
     const bool ambiguous = !assertion.negated && on_one_line(assertion.specification).starts_with("not ");
-    expression(assertion.specification, ambiguous ? atom_level : lowest_level);
+    print_expression(assertion.specification, ambiguous ? atom_level : lowest_level);
     const std::string model(model_name(assertion.model));
     if (assertion.kind == AssertionKind::refinement) {
         out_.space_or_line();
-        out_.text("[" + model + "= ");
-        expression(assertion.implementation);
+        out_.add_text("[" + model + "= ");
+        print_expression(assertion.implementation);
     } else {
-        out_.text(" :[" + std::string(property_name(assertion.kind)) + (model.empty() ? "" : " [" + model + "]") + "]");
+        out_.add_text(" :[" + std::string(property_name(assertion.kind)) + (model.empty() ? "" : " [" + model + "]") +
+                      "]");
         if (assertion.kind == AssertionKind::has_trace) {
-            out_.text(": ");
-            expression(assertion.implementation);
+            out_.add_text(": ");
+            print_expression(assertion.implementation);
         }
     }
     if (assertion.tau_priority) {
-        out_.text(" :[tau priority]: ");
-        expression(assertion.tau_priority);
+        out_.add_text(" :[tau priority]: ");
+        print_expression(assertion.tau_priority);
     }
-    if (assertion.partial_order) out_.text(" :[partial order reduce]");
+    if (assertion.partial_order) out_.add_text(" :[partial order reduce]");
 }
 
 std::string print(const Script& script) {
     Layout layout(110);
-    Printer(layout).script(script);
+    Printer(layout).print_script(script);
     return layout.render();
 }
 
 std::string print(const Decl& decl) {
     Layout layout(110);
-    Printer(layout).declaration(decl);
+    Printer(layout).print_declaration(decl);
     return layout.render();
 }
 

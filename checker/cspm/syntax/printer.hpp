@@ -15,52 +15,52 @@ class Printer {
 public:
     explicit Printer(Layout& out) : out_(out) {}
 
-    void script(const Script& script);
-    void expression(const ExprPtr& expr, int minimum = 0);
-    void declaration(const Decl& decl);
+    void print_script(const Script& script);
+    void print_expression(const ExprPtr& expr, int minimum = 0);
+    void print_declaration(const Decl& decl);
 
 private:
     // expressions
-    void body(const Expr& expr);
-    void literal(const Expr& expr);
-    void binary_value(const Expr& expr, int level, std::string_view op);
-    void process_operand(const ExprPtr& expr);
-    void process_chain(const Expr& expr, std::string_view op);
-    void process_infix(const Expr& expr);
-    void enclosed(const ExprPtr& set);
-    void list(std::string_view open, const std::vector<ExprPtr>& items, std::string_view close,
-              const std::vector<Clause>* clauses = nullptr, std::size_t from = 0);
-    void range(std::string_view open, const Expr& expr, std::string_view close);
-    void in_sequence(const Expr& expr);
-    void apply(const Expr& expr);
-    void dot(const Expr& expr);
-    void map(const Expr& expr);
-    void lambda(const Expr& expr);
-    void let(const Expr& expr);
-    void conditional(const Expr& expr);
-    void prefix(const Expr& expr);
-    void field(const Field& field);
-    void rename(const Expr& expr);
-    void linked(const Expr& expr);
-    void links(const std::vector<Link>& links, std::string_view arrow, const std::vector<Clause>& clauses);
-    void replicated(const Expr& expr);
-    void clauses(const std::vector<Clause>& clauses, std::string_view arrow);
-    [[nodiscard]] static const Expr& bare(const ExprPtr& expr);  // without parentheses
+    void print_body(const Expr& expr);
+    void print_literal(const Expr& expr);
+    void print_binary_value(const Expr& expr, int level, std::string_view op);
+    void print_process_operand(const ExprPtr& expr);
+    void print_process_chain(const Expr& expr, std::string_view op);
+    void print_process_infix(const Expr& expr);
+    void print_set_operand(const ExprPtr& set);
+    void print_list(std::string_view open, const std::vector<ExprPtr>& items, std::string_view close,
+                    const std::vector<Clause>* clauses = nullptr, std::size_t from = 0);
+    void print_range(std::string_view open, const Expr& expr, std::string_view close);
+    void print_in_sequence(const Expr& expr);
+    void print_application(const Expr& expr);
+    void print_dot(const Expr& expr);
+    void print_map(const Expr& expr);
+    void print_lambda(const Expr& expr);
+    void print_let(const Expr& expr);
+    void print_conditional(const Expr& expr);
+    void print_prefix(const Expr& expr);
+    void print_field(const Field& field);
+    void print_renaming(const Expr& expr);
+    void print_linked(const Expr& expr);
+    void print_links(const std::vector<Link>& links, std::string_view arrow, const std::vector<Clause>& clauses);
+    void print_replicated(const Expr& expr);
+    void print_clauses(const std::vector<Clause>& clauses, std::string_view arrow);
+    [[nodiscard]] static const Expr& strip_parentheses(const ExprPtr& expr);  // without parentheses
     [[nodiscard]] bool needs_parentheses(const Expr& expr, int minimum) const;
 
     // patterns
-    void pattern(const Pattern& pattern, int minimum = 0);
-    void patterns(std::string_view open, const std::vector<PatternPtr>& patterns, std::string_view close);
+    void print_pattern(const Pattern& pattern, int minimum = 0);
+    void print_patterns(std::string_view open, const std::vector<PatternPtr>& patterns, std::string_view close);
 
     // declarations
-    void declarations(const std::vector<DeclPtr>& decls);
-    void comment(const std::string& text);
-    void definition(const Decl& decl);
-    void datatype(const Decl& decl);
-    void module(const Decl& decl);
-    void block(const std::vector<DeclPtr>& decls);
-    void names(const std::vector<std::string>& names);
-    void assertion(const Assertion& assertion);
+    void print_declarations(const std::vector<DeclPtr>& decls);
+    void print_comment(const std::string& text);
+    void print_definition(const Decl& decl);
+    void print_datatype(const Decl& decl);
+    void print_module(const Decl& decl);
+    void print_block(const std::vector<DeclPtr>& decls);
+    void print_names(const std::vector<std::string>& names);
+    void print_assertion(const Assertion& assertion);
 
     Layout& out_;
     bool inside_sequence_ = false;  // an unbracketed `>` would close it

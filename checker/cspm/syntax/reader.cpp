@@ -18,8 +18,8 @@ using diagnostics::SourceId;
 using diagnostics::SourceManager;
 
 Script read(const SourceManager& sources, SourceId source, Diagnostics& diagnostics) {
-    const std::vector<Token> tokens = lex(sources.text(source), source, diagnostics);
-    return {Parser(tokens, diagnostics).script()};
+    const std::vector<Token> tokens = lex(sources.source_text(source), source, diagnostics);
+    return {Parser(tokens, diagnostics).parse_script()};
 }
 
 namespace {
@@ -62,7 +62,7 @@ private:
         if (!cause.empty()) return std::nullopt;
         const auto source = load_(path, cause);
         if (!source) return std::nullopt;
-        bytes_ += sources_.text(*source).size();
+        bytes_ += sources_.source_text(*source).size();
         if (bytes_ <= SourceManager::max_bytes) return source;
         cause =
             fmt::format("the script with all that it includes is longer than {} MB", SourceManager::max_bytes >> 20U);
@@ -74,7 +74,7 @@ private:
                                 Place place) {
         std::vector<DeclPtr> result;
         for (const DeclPtr& decl : decls) {
-            if (misplaced(decl->kind, read_at).empty()) report_misplaced(*decl, place, diagnostics_);
+            if (forbidden_place(decl->kind, read_at).empty()) report_misplaced(*decl, place, diagnostics_);
             if (decl->kind == DeclKind::include) {
                 std::vector<DeclPtr> included = file(folder / decl->names.at(0), decl->span, place);
                 result.insert(result.end(), included.begin(), included.end());
@@ -110,8 +110,9 @@ Script read_file(SourceManager& sources, const std::string& path, Diagnostics& d
 }
 
 Script read_file(SourceManager& sources, const std::string& path, Diagnostics& diagnostics) {
-    return read_file(sources, path, diagnostics,
-                     [&sources](const std::string& each, std::string& error) { return sources.load(each, error); });
+    return read_file(sources, path, diagnostics, [&sources](const std::string& each, std::string& error) {
+        return sources.load_file(each, error);
+    });
 }
 
 }  // namespace robochart::cspm

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "checker/cspm/syntax/syntax.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
 
 namespace robochart::cspm {
 

@@ -6,7 +6,7 @@
 namespace robochart::cspm {
 namespace {
 
-const std::string& in(const NewNames& names, const std::string& old) {
+const std::string& new_name_of(const NewNames& names, const std::string& old) {
     const auto found = names.find(old);
     return found == names.end() ? old : found->second;
 }
@@ -27,71 +27,71 @@ class Renaming {
 public:
     explicit Renaming(const QualifiedNames& names) : names_(names) {}
 
-    [[nodiscard]] DeclPtr decl(const DeclPtr& old) const {
+    [[nodiscard]] DeclPtr rename_decl(const DeclPtr& old) const {
         auto result = std::make_shared<Decl>(*old);
-        for (std::string& each : result->names) each = name(each);
+        for (std::string& each : result->names) each = rename_name(each);
         for (auto& group : result->patterns)
-            for (PatternPtr& each : group) each = pattern(each);
-        result->body = expr(old->body);
+            for (PatternPtr& each : group) each = rename_pattern(each);
+        result->body = rename_expr(old->body);
         for (Constructor& each : result->constructors) {
-            each.name = name(each.name);
-            each.fields = expr(each.fields);
+            each.name = rename_name(each.name);
+            each.fields = rename_expr(each.fields);
         }
-        for (std::string& each : result->parameters) each = name(each);
+        for (std::string& each : result->parameters) each = rename_name(each);
         for (auto* list : {&result->decls, &result->exports})
-            for (DeclPtr& each : *list) each = decl(each);
-        for (ExprPtr& each : result->arguments) each = expr(each);
-        if (old->kind == DeclKind::instance) result->text = name(old->text);
+            for (DeclPtr& each : *list) each = rename_decl(each);
+        for (ExprPtr& each : result->arguments) each = rename_expr(each);
+        if (old->kind == DeclKind::instance) result->text = rename_name(old->text);
         Assertion& assertion = result->assertion;
         for (ExprPtr* each : {&assertion.specification, &assertion.implementation, &assertion.tau_priority})
-            *each = expr(*each);
+            *each = rename_expr(*each);
         return result;
     }
 
 private:
-    [[nodiscard]] std::string name(const std::string& old) const {
-        if (old.find("::") == std::string::npos) return in(names_.plain, old);
+    [[nodiscard]] std::string rename_name(const std::string& old) const {
+        if (old.find("::") == std::string::npos) return new_name_of(names_.plain, old);
         std::vector<std::string> parts = parts_of(old);
         const std::size_t first = parts.front().empty() ? 1 : 0;
         const bool own = names_.modules.contains(parts[first]);
         for (std::size_t i = first; i < parts.size(); ++i) {
             if (own || parts.size() == first + 1)
-                parts[i] = in(names_.plain, parts[i]);
+                parts[i] = new_name_of(names_.plain, parts[i]);
             else
-                parts[i] = in(i == first              ? names_.first
-                              : i + 1 == parts.size() ? names_.last
-                                                      : names_.inside,
-                              parts[i]);
+                parts[i] = new_name_of(i == first              ? names_.first
+                                       : i + 1 == parts.size() ? names_.last
+                                                               : names_.inside,
+                                       parts[i]);
         }
         std::string result = parts.front();
         for (std::size_t i = 1; i < parts.size(); ++i) result += "::" + parts[i];
         return result;
     }
 
-    [[nodiscard]] PatternPtr pattern(const PatternPtr& old) const {
+    [[nodiscard]] PatternPtr rename_pattern(const PatternPtr& old) const {
         if (!old) return old;
         auto result = std::make_shared<Pattern>(*old);
-        if (old->kind == PatternKind::name) result->text = name(old->text);
-        for (PatternPtr& each : result->args) each = pattern(each);
+        if (old->kind == PatternKind::name) result->text = rename_name(old->text);
+        for (PatternPtr& each : result->args) each = rename_pattern(each);
         return result;
     }
 
-    [[nodiscard]] ExprPtr expr(const ExprPtr& old) const {
+    [[nodiscard]] ExprPtr rename_expr(const ExprPtr& old) const {
         if (!old) return old;
         auto result = std::make_shared<Expr>(*old);
-        if (old->kind == ExprKind::name) result->text = name(old->text);
-        for (ExprPtr& each : result->args) each = expr(each);
+        if (old->kind == ExprKind::name) result->text = rename_name(old->text);
+        for (ExprPtr& each : result->args) each = rename_expr(each);
         for (Field& each : result->fields) {
-            each.value = expr(each.value);
-            each.pattern = pattern(each.pattern);
+            each.value = rename_expr(each.value);
+            each.pattern = rename_pattern(each.pattern);
         }
         for (Clause& each : result->clauses) {
-            each.value = expr(each.value);
-            each.pattern = pattern(each.pattern);
+            each.value = rename_expr(each.value);
+            each.pattern = rename_pattern(each.pattern);
         }
-        for (Link& each : result->links) each = {expr(each.from), expr(each.to)};
-        for (PatternPtr& each : result->patterns) each = pattern(each);
-        for (DeclPtr& each : result->decls) each = decl(each);
+        for (Link& each : result->links) each = {rename_expr(each.from), rename_expr(each.to)};
+        for (PatternPtr& each : result->patterns) each = rename_pattern(each);
+        for (DeclPtr& each : result->decls) each = rename_decl(each);
         return result;
     }
 
@@ -100,64 +100,64 @@ private:
 
 class Bound {
 public:
-    void decls(const std::vector<DeclPtr>& list, bool local) {
-        for (const DeclPtr& each : list) decl(*each, local);
+    void collect_decls(const std::vector<DeclPtr>& list, bool local) {
+        for (const DeclPtr& each : list) collect_decl(*each, local);
     }
     std::set<std::string> names;
 
 private:
-    void decl(const Decl& decl, bool local) {
+    void collect_decl(const Decl& decl, bool local) {
         if (local || decl.kind != DeclKind::value)
-            for (const auto& group : decl.patterns) patterns(group);
+            for (const auto& group : decl.patterns) collect_patterns(group);
         if (local) names.insert(decl.names.begin(), decl.names.end());
         names.insert(decl.parameters.begin(), decl.parameters.end());
-        expr(decl.body);
-        for (const Constructor& each : decl.constructors) expr(each.fields);
-        decls(decl.decls, local);
-        decls(decl.exports, local);
-        for (const ExprPtr& each : decl.arguments) expr(each);
+        collect_expr(decl.body);
+        for (const Constructor& each : decl.constructors) collect_expr(each.fields);
+        collect_decls(decl.decls, local);
+        collect_decls(decl.exports, local);
+        for (const ExprPtr& each : decl.arguments) collect_expr(each);
     }
-    void patterns(const std::vector<PatternPtr>& list) {
-        for (const PatternPtr& each : list) pattern(each);
+    void collect_patterns(const std::vector<PatternPtr>& list) {
+        for (const PatternPtr& each : list) collect_pattern(each);
     }
-    void pattern(const PatternPtr& pattern) {
+    void collect_pattern(const PatternPtr& pattern) {
         if (!pattern) return;
         if (pattern->kind == PatternKind::name) names.insert(pattern->text);
-        patterns(pattern->args);
+        collect_patterns(pattern->args);
     }
-    void expr(const ExprPtr& expr) {
+    void collect_expr(const ExprPtr& expr) {
         if (!expr) return;
-        for (const ExprPtr& each : expr->args) this->expr(each);
+        for (const ExprPtr& each : expr->args) this->collect_expr(each);
         for (const Field& each : expr->fields) {
-            this->expr(each.value);
-            pattern(each.pattern);
+            this->collect_expr(each.value);
+            collect_pattern(each.pattern);
         }
         for (const Clause& each : expr->clauses) {
-            this->expr(each.value);
-            pattern(each.pattern);
+            this->collect_expr(each.value);
+            collect_pattern(each.pattern);
         }
-        patterns(expr->patterns);
-        decls(expr->decls, true);
+        collect_patterns(expr->patterns);
+        collect_decls(expr->decls, true);
     }
 };
 
 }  // namespace
 
-std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const NewNames& names) {
-    return renamed(decls, QualifiedNames{names, names, {}, {}, {}});
+std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const NewNames& names) {
+    return rename_declarations(decls, QualifiedNames{names, names, {}, {}, {}});
 }
 
-std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const QualifiedNames& names) {
+std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const QualifiedNames& names) {
     if (names.plain.empty() && names.first.empty() && names.inside.empty() && names.last.empty()) return decls;
     const Renaming renaming(names);
     std::vector<DeclPtr> result;
-    for (const DeclPtr& each : decls) result.push_back(renaming.decl(each));
+    for (const DeclPtr& each : decls) result.push_back(renaming.rename_decl(each));
     return result;
 }
 
 std::set<std::string> bound_names(const std::vector<DeclPtr>& decls) {
     Bound bound;
-    bound.decls(decls, false);
+    bound.collect_decls(decls, false);
     return bound.names;
 }
 

@@ -17,7 +17,7 @@ using NewNames = std::map<std::string, std::string>;
 
 /// Returns the declarations with the new names. In a qualified name `A::b`, the first part may be renamed. Returns the
 /// same objects if there are no new names.
-[[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const NewNames& names);
+[[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const NewNames& names);
 
 /// New names for plain names, and for the parts of qualified ones. A name after one of `modules`, which are declared in
 /// the tree itself, is renamed like a plain name.
@@ -26,7 +26,7 @@ struct QualifiedNames {
     NewNames first, inside, last;  ///< for `A::b::c`: A, b and c
     std::set<std::string> modules;
 };
-[[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const QualifiedNames& names);
+[[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const QualifiedNames& names);
 
 /// Parameters of functions, lambdas and modules, variables of generators, inputs and local definitions. If such a name
 /// is also a channel or a constructor where the tree is used, it becomes a pattern that matches only that value.

@@ -59,7 +59,7 @@ const Rule arrow_comment{"CSPM-P18", Severity::warning, "`-->` begins a comment;
                          "Two hyphens begin a comment, which reaches to the end of the line, so the process behind the "
                          "arrow is not read."};
 
-std::span<const Rule* const> all() {
+std::span<const Rule* const> all_rules() {
     static constexpr std::array<const Rule*, 18> table{
         &unexpected_token,    &bad_character,  &open_comment,    &open_literal,          &big_number,
         &bad_property,        &too_deep,       &not_associative, &misplaced_declaration, &annotation_unused,

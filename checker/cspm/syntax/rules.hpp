@@ -28,6 +28,6 @@ extern const diagnostics::Rule include_cycle;
 extern const diagnostics::Rule arrow_comment;
 
 /// Returns all rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+[[nodiscard]] std::span<const diagnostics::Rule* const> all_rules();
 
 }  // namespace robochart::cspm::rules

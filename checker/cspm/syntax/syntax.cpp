@@ -26,12 +26,13 @@ bool equal_decl_pointers(const DeclPtr& a, const DeclPtr& b) {
 
 // A dot field is only a notation: `c.x?y` has x in the event, and `c?y.x` is a pattern, so the printer writes the
 // remaining dot fields as `!x`.
-FieldKind canonical(FieldKind kind) {
+FieldKind canonical_kind(FieldKind kind) {
     return kind == FieldKind::dot ? FieldKind::output : kind;
 }
 
 bool equal_field(const Field& a, const Field& b) {
-    return canonical(a.kind) == canonical(b.kind) && equal(a.value, b.value) && equal_pattern(a.pattern, b.pattern);
+    return canonical_kind(a.kind) == canonical_kind(b.kind) && equal(a.value, b.value) &&
+           equal_pattern(a.pattern, b.pattern);
 }
 
 bool equal_clause(const Clause& a, const Clause& b) {

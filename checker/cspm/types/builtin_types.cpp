@@ -111,7 +111,7 @@ private:
         std::vector<TypeId> args;
         for (const WrittenType& each : written.args) args.push_back(type(each));
         if (written.kind == TypeKind::extendable) std::swap(args[0], args[1]);
-        return store_.make(written.kind, args);
+        return store_.make_type(written.kind, args);
     }
 
     TypeId name(const std::string& name) {
@@ -123,7 +123,7 @@ private:
         for (const auto& [constraint, variable] : scheme_.constraints) {
             if (variable == name) constraints |= constraint;
         }
-        variables_.emplace_back(name, store_.fresh(constraints));
+        variables_.emplace_back(name, store_.fresh_variable(constraints));
         return variables_.back().second;
     }
 
@@ -132,7 +132,7 @@ private:
     std::vector<std::pair<std::string, TypeId>> variables_;
 };
 
-bool allowed(Visibility visibility, BuiltinTypes::Where where) {
+bool is_allowed(Visibility visibility, BuiltinTypes::Where where) {
     using enum BuiltinTypes::Where;
     switch (visibility) {
         case Visibility::always:
@@ -153,7 +153,7 @@ bool allowed(Visibility visibility, BuiltinTypes::Where where) {
 
 Symbol* BuiltinTypes::find(std::string_view name, Where where) {
     const BuiltinName* builtin = find_builtin(name);
-    if (builtin == nullptr || !allowed(builtin->visibility, where)) return nullptr;
+    if (builtin == nullptr || !is_allowed(builtin->visibility, where)) return nullptr;
     const auto [place, fresh] = made_.try_emplace(builtin->name);
     Symbol& symbol = place->second;
     if (!fresh) return &symbol;

@@ -10,7 +10,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-bool implied(Constraint constraint, Constraints held) {
+bool is_implied(Constraint constraint, Constraints held) {
     return (held & constraint) != 0 || (constraint == can_collect && (held & can_equal) != 0);
 }
 
@@ -38,15 +38,16 @@ void Unifier::constrain_all(Constraints constraints, TypeId type) {
     }
 }
 
-void Unifier::lacks(Constraint constraint, TypeId type) {
+void Unifier::fail_constraint(Constraint constraint, TypeId type) {
     TypeWriter writer(store_);
     const TypeId outer = constrained_.empty() ? type : constrained_.front();
-    TypeFault fault{&rules::lacks_constraint, {writer.text(displayed(type)), in_words(constraint)}, {}, here_};
+    TypeFault fault{
+        &rules::lacks_constraint, {writer.type_text(type_to_display(type)), in_words(constraint)}, {}, here_};
     if (store_.head(outer) != store_.head(type)) {
-        fault.notes.push_back({here_, "it is a part of " + writer.text(displayed(outer))});
+        fault.notes.push_back({here_, "it is a part of " + writer.type_text(type_to_display(outer))});
     }
-    if (is(type, TypeKind::variable)) {
-        const std::string name = writer.text(type);
+    if (has_kind(type, TypeKind::variable)) {
+        const std::string name = writer.type_text(type);
         fault.notes.push_back({here_, "the annotation says that '" + name + "' is any type; write `" +
                                           constraint_name(constraint) + " " + name + " => ...`"});
     }
@@ -58,10 +59,10 @@ void Unifier::constrain(Constraint constraint, TypeId type) {
     type = store_.head(type);
     constrained_.push_back(type);
     try {
-        if (is(type, TypeKind::variable)) {
+        if (has_kind(type, TypeKind::variable)) {
             constrain_variable(constraint, type);
         } else if (!constrain_parts(constraint, type)) {
-            lacks(constraint, type);
+            fail_constraint(constraint, type);
         }
     } catch (...) {
         constrained_.pop_back();
@@ -71,8 +72,8 @@ void Unifier::constrain(Constraint constraint, TypeId type) {
 }
 
 void Unifier::constrain_variable(Constraint constraint, TypeId variable) {
-    if (implied(constraint, store_.node(variable).constraints)) return;
-    if (store_.node(variable).rigid) lacks(constraint, variable);
+    if (is_implied(constraint, store_.node(variable).constraints)) return;
+    if (store_.node(variable).rigid) fail_constraint(constraint, variable);
     store_.constrain(variable, constraint);
 }
 
@@ -93,13 +94,13 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
         case TypeKind::dot: {
             if (constraint != can_input && constraint != can_yield) return constraint != can_order && all(constraint);
             const TypeId evaluated = evaluate_dots(type);
-            if (!is(evaluated, TypeKind::dot)) return constrain(constraint, evaluated), true;
+            if (!has_kind(evaluated, TypeKind::dot)) return constrain(constraint, evaluated), true;
             if (constraint == can_yield) return false;
             for (const TypeId each : store_.dot_parts(evaluated)) constrain(constraint, each);
             return true;
         }
         case TypeKind::datatype:
-            if (constraint == can_equal) return store_.comparable(node.first);
+            if (constraint == can_equal) return store_.is_comparable(node.first);
             return constraint != can_order;
         case TypeKind::event:
             return constraint != can_order;
@@ -144,15 +145,15 @@ TypeId Unifier::instantiate(const Scheme& scheme) {
     if (scheme.quantified.empty()) return scheme.type;
     std::vector<std::pair<TypeId, TypeId>> variables;
     for (const TypeId each : scheme.quantified) {
-        store_.step();
-        variables.emplace_back(each, store_.fresh(store_.node(each).constraints));
+        store_.count_step();
+        variables.emplace_back(each, store_.fresh_variable(store_.node(each).constraints));
     }
     std::ranges::sort(variables);
-    return copy(scheme.type, variables, {});
+    return copy_type(scheme.type, variables, {});
 }
 
-TypeId Unifier::copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
-                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes) {
+TypeId Unifier::copy_type(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
+                          const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes) {
     const TypeStore::Depth guard(store_);
     type = store_.head(type);
     const TypeNode node = store_.node(type);
@@ -166,8 +167,8 @@ TypeId Unifier::copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& 
     }
     const Parts before = store_.arguments(type);
     Parts after;
-    for (const TypeId each : before) after.push_back(copy(each, variables, datatypes));
-    return before == after ? type : store_.make(node.kind, after);
+    for (const TypeId each : before) after.push_back(copy_type(each, variables, datatypes));
+    return before == after ? type : store_.make_type(node.kind, after);
 }
 
 }  // namespace robochart::cspm::types

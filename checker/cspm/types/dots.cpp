@@ -8,7 +8,7 @@
 namespace robochart::cspm::types {
 
 // Returns the result type after all arguments have been applied.
-TypeId Unifier::ultimate(TypeId type) {
+TypeId Unifier::result_type(TypeId type) {
     Parts ignored;
     return store_.split(type, ignored);
 }
@@ -16,7 +16,8 @@ TypeId Unifier::ultimate(TypeId type) {
 // Converts (A.B) => C to A => (B => C).
 TypeId Unifier::one_by_one(TypeId dotable) {
     const TypeId given = store_.argument(dotable, 0);
-    return is(given, TypeKind::dot) ? store_.dotable(store_.dot_parts(given), 0, store_.argument(dotable, 1)) : dotable;
+    return has_kind(given, TypeKind::dot) ? store_.dotable_type(store_.dot_parts(given), 0, store_.argument(dotable, 1))
+                                          : dotable;
 }
 
 TypeId Unifier::evaluate_dots(TypeId type) {
@@ -24,20 +25,20 @@ TypeId Unifier::evaluate_dots(TypeId type) {
     type = store_.head(type);
     if (store_.node(type).plain) return type;
     const TypeKind kind = store_.node(type).kind;
-    if (kind == TypeKind::dot) return store_.dot(evaluate(store_.dot_parts(type), Match::longest));
+    if (kind == TypeKind::dot) return store_.dot_type(evaluate(store_.dot_parts(type), Match::longest));
     const bool inside = kind == TypeKind::set || kind == TypeKind::sequence || kind == TypeKind::map ||
                         kind == TypeKind::tuple || kind == TypeKind::function;
     if (!inside) return type;
     const Parts before = store_.arguments(type);
     Parts after;
     for (const TypeId each : before) after.push_back(evaluate_dots(each));
-    return before == after ? type : store_.make(kind, after);
+    return before == after ? type : store_.make_type(kind, after);
 }
 
 namespace {
 
 // Replaces the first two parts by one type.
-std::vector<TypeId> joined(TypeId first, const std::vector<TypeId>& parts) {
+std::vector<TypeId> replace_first_two(TypeId first, const std::vector<TypeId>& parts) {
     std::vector<TypeId> result{first};
     result.insert(result.end(), parts.begin() + 2, parts.end());
     return result;
@@ -73,34 +74,34 @@ Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
             Parts all;
             const TypeId end = store_.split(first, all);
             if (match == Match::longest) {
-                (void)unify(next, store_.dot(all));
+                (void)unify(next, store_.dot_type(all));
                 return {end};
             }
             (void)unify(all.front(), next);
-            return {store_.dotable(all, 1, end)};
+            return {store_.dotable_type(all, 1, end)};
         }
         if (given == TypeKind::extendable) {
             (void)unify(wanted, store_.argument(next, 0));
-            return evaluate(joined(store_.extendable(yielded, store_.argument(next, 1)), parts), match);
+            return evaluate(replace_first_two(store_.extendable_type(yielded, store_.argument(next, 1)), parts), match);
         }
-        if (given == TypeKind::dotable && !is(wanted, TypeKind::dotable)) {
+        if (given == TypeKind::dotable && !has_kind(wanted, TypeKind::dotable)) {
             Parts needed;
             (void)unify(wanted, store_.split(next, needed));
-            return evaluate(joined(store_.dotable(needed, 0, yielded), parts), match);
+            return evaluate(replace_first_two(store_.dotable_type(needed, 0, yielded), parts), match);
         }
         (void)unify(wanted, next);
-        return evaluate(joined(yielded, parts), match);
+        return evaluate(replace_first_two(yielded, parts), match);
     }
     if (kind == TypeKind::extendable) {
         const TypeId end = store_.argument(first, 0);
         const TypeId variable = store_.argument(first, 1);
         if (match == Match::longest) {
             const Parts rest = evaluate(without_first(parts), match);
-            set_arguments(variable, store_.dotable(rest, 0, store_.atom(TypeKind::complete)));
+            set_arguments(variable, store_.dotable_type(rest, 0, store_.atom(TypeKind::complete)));
             return {end};
         }
-        set_arguments(variable, store_.dotable(parts[1], store_.atom(TypeKind::complete)));
-        return evaluate(joined(end, parts), match);
+        set_arguments(variable, store_.dotable_type(parts[1], store_.atom(TypeKind::complete)));
+        return evaluate(replace_first_two(end, parts), match);
     }
     Parts result{first};
     append(result, evaluate(without_first(parts), match));
@@ -113,14 +114,14 @@ Unifier::Parts Unifier::combine(Parts a, Parts b) {
     if (a.empty() && b.empty()) return {};
     if (a.empty() || b.empty()) mismatch();
     for (Parts* each : {&a, &b}) {
-        if (!is(each->front(), TypeKind::dot)) continue;
+        if (!has_kind(each->front(), TypeKind::dot)) continue;
         Parts spread = store_.dot_parts(each->front());
         append(spread, without_first(*each));
         *each = std::move(spread);
     }
-    if (a.size() == 1 || b.size() == 1) return {unify(store_.dot(a), store_.dot(b))};
-    if (is(a.front(), TypeKind::dotable)) return take_left(std::move(a), b);
-    if (is(b.front(), TypeKind::dotable)) return take_right(a, std::move(b));
+    if (a.size() == 1 || b.size() == 1) return {unify(store_.dot_type(a), store_.dot_type(b))};
+    if (has_kind(a.front(), TypeKind::dotable)) return take_left(std::move(a), b);
+    if (has_kind(b.front(), TypeKind::dotable)) return take_right(a, std::move(b));
     Parts result{unify(a.front(), b.front())};
     append(result, combine(without_first(a), without_first(b)));
     return result;
@@ -133,7 +134,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId wanted = store_.argument(first, 0);
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
-    if (given == TypeKind::variable && a.size() == 2 && !is(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::variable && a.size() == 2 && !has_kind(wanted, TypeKind::dotable)) {
         // The variable represents all the arguments and the parts of b after their result.
         Parts all;
         const TypeId end = store_.split(first, all);
@@ -143,13 +144,13 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
         (void)combine(all, {next});
         return rest;
     }
-    if (given == TypeKind::dotable && !is(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::dotable && !has_kind(wanted, TypeKind::dotable)) {
         Parts needed;
         (void)unify(wanted, store_.split(next, needed));
-        return combine(joined(store_.dotable(needed, 0, yielded), a), b);
+        return combine(replace_first_two(store_.dotable_type(needed, 0, yielded), a), b);
     }
     (void)unify(wanted, next);
-    return combine(joined(yielded, a), b);
+    return combine(replace_first_two(yielded, a), b);
 }
 
 // The same for `b`.
@@ -159,7 +160,7 @@ Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
     const TypeId wanted = store_.argument(first, 0);
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
-    if (given == TypeKind::variable && b.size() == 2 && !is(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::variable && b.size() == 2 && !has_kind(wanted, TypeKind::dotable)) {
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(a, Match::longest);
@@ -168,13 +169,13 @@ Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
         (void)combine({next}, all);
         return rest;
     }
-    if (given == TypeKind::dotable && !is(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::dotable && !has_kind(wanted, TypeKind::dotable)) {
         Parts needed;
         (void)unify(store_.split(next, needed), wanted);
-        return combine(a, joined(store_.dotable(needed, 0, yielded), b));
+        return combine(a, replace_first_two(store_.dotable_type(needed, 0, yielded), b));
     }
     (void)unify(next, wanted);
-    return combine(a, joined(yielded, b));
+    return combine(a, replace_first_two(yielded, b));
 }
 
 }  // namespace robochart::cspm::types

@@ -12,7 +12,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-const Term& inner(const Term& term) {
+const Term& inside_parentheses(const Term& term) {
     const Term* result = &term;
     while (result->syntax->kind == ExprKind::parenthesised) result = result->args[0];
     return *result;
@@ -51,14 +51,14 @@ void ExpressionTypes::constrain(diagnostics::Span span, Constraint constraint, T
     }
 }
 
-TypeId ExpressionTypes::expect(const Term& term, TypeId type, std::string_view because) {
+TypeId ExpressionTypes::expect_type(const Term& term, TypeId type, std::string_view because) {
     const TypeId actual = infer(term);
-    return unify(inner(term).syntax->span, type, actual, because);
+    return unify(inside_parentheses(term).syntax->span, type, actual, because);
 }
 
 // Reports the error at a branch or at a let's body rather than at the whole expression.
 void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
-    const Term& at = inner(term);
+    const Term& at = inside_parentheses(term);
     if (at.syntax->kind == ExprKind::if_then_else) {
         expect_atom(*at.args[0], TypeKind::boolean, "the condition of an `if` is a Bool");
         expect_atom(*at.args[1], kind, because);
@@ -67,12 +67,12 @@ void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_v
         check_let_(*at.decls);
         expect_atom(*at.args[0], kind, because);
     } else {
-        (void)expect(at, atom(kind), because);
+        (void)expect_type(at, atom(kind), because);
     }
 }
 
 TypeId ExpressionTypes::expect_extendable(const Term& term, TypeId type, std::string_view because) {
-    return expect(term, store_.extendable(type, store_.fresh()), because);
+    return expect_type(term, store_.extendable_type(type, store_.fresh_variable()), because);
 }
 
 void ExpressionTypes::expect_processes(const Term& term, std::size_t count) {
@@ -83,8 +83,8 @@ void ExpressionTypes::expect_processes(const Term& term, std::size_t count) {
 }
 
 void ExpressionTypes::expect_events(const Term& term, std::size_t index) {
-    (void)expect(*term.args[index], store_.set_of(atom(TypeKind::event)),
-                 "the operator takes a set of events here; `{| c |}` are all events of channel c");
+    (void)expect_type(*term.args[index], store_.set_of(atom(TypeKind::event)),
+                      "the operator takes a set of events here; `{| c |}` are all events of channel c");
 }
 
 // ---------------------------------------------------------------- values
@@ -95,19 +95,19 @@ TypeId ExpressionTypes::infer(const Term& term) {
         case ExprKind::parenthesised:
             return infer(*term.args[0]);
         case ExprKind::name:
-            return name(term);
+            return infer_name(term);
         case ExprKind::apply:
-            return application(term);
+            return infer_application(term);
         case ExprKind::prefix:
-            return prefix(term);
+            return infer_prefix(term);
         case ExprKind::let:
-            return let(term);
+            return infer_let(term);
         case ExprKind::dot:
-            return dotted(term);
+            return infer_dot(term);
         case ExprKind::if_then_else:
-            return conditional(term);
+            return infer_conditional(term);
         case ExprKind::lambda:
-            return lambda(term);
+            return infer_lambda(term);
         default:
             return infer_value(term);
     }
@@ -125,9 +125,9 @@ TypeId ExpressionTypes::infer_value(const Term& term) {
         case boolean:
             return atom(TypeKind::boolean);
         case tuple:
-            return this->tuple(term);
+            return this->infer_tuple(term);
         case ExprKind::map:
-            return this->map(term);
+            return this->infer_map(term);
         case negate:
         case plus:
         case minus:
@@ -142,7 +142,7 @@ TypeId ExpressionTypes::infer_value(const Term& term) {
         case less_equal:
         case greater:
         case greater_equal:
-            return comparison(term);
+            return infer_comparison(term);
         case logical_not:
         case logical_and:
         case logical_or:
@@ -150,72 +150,73 @@ TypeId ExpressionTypes::infer_value(const Term& term) {
                 expect_atom(*each, TypeKind::boolean, "`not`, `and` and `or` take Bools");
             return atom(TypeKind::boolean);
         case concat: {
-            const TypeId sequence = store_.sequence_of(store_.fresh());
-            const TypeId left = expect(*term.args[0], sequence, "`^` joins sequences");
-            return expect(*term.args[1], left, "`^` joins sequences of one type");
+            const TypeId sequence = store_.sequence_of(store_.fresh_variable());
+            const TypeId left = expect_type(*term.args[0], sequence, "`^` joins sequences");
+            return expect_type(*term.args[1], left, "`^` joins sequences of one type");
         }
         case length:
-            (void)expect(*term.args[0], store_.sequence_of(store_.fresh()), "`#` gives the length of a sequence");
+            (void)expect_type(*term.args[0], store_.sequence_of(store_.fresh_variable()),
+                              "`#` gives the length of a sequence");
             return atom(TypeKind::integer);
         default:
             return infer_collection(term);
     }
 }
 
-TypeId ExpressionTypes::name(const Term& term) {
-    if (term.symbol == nullptr || term.symbol->failed) return store_.fresh();
+TypeId ExpressionTypes::infer_name(const Term& term) {
+    if (term.symbol == nullptr || term.symbol->failed) return store_.fresh_variable();
     return unifier_.instantiate(term.symbol->scheme);
 }
 
-TypeId ExpressionTypes::tuple(const Term& term) {
+TypeId ExpressionTypes::infer_tuple(const Term& term) {
     std::vector<TypeId> types;
     for (const Term* each : term.args) types.push_back(infer(*each));
-    return store_.make(TypeKind::tuple, types);
+    return store_.make_type(TypeKind::tuple, types);
 }
 
-TypeId ExpressionTypes::map(const Term& term) {
-    const TypeId key = store_.fresh();
-    const TypeId value = store_.fresh();
+TypeId ExpressionTypes::infer_map(const Term& term) {
+    const TypeId key = store_.fresh_variable();
+    const TypeId value = store_.fresh_variable();
     for (std::size_t i = 0; i + 1 < term.args.size(); i += 2) {
-        (void)expect(*term.args[i], key, "the keys of a map have one type");
-        (void)expect(*term.args[i + 1], value, "the values of a map have one type");
+        (void)expect_type(*term.args[i], key, "the keys of a map have one type");
+        (void)expect_type(*term.args[i + 1], value, "the values of a map have one type");
     }
-    return store_.make(TypeKind::map, {key, value});
+    return store_.make_type(TypeKind::map, {key, value});
 }
 
-TypeId ExpressionTypes::dotted(const Term& term) {
+TypeId ExpressionTypes::infer_dot(const Term& term) {
     std::vector<TypeId> types;
     for (const Term* each : term.args) types.push_back(infer(*each));
-    return store_.dot(types);
+    return store_.dot_type(types);
 }
 
-TypeId ExpressionTypes::conditional(const Term& term) {
+TypeId ExpressionTypes::infer_conditional(const Term& term) {
     expect_atom(*term.args[0], TypeKind::boolean, "the condition of an `if` is a Bool");
     const TypeId type = infer(*term.args[1]);
-    return expect(*term.args[2], type, "both branches of an `if` have one type");
+    return expect_type(*term.args[2], type, "both branches of an `if` have one type");
 }
 
-TypeId ExpressionTypes::comparison(const Term& term) {
+TypeId ExpressionTypes::infer_comparison(const Term& term) {
     const TypeId left = infer(*term.args[0]);
-    const TypeId type = expect(*term.args[1], left, "both sides of a comparison have one type");
+    const TypeId type = expect_type(*term.args[1], left, "both sides of a comparison have one type");
     const bool equality = term.syntax->kind == ExprKind::equal || term.syntax->kind == ExprKind::not_equal;
     constrain(term.syntax->span, equality ? can_equal : can_order, type,
               equality ? "`==` and `!=` compare values for equality" : "`<`, `<=`, `>` and `>=` order values");
     return atom(TypeKind::boolean);
 }
 
-TypeId ExpressionTypes::let(const Term& term) {
+TypeId ExpressionTypes::infer_let(const Term& term) {
     check_let_(*term.decls);
     return infer(*term.args[0]);
 }
 
-TypeId ExpressionTypes::lambda(const Term& term) {
+TypeId ExpressionTypes::infer_lambda(const Term& term) {
     bind_locals(term.binds);
     const TypeId result = infer(*term.args[0]);
     std::vector<TypeId> types;
-    for (const PatternTerm& each : term.patterns) types.push_back(pattern(each));
+    for (const PatternTerm& each : term.patterns) types.push_back(infer_pattern(each));
     types.push_back(result);
-    return store_.make(TypeKind::function, types);
+    return store_.make_type(TypeKind::function, types);
 }
 
 namespace {
@@ -234,30 +235,32 @@ std::string parameters_text(const Symbol* function) {
 
 }  // namespace
 
-TypeId ExpressionTypes::application(const Term& term) {
+TypeId ExpressionTypes::infer_application(const Term& term) {
     const Term& function = *term.args[0];
     const std::size_t count = term.args.size() - 1;
     const TypeId type = store_.head(infer(function));
     const TypeKind kind = store_.node(type).kind;
-    const diagnostics::Span span = inner(function).syntax->span;
+    const diagnostics::Span span = inside_parentheses(function).syntax->span;
     std::vector<TypeId> wanted;
     if (kind == TypeKind::function) {
         wanted = store_.arguments(type);
         if (wanted.size() != count + 1) {
-            const std::string subject =
-                inner(function).symbol != nullptr ? "'" + inner(function).symbol->name + "'" : "this function";
-            throw TypeFault{&rules::wrong_arity,
-                            {subject, arguments_text(wanted.size() - 1) + parameters_text(inner(function).symbol),
-                             arguments_text(count)},
-                            {},
-                            term.syntax->span};
+            const std::string subject = inside_parentheses(function).symbol != nullptr
+                                            ? "'" + inside_parentheses(function).symbol->name + "'"
+                                            : "this function";
+            throw TypeFault{
+                &rules::wrong_arity,
+                {subject, arguments_text(wanted.size() - 1) + parameters_text(inside_parentheses(function).symbol),
+                 arguments_text(count)},
+                {},
+                term.syntax->span};
         }
     } else if (kind == TypeKind::variable && !store_.node(type).rigid) {
-        for (std::size_t i = 0; i <= count; ++i) wanted.push_back(store_.fresh());
-        (void)unify(span, store_.make(TypeKind::function, wanted), type);
+        for (std::size_t i = 0; i <= count; ++i) wanted.push_back(store_.fresh_variable());
+        (void)unify(span, store_.make_type(TypeKind::function, wanted), type);
     } else {
         TypeWriter writer(store_);
-        TypeFault fault{&rules::not_a_function, {writer.text(type)}, {}, span};
+        TypeFault fault{&rules::not_a_function, {writer.type_text(type)}, {}, span};
         if (fault.arguments.front() == "Proc")
             fault.notes.push_back({span, "a process without parameters is named without parentheses"});
         throw fault;
@@ -265,7 +268,7 @@ TypeId ExpressionTypes::application(const Term& term) {
     std::vector<TypeId> given;
     for (std::size_t i = 0; i < count; ++i) given.push_back(infer(*term.args[i + 1]));
     for (std::size_t i = 0; i < count; ++i) {
-        here_ = inner(*term.args[i + 1]).syntax->span;
+        here_ = inside_parentheses(*term.args[i + 1]).syntax->span;
         const TypeId actual = unifier_.evaluate_dots(given[i]);
         (void)unifier_.unify_one_way(unifier_.evaluate_dots(wanted[i]), actual);
     }
@@ -274,13 +277,13 @@ TypeId ExpressionTypes::application(const Term& term) {
 
 // ---------------------------------------------------------------- sets, sequences
 
-TypeId ExpressionTypes::elements(const Term& term, Constraints constraints) {
-    const TypeId type = store_.fresh(constraints);
-    for (const Term* each : term.args) (void)expect(*each, type, "the elements have one type");
+TypeId ExpressionTypes::infer_elements(const Term& term, Constraints constraints) {
+    const TypeId type = store_.fresh_variable(constraints);
+    for (const Term* each : term.args) (void)expect_type(*each, type, "the elements have one type");
     return type;
 }
 
-void ExpressionTypes::range(const Term& term) {
+void ExpressionTypes::check_range(const Term& term) {
     for (const Term* each : term.args) {
         if (each != nullptr) expect_atom(*each, TypeKind::integer, "a range runs over integers");
     }
@@ -297,21 +300,21 @@ TypeId ExpressionTypes::infer_collection(const Term& term) {
         case set:
         case sequence_comprehension:
         case set_comprehension: {
-            clauses(term.clauses, sequences ? TypeKind::sequence : TypeKind::set);
-            const TypeId element = elements(term, sequences ? Constraints{0} : Constraints{can_collect});
+            check_clauses(term.clauses, sequences ? TypeKind::sequence : TypeKind::set);
+            const TypeId element = infer_elements(term, sequences ? Constraints{0} : Constraints{can_collect});
             return sequences ? store_.sequence_of(element) : store_.set_of(element);
         }
         case sequence_range:
         case set_range:
         case sequence_range_comprehension:
         case set_range_comprehension:
-            clauses(term.clauses, sequences ? TypeKind::sequence : TypeKind::set);
-            range(term);
+            check_clauses(term.clauses, sequences ? TypeKind::sequence : TypeKind::set);
+            check_range(term);
             return sequences ? store_.sequence_of(atom(TypeKind::integer)) : store_.set_of(atom(TypeKind::integer));
         case productions:
         case productions_comprehension: {
-            clauses(term.clauses, TypeKind::set);
-            const TypeId type = store_.fresh(can_yield);
+            check_clauses(term.clauses, TypeKind::set);
+            const TypeId type = store_.fresh_variable(can_yield);
             for (const Term* each : term.args) {
                 (void)expect_extendable(*each, type,
                                         "`{| |}` takes channels and constructors, with their first fields");
@@ -325,25 +328,26 @@ TypeId ExpressionTypes::infer_collection(const Term& term) {
 
 // ---------------------------------------------------------------- processes
 
-TypeId ExpressionTypes::prefix(const Term& term) {
+TypeId ExpressionTypes::infer_prefix(const Term& term) {
     const Term& event = *term.args[0];
     const TypeId channel = infer(event);
     bind_locals(term.binds);
     std::vector<TypeId> parts{channel};
-    for (const FieldTerm& each : term.fields) parts.push_back(field(each));
-    diagnostics::Span span = inner(event).syntax->span;
-    if (!term.fields.empty()) span = diagnostics::join(span, term.fields.back().span);
-    (void)unify(span, atom(TypeKind::event), store_.dot(parts), "what stands before `->` is an event");
+    for (const FieldTerm& each : term.fields) parts.push_back(infer_field(each));
+    diagnostics::Span span = inside_parentheses(event).syntax->span;
+    if (!term.fields.empty()) span = diagnostics::join_spans(span, term.fields.back().span);
+    (void)unify(span, atom(TypeKind::event), store_.dot_type(parts), "what stands before `->` is an event");
     expect_atom(*term.args[1], TypeKind::process, "what stands after `->` is a process");
     return atom(TypeKind::process);
 }
 
-TypeId ExpressionTypes::field(const FieldTerm& field) {
+TypeId ExpressionTypes::infer_field(const FieldTerm& field) {
     if (field.pattern.syntax == nullptr) return infer(*field.value);
     const TypeId values = field.value != nullptr ? infer(*field.value) : no_type;
-    const TypeId type = pattern(field.pattern);
+    const TypeId type = infer_pattern(field.pattern);
     if (field.value != nullptr) {
-        (void)unify(inner(*field.value).syntax->span, store_.set_of(type), values, "an input is restricted by a set");
+        (void)unify(inside_parentheses(*field.value).syntax->span, store_.set_of(type), values,
+                    "an input is restricted by a set");
     }
     constrain(field.span, can_input, type, "an input takes whole values");
     return type;
@@ -385,8 +389,8 @@ TypeId ExpressionTypes::infer_process(const Term& term) {
         case linked:
             expect_processes(term, term.args.size());
             bind_locals(term.binds);
-            clauses(term.clauses, TypeKind::set);
-            links(term);
+            check_clauses(term.clauses, TypeKind::set);
+            check_links(term);
             break;
         default:
             return infer_replicated(term);
@@ -400,39 +404,39 @@ TypeId ExpressionTypes::infer_replicated(const Term& term) {
     if (kind == replicated_parallel || kind == replicated_synchronising) expect_events(term, 1);
     bind_locals(term.binds);
     const bool ordered = kind == replicated_sequential || kind == replicated_linked;
-    clauses(term.clauses, ordered ? TypeKind::sequence : TypeKind::set);
+    check_clauses(term.clauses, ordered ? TypeKind::sequence : TypeKind::set);
     if (kind == replicated_alphabetised) expect_events(term, 1);
-    clauses(term.link_clauses, TypeKind::set);
-    links(term);
+    check_clauses(term.link_clauses, TypeKind::set);
+    check_links(term);
     expect_processes(term, 1);
     return atom(TypeKind::process);
 }
 
 // Both ends of a link or a renaming need the same remaining fields to be events.
-void ExpressionTypes::links(const Term& term) {
+void ExpressionTypes::check_links(const Term& term) {
     std::vector<TypeId> left;
     for (const LinkTerm& each : term.links) {
         left.push_back(
             expect_extendable(*each.from, atom(TypeKind::event), "events and channels are renamed and linked"));
     }
     for (std::size_t i = 0; i < left.size(); ++i) {
-        (void)expect(*term.links[i].to, left[i], "both sides take the same further fields");
+        (void)expect_type(*term.links[i].to, left[i], "both sides take the same further fields");
     }
 }
 
-void ExpressionTypes::clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection) {
+void ExpressionTypes::check_clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection) {
     for (const ClauseTerm& each : clauses) {
         if (!each.generator) {
             expect_atom(*each.value, TypeKind::boolean, "a condition is a Bool");
             continue;
         }
         const TypeId values = infer(*each.value);
-        here_ = inner(*each.value).syntax->span;
+        here_ = inside_parentheses(*each.value).syntax->span;
         const TypeId evaluated = unifier_.evaluate_dots(values);
-        const TypeId element = unifier_.evaluate_dots(pattern(each.pattern));
-        here_ = inner(*each.value).syntax->span;
+        const TypeId element = unifier_.evaluate_dots(infer_pattern(each.pattern));
+        here_ = inside_parentheses(*each.value).syntax->span;
         try {
-            (void)unifier_.unify_one_way(store_.make(collection, {element}), evaluated);
+            (void)unifier_.unify_one_way(store_.make_type(collection, {element}), evaluated);
         } catch (TypeFault& fault) {
             fault.notes.push_back({here_, collection == TypeKind::set ? "a generator draws from a set here"
                                                                       : "a generator draws from a sequence here"});
@@ -445,21 +449,21 @@ void ExpressionTypes::clauses(const std::vector<ClauseTerm>& clauses, TypeKind c
 
 void ExpressionTypes::bind_locals(const std::vector<Symbol*>& symbols) {
     for (Symbol* each : symbols) {
-        each->scheme = {{}, store_.fresh()};
+        each->scheme = {{}, store_.fresh_variable()};
         each->failed = false;
     }
 }
 
 void ExpressionTypes::expect_pattern(const PatternTerm& term, TypeId type) {
-    (void)unify(term.syntax->span, type, pattern(term));
+    (void)unify(term.syntax->span, type, infer_pattern(term));
 }
 
-TypeId ExpressionTypes::pattern(const PatternTerm& term) {
+TypeId ExpressionTypes::infer_pattern(const PatternTerm& term) {
     switch (term.syntax->kind) {
         case PatternKind::wildcard:
-            return store_.fresh();
+            return store_.fresh_variable();
         case PatternKind::name:
-            return term.symbol == nullptr || term.symbol->failed ? store_.fresh() : term.symbol->scheme.type;
+            return term.symbol == nullptr || term.symbol->failed ? store_.fresh_variable() : term.symbol->scheme.type;
         case PatternKind::integer:
             return atom(TypeKind::integer);
         case PatternKind::character:
@@ -471,13 +475,13 @@ TypeId ExpressionTypes::pattern(const PatternTerm& term) {
         case PatternKind::tuple:
         case PatternKind::dot: {
             std::vector<TypeId> types;
-            for (const PatternTerm& each : term.args) types.push_back(pattern(each));
+            for (const PatternTerm& each : term.args) types.push_back(infer_pattern(each));
             const bool dot = term.syntax->kind == PatternKind::dot;
-            return dot ? store_.dot(types) : store_.make(TypeKind::tuple, types);
+            return dot ? store_.dot_type(types) : store_.make_type(TypeKind::tuple, types);
         }
         case PatternKind::sequence:
         case PatternKind::set: {
-            const TypeId element = store_.fresh();
+            const TypeId element = store_.fresh_variable();
             for (const PatternTerm& each : term.args) expect_pattern(each, element);
             if (term.syntax->kind == PatternKind::sequence) return store_.sequence_of(element);
             // Eq, not Set, because a pattern compares.
@@ -485,17 +489,17 @@ TypeId ExpressionTypes::pattern(const PatternTerm& term) {
             return store_.set_of(element);
         }
         case PatternKind::concat: {
-            const TypeId sequence = store_.sequence_of(store_.fresh());
+            const TypeId sequence = store_.sequence_of(store_.fresh_variable());
             for (const PatternTerm& each : term.args) expect_pattern(each, sequence);
             return sequence;
         }
         case PatternKind::both: {
-            const TypeId type = pattern(term.args.at(0));
+            const TypeId type = infer_pattern(term.args.at(0));
             expect_pattern(term.args.at(1), type);
             return type;
         }
     }
-    return store_.fresh();
+    return store_.fresh_variable();
 }
 
 }  // namespace robochart::cspm::types

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/types/terms.hpp"
 #include "checker/cspm/types/unify.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 
@@ -27,17 +27,17 @@ public:
 
     [[nodiscard]] Unifier& unifier() { return unifier_; }
     /// The place for findings of the unifier.
-    [[nodiscard]] diagnostics::Span here() const { return here_; }
-    void at(diagnostics::Span span) { here_ = span; }
+    [[nodiscard]] diagnostics::Span current_span() const { return here_; }
+    void set_span(diagnostics::Span span) { here_ = span; }
 
     TypeId infer(const Term& term);
     /// The type of the values that the pattern matches; its variables must have been bound.
-    TypeId pattern(const PatternTerm& pattern);
+    TypeId infer_pattern(const PatternTerm& pattern);
     /// Creates a new type for each variable.
     void bind_locals(const std::vector<Symbol*>& symbols);
 
     // Requires a type; a finding is reported at the given term or span, with the reason `because` as its note.
-    TypeId expect(const Term& term, TypeId type, std::string_view because = {});
+    TypeId expect_type(const Term& term, TypeId type, std::string_view because = {});
     /// Reports the error at a branch or at a let's body rather than at the whole expression.
     void expect_atom(const Term& term, TypeKind kind, std::string_view because);
     TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
@@ -48,21 +48,21 @@ private:
     TypeId infer_collection(const Term& term);
     TypeId infer_process(const Term& term);
     TypeId infer_replicated(const Term& term);
-    TypeId name(const Term& term);
-    TypeId tuple(const Term& term);
-    TypeId map(const Term& term);
-    TypeId application(const Term& term);
-    TypeId lambda(const Term& term);
-    TypeId let(const Term& term);
-    TypeId conditional(const Term& term);
-    TypeId comparison(const Term& term);
-    TypeId dotted(const Term& term);
-    TypeId prefix(const Term& term);
-    TypeId field(const FieldTerm& field);
-    TypeId elements(const Term& term, Constraints constraints);
-    void range(const Term& term);
-    void links(const Term& term);
-    void clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection);
+    TypeId infer_name(const Term& term);
+    TypeId infer_tuple(const Term& term);
+    TypeId infer_map(const Term& term);
+    TypeId infer_application(const Term& term);
+    TypeId infer_lambda(const Term& term);
+    TypeId infer_let(const Term& term);
+    TypeId infer_conditional(const Term& term);
+    TypeId infer_comparison(const Term& term);
+    TypeId infer_dot(const Term& term);
+    TypeId infer_prefix(const Term& term);
+    TypeId infer_field(const FieldTerm& field);
+    TypeId infer_elements(const Term& term, Constraints constraints);
+    void check_range(const Term& term);
+    void check_links(const Term& term);
+    void check_clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection);
     void expect_pattern(const PatternTerm& term, TypeId type);
     void expect_processes(const Term& term, std::size_t count);
     void expect_events(const Term& term, std::size_t index);

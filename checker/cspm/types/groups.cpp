@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strongly connected components by Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may chain
-// any number of declarations. It numbers components when they are finished: after those that they use.
+// Finds strongly connected components with Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may
+// chain any number of declarations. A component gets its number when it is finished, after the components that it uses.
 #include "checker/cspm/types/groups.hpp"
 
 #include <boost/graph/adjacency_list.hpp>

@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/types/expression_types.hpp"
 #include "checker/cspm/types/terms.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 
@@ -31,15 +31,15 @@ private:
 
     void check_list(DeclarationList& list, ListKind kind);
     void check_group(Group group, ListKind kind);
-    void attempt(const Group& group, ListKind kind);
+    void try_group(const Group& group, ListKind kind);
     void check_datatypes_with(const Group& group, ListKind kind);
     void generalise(const Declaration& declaration, ListKind kind);
     void check_fields_known(const Declaration& declaration, ListKind kind);
     void fail_group(const Group& group, TypeFault fault);
-    void check(Declaration& declaration);
+    void check_declaration(Declaration& declaration);
     void check_function(const Declaration& declaration);
-    TypeId equation(const EquationTerm& equation);
-    TypeId annotated_equation(const EquationTerm& equation, TypeId signature);
+    TypeId infer_equation(const EquationTerm& equation);
+    TypeId check_annotated_equation(const EquationTerm& equation, TypeId signature);
     void check_value(const Declaration& declaration);
     void check_channel(const Declaration& declaration);
     TypeId channel_fields(const Declaration& declaration);
@@ -53,9 +53,9 @@ private:
     void find_comparable(const Declaration& instance);
     void check_assertion(const Declaration& declaration);
     void check_print(const Declaration& declaration);
-    TypeId fields(const Term& fields, Constraints constraints);
-    TypeId element(TypeId type);
-    TypeId annotated(const Annotation& annotation);
+    TypeId infer_fields(const Term& fields, Constraints constraints);
+    TypeId element_type(TypeId type);
+    TypeId bind_annotation(const Annotation& annotation);
     TypeId annotated_type(const TypeTerm& term);
 
     const ResolvedScript& script_;

@@ -27,9 +27,9 @@ void Inference::check_list(DeclarationList& list, ListKind kind) {
             fail_group(group, std::move(fault));
         } catch (const TypeOverflow& overflow) {
             const std::string how = overflow.deep ? "nested too deeply" : "too large";
-            fail_group(group, {&rules::type_overflow, {how}, {}, terms_.here()});
+            fail_group(group, {&rules::type_overflow, {how}, {}, terms_.current_span()});
         }
-        while (store_.level() > level) store_.leave();
+        while (store_.level() > level) store_.leave_level();
     }
 }
 
@@ -69,7 +69,7 @@ void Inference::check_group(Group group, ListKind kind) {
     if (has_datatypes(group)) {
         check_datatypes_with(group, kind);
     } else {
-        attempt(group, kind);
+        try_group(group, kind);
     }
     for (const Declaration* each : group) check_fields_known(*each, kind);
 }
@@ -85,13 +85,13 @@ void Inference::check_datatypes_with(const Group& group, ListKind kind) {
         }
     };
     set_comparable(true);
-    const std::size_t mark = store_.mark();
+    const std::size_t mark = store_.trail_mark();
     const std::uint32_t level = store_.level();
     ++attempts_;
     store_.recording(true);
     bool done = false;
     try {
-        attempt(group, kind);
+        try_group(group, kind);
         done = true;
     } catch (const TypeFault&) {  // tried again below
     } catch (...) {
@@ -100,30 +100,30 @@ void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     }
     store_.recording(--attempts_ > 0);
     if (done) return;
-    store_.undo(mark);
-    while (store_.level() > level) store_.leave();
+    store_.undo_to(mark);
+    while (store_.level() > level) store_.leave_level();
     set_comparable(false);
-    attempt(group, kind);
+    try_group(group, kind);
 }
 
-void Inference::attempt(const Group& group, ListKind kind) {
-    store_.enter();
+void Inference::try_group(const Group& group, ListKind kind) {
+    store_.enter_level();
     for (const Declaration* declaration : group) {
-        for (Symbol* each : declaration->binds) each->scheme = {{}, store_.fresh()};
+        for (Symbol* each : declaration->binds) each->scheme = {{}, store_.fresh_variable()};
     }
     for (Declaration* declaration : group) {
         store_.renew_steps();
-        terms_.at(declaration->span);
-        check(*declaration);
+        terms_.set_span(declaration->span);
+        check_declaration(*declaration);
     }
-    store_.leave();
+    store_.leave_level();
     for (const Declaration* declaration : group) generalise(*declaration, kind);
 }
 
 void Inference::generalise(const Declaration& declaration, ListKind kind) {
     for (Symbol* each : declaration.binds) {
         if (kind == ListKind::let && declaration.annotation == nullptr) {
-            (void)store_.visit(each->scheme.type, no_type, store_.level());
+            (void)store_.lower_and_find(each->scheme.type, no_type, store_.level());
         } else {
             each->scheme.quantified = store_.open_variables(each->scheme.type);
         }
@@ -137,7 +137,7 @@ void Inference::check_fields_known(const Declaration& declaration, ListKind kind
         if (!symbol.label() || symbol.failed || symbol.scheme.quantified.empty()) return;
         if (store_.kind(symbol.scheme.type) != TypeKind::dotable) return;
         TypeWriter writer(store_);
-        throw TypeFault{&rules::open_fields, {symbol.name, writer.text(symbol.scheme.type)}, {}, span};
+        throw TypeFault{&rules::open_fields, {symbol.name, writer.type_text(symbol.scheme.type)}, {}, span};
     };
     if (declaration.kind == DeclKind::instance) {
         for (const Copy& each : declaration.copies) {
@@ -148,7 +148,7 @@ void Inference::check_fields_known(const Declaration& declaration, ListKind kind
     }
 }
 
-void Inference::check(Declaration& declaration) {
+void Inference::check_declaration(Declaration& declaration) {
     switch (declaration.kind) {
         case DeclKind::function:
             return check_function(declaration);
@@ -179,19 +179,20 @@ void Inference::check(Declaration& declaration) {
 
 // ---------------------------------------------------------------- annotations
 
-TypeId Inference::annotated(const Annotation& annotation) {
-    for (TypeVariable* each : annotation.binds) each->type = store_.rigid(each->name, each->constraints);
+TypeId Inference::bind_annotation(const Annotation& annotation) {
+    for (TypeVariable* each : annotation.binds) each->type = store_.rigid_variable(each->name, each->constraints);
     return annotated_type(annotation.type);
 }
 
 TypeId Inference::annotated_type(const TypeTerm& term) {
-    if (term.kind == TypeKind::variable) return term.variable == nullptr ? store_.fresh() : term.variable->type;
+    if (term.kind == TypeKind::variable)
+        return term.variable == nullptr ? store_.fresh_variable() : term.variable->type;
     if (term.kind == TypeKind::datatype) return store_.datatype(term.datatype->datatype);
     std::vector<TypeId> args;
     for (const TypeTerm& each : term.args) args.push_back(annotated_type(each));
     if (args.empty() && term.kind != TypeKind::tuple) return store_.atom(term.kind);
     if (term.kind == TypeKind::extendable) std::swap(args[0], args[1]);
-    return store_.make(term.kind, args);
+    return store_.make_type(term.kind, args);
 }
 
 // ---------------------------------------------------------------- functions and values
@@ -199,12 +200,12 @@ TypeId Inference::annotated_type(const TypeTerm& term) {
 void Inference::check_function(const Declaration& declaration) {
     const TypeId own = declaration.binds.at(0)->scheme.type;
     TypeId signature = no_type;
-    if (declaration.annotation != nullptr) signature = annotated(*declaration.annotation);
+    if (declaration.annotation != nullptr) signature = bind_annotation(*declaration.annotation);
     std::vector<TypeId> types;
     for (const EquationTerm& each : declaration.equations) {
-        terms_.at(each.span);
+        terms_.set_span(each.span);
         terms_.bind_locals(each.binds);
-        types.push_back(signature == no_type ? equation(each) : annotated_equation(each, signature));
+        types.push_back(signature == no_type ? infer_equation(each) : check_annotated_equation(each, signature));
     }
     TypeId type = own;
     for (std::size_t i = 0; i < types.size(); ++i) {
@@ -218,7 +219,7 @@ TypeId function_type(TypeStore& store, const std::vector<std::vector<TypeId>>& g
     for (std::size_t i = groups.size(); i > 0; --i) {
         std::vector<TypeId> args = groups[i - 1];
         args.push_back(result);
-        result = store.make(TypeKind::function, args);
+        result = store.make_type(TypeKind::function, args);
     }
     return result;
 }
@@ -227,49 +228,49 @@ TypeId function_type(TypeStore& store, const std::vector<std::vector<TypeId>>& g
 
 // Checks the patterns twice, because the body may determine the type of a variable, and a dotted pattern may then match
 // more.
-TypeId Inference::equation(const EquationTerm& equation) {
+TypeId Inference::infer_equation(const EquationTerm& equation) {
     std::vector<std::vector<TypeId>> groups;
     const auto patterns = [&] {
         groups.clear();
         for (const auto& group : equation.groups) {
             std::vector<TypeId>& types = groups.emplace_back();
             for (const PatternTerm& each : group) {
-                terms_.at(each.syntax->span);
-                types.push_back(unifier_.evaluate_dots(terms_.pattern(each)));
+                terms_.set_span(each.syntax->span);
+                types.push_back(unifier_.evaluate_dots(terms_.infer_pattern(each)));
             }
         }
     };
     patterns();
     const TypeId body = terms_.infer(*equation.body);
-    terms_.at(equation.body->syntax->span);
+    terms_.set_span(equation.body->syntax->span);
     const TypeId result = unifier_.evaluate_dots(body);
     patterns();
     return function_type(store_, groups, result);
 }
 
-TypeId Inference::annotated_equation(const EquationTerm& equation, TypeId signature) {
+TypeId Inference::check_annotated_equation(const EquationTerm& equation, TypeId signature) {
     std::vector<std::vector<TypeId>> wanted;
     for (const auto& group : equation.groups) {
         std::vector<TypeId>& types = wanted.emplace_back();
-        for (std::size_t i = 0; i < group.size(); ++i) types.push_back(store_.fresh());
+        for (std::size_t i = 0; i < group.size(); ++i) types.push_back(store_.fresh_variable());
     }
-    const TypeId result = store_.fresh();
+    const TypeId result = store_.fresh_variable();
     (void)terms_.unify(equation.span, signature, function_type(store_, wanted, result),
                        "the annotation has another form");
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         for (std::size_t k = 0; k < wanted[i].size(); ++k) {
             const PatternTerm& each = equation.groups[i][k];
-            terms_.at(each.syntax->span);
+            terms_.set_span(each.syntax->span);
             const TypeId annotated = unifier_.evaluate_dots(wanted[i][k]);
-            const TypeId type = unifier_.evaluate_dots(terms_.pattern(each));
+            const TypeId type = unifier_.evaluate_dots(terms_.infer_pattern(each));
             (void)unifier_.evaluate_dots(unifier_.unify_one_way(type, annotated));
         }
     }
-    const TypeId body = terms_.expect(*equation.body, result, "the annotation says so");
+    const TypeId body = terms_.expect_type(*equation.body, result, "the annotation says so");
     std::vector<std::vector<TypeId>> groups;
     for (const auto& group : equation.groups) {
         std::vector<TypeId>& types = groups.emplace_back();
-        for (const PatternTerm& each : group) types.push_back(unifier_.evaluate_dots(terms_.pattern(each)));
+        for (const PatternTerm& each : group) types.push_back(unifier_.evaluate_dots(terms_.infer_pattern(each)));
     }
     return function_type(store_, groups, unifier_.evaluate_dots(body));
 }
@@ -278,14 +279,14 @@ void Inference::check_value(const Declaration& declaration) {
     TypeId left = no_type;
     TypeId right = no_type;
     if (declaration.annotation != nullptr) {
-        const TypeId type = annotated(*declaration.annotation);
-        left = terms_.unify(declaration.span, type, terms_.pattern(declaration.pattern));
-        right = terms_.expect(*declaration.body, type, "the annotation says so");
+        const TypeId type = bind_annotation(*declaration.annotation);
+        left = terms_.unify(declaration.span, type, terms_.infer_pattern(declaration.pattern));
+        right = terms_.expect_type(*declaration.body, type, "the annotation says so");
     } else {
-        left = terms_.pattern(declaration.pattern);
+        left = terms_.infer_pattern(declaration.pattern);
         right = terms_.infer(*declaration.body);
     }
-    terms_.at(declaration.pattern.syntax->span);
+    terms_.set_span(declaration.pattern.syntax->span);
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
     // As for arguments of functions, c.x splits an event only if c is a channel.
@@ -296,13 +297,13 @@ void Inference::check_value(const Declaration& declaration) {
 void Inference::check_nametype(const Declaration& declaration) {
     TypeId type = no_type;
     if (declaration.annotation != nullptr) {
-        type = annotated(*declaration.annotation);
-        type = terms_.expect(*declaration.body, type, "the annotation says so");
+        type = bind_annotation(*declaration.annotation);
+        type = terms_.expect_type(*declaration.body, type, "the annotation says so");
     } else {
         type = terms_.infer(*declaration.body);
     }
-    terms_.at(declaration.body->syntax->span);
-    const TypeId values = element(type);
+    terms_.set_span(declaration.body->syntax->span);
+    const TypeId values = element_type(type);
     terms_.constrain(declaration.body->syntax->span, can_input, values, "a nametype holds whole values");
     (void)terms_.unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(values));
 }
@@ -310,24 +311,24 @@ void Inference::check_nametype(const Declaration& declaration) {
 // ---------------------------------------------------------------- channels and datatypes
 
 // Returns the type of the elements that a written type denotes. The type may be a set, or a tuple or dot of sets.
-TypeId Inference::element(TypeId type) {
+TypeId Inference::element_type(TypeId type) {
     const TypeStore::Depth guard(store_);
     type = store_.head(type);
     const TypeKind kind = store_.node(type).kind;
     if (kind == TypeKind::tuple || kind == TypeKind::dot) {
         std::vector<TypeId> types;
-        for (const TypeId each : store_.arguments(type)) types.push_back(element(each));
-        return store_.make(kind, types);
+        for (const TypeId each : store_.arguments(type)) types.push_back(element_type(each));
+        return store_.make_type(kind, types);
     }
-    const TypeId result = store_.fresh();
-    (void)terms_.unify(terms_.here(), type, store_.set_of(result), "fields are given by sets");
+    const TypeId result = store_.fresh_variable();
+    (void)terms_.unify(terms_.current_span(), type, store_.set_of(result), "fields are given by sets");
     return result;
 }
 
-TypeId Inference::fields(const Term& fields, Constraints constraints) {
+TypeId Inference::infer_fields(const Term& fields, Constraints constraints) {
     const TypeId written = terms_.infer(fields);
-    terms_.at(fields.syntax->span);
-    const TypeId values = element(unifier_.evaluate_dots(written));
+    terms_.set_span(fields.syntax->span);
+    const TypeId values = element_type(unifier_.evaluate_dots(written));
     for (const Constraint each : {can_equal, can_input}) {
         if ((constraints & each) == 0) continue;
         terms_.constrain(fields.syntax->span, each, values,
@@ -339,9 +340,9 @@ TypeId Inference::fields(const Term& fields, Constraints constraints) {
 void Inference::check_channel(const Declaration& declaration) {
     TypeId type = store_.atom(TypeKind::event);
     if (declaration.body != nullptr) {
-        type = store_.dotable(store_.dot_parts(channel_fields(declaration)), 0, type);
+        type = store_.dotable_type(store_.dot_parts(channel_fields(declaration)), 0, type);
     } else if (declaration.annotation != nullptr) {
-        (void)terms_.unify(declaration.span, annotated(*declaration.annotation), type,
+        (void)terms_.unify(declaration.span, bind_annotation(*declaration.annotation), type,
                            "the annotation has another type");
     }
     for (const Symbol* each : declaration.binds) (void)terms_.unify(declaration.span, each->scheme.type, type);
@@ -350,20 +351,20 @@ void Inference::check_channel(const Declaration& declaration) {
 // An annotation `A => B => Event` states that the fields are a set of A and a set of B.
 TypeId Inference::channel_fields(const Declaration& declaration) {
     constexpr Constraints needed = can_equal | can_input;
-    if (declaration.annotation == nullptr) return fields(*declaration.body, needed);
+    if (declaration.annotation == nullptr) return infer_fields(*declaration.body, needed);
     std::vector<TypeId> given;
-    const TypeId written = annotated(*declaration.annotation);
+    const TypeId written = bind_annotation(*declaration.annotation);
     const TypeId end = store_.split(written, given);
     (void)terms_.unify(declaration.span, store_.atom(TypeKind::event), end, "a channel's annotation ends in Event");
-    (void)terms_.unify(declaration.span, store_.dotable(store_.fresh(), store_.atom(TypeKind::event)), written,
-                       "the channel has fields");
+    (void)terms_.unify(declaration.span, store_.dotable_type(store_.fresh_variable(), store_.atom(TypeKind::event)),
+                       written, "the channel has fields");
     std::vector<TypeId> sets;
     for (const TypeId each : given) sets.push_back(store_.set_of(each));
-    const TypeId type = terms_.expect(*declaration.body, store_.dot(sets), "the annotation says so");
-    terms_.at(declaration.body->syntax->span);
-    const TypeId values = element(unifier_.evaluate_dots(type));
-    terms_.constrain(terms_.here(), can_equal, values, "what channels carry is compared");
-    terms_.constrain(terms_.here(), can_input, values, "a field holds whole values");
+    const TypeId type = terms_.expect_type(*declaration.body, store_.dot_type(sets), "the annotation says so");
+    terms_.set_span(declaration.body->syntax->span);
+    const TypeId values = element_type(unifier_.evaluate_dots(type));
+    terms_.constrain(terms_.current_span(), can_equal, values, "what channels carry is compared");
+    terms_.constrain(terms_.current_span(), can_input, values, "a field holds whole values");
     return values;
 }
 
@@ -375,29 +376,29 @@ void Inference::check_datatype(const Declaration& declaration) {
     for (const ConstructorTerm& each : declaration.constructors) {
         TypeId signature = no_type;
         if (each.annotation != nullptr) {
-            signature = annotated(*each.annotation);
-            (void)terms_.unify(each.span, signature, store_.extendable(type, store_.fresh()),
+            signature = bind_annotation(*each.annotation);
+            (void)terms_.unify(each.span, signature, store_.extendable_type(type, store_.fresh_variable()),
                                "a constructor's annotation ends in its datatype");
         }
         std::vector<TypeId> parts;
         if (each.fields != nullptr) {
-            const TypeId values = fields(*each.fields, can_input);
+            const TypeId values = infer_fields(*each.fields, can_input);
             parts = store_.dot_parts(values);
             for (const TypeId part : parts) all.emplace_back(part, each.fields->syntax->span);
         }
-        const TypeId own = store_.dotable(parts, 0, type);
+        const TypeId own = store_.dotable_type(parts, 0, type);
         if (signature != no_type) (void)terms_.unify(each.span, signature, own, "the annotation says so");
         (void)terms_.unify(each.span, own, each.symbol->scheme.type);
     }
-    if (!store_.comparable((*symbol)->datatype)) return;
+    if (!store_.is_comparable((*symbol)->datatype)) return;
     for (const auto& [part, span] : all) terms_.constrain(span, can_equal, part, "values of the datatype are compared");
 }
 
 void Inference::check_subtype(const Declaration& declaration) {
-    const TypeId parent = store_.fresh();
+    const TypeId parent = store_.fresh_variable();
     for (const ConstructorTerm& each : declaration.constructors) {
         std::vector<TypeId> parts;
-        if (each.fields != nullptr) parts = store_.dot_parts(fields(*each.fields, can_input));
+        if (each.fields != nullptr) parts = store_.dot_parts(infer_fields(*each.fields, can_input));
         if (each.symbol == nullptr || each.symbol->failed) continue;
         std::vector<TypeId> has;
         const TypeId datatype = store_.split(each.symbol->scheme.type, has);
@@ -406,7 +407,7 @@ void Inference::check_subtype(const Declaration& declaration) {
             throw TypeFault{
                 &rules::subtype_fields, {each.symbol->name, count(has.size()), count(parts.size())}, {}, each.span};
         }
-        (void)terms_.unify(each.span, store_.extendable(parent, store_.fresh()), datatype,
+        (void)terms_.unify(each.span, store_.extendable_type(parent, store_.fresh_variable()), datatype,
                            "all constructors of a subtype belong to one datatype");
         for (std::size_t i = 0; i < parts.size(); ++i) (void)terms_.unify(each.fields->syntax->span, has[i], parts[i]);
     }
@@ -422,8 +423,9 @@ void Inference::check_timed(const Declaration& declaration) {
         (void)terms_.unify(declaration.span, event, tock, "`tock` is an event without fields in a timed section");
     }
     if (declaration.body == nullptr) return;
-    const TypeId duration = store_.make(TypeKind::function, {event, store_.atom(TypeKind::integer)});
-    (void)terms_.expect(*declaration.body, duration, "the function of a timed section gives each event's duration");
+    const TypeId duration = store_.make_type(TypeKind::function, {event, store_.atom(TypeKind::integer)});
+    (void)terms_.expect_type(*declaration.body, duration,
+                             "the function of a timed section gives each event's duration");
 }
 
 void Inference::check_assertion(const Declaration& declaration) {
@@ -432,17 +434,17 @@ void Inference::check_assertion(const Declaration& declaration) {
     if (other != nullptr && declaration.assertion->kind == AssertionKind::has_trace) {
         if (other->syntax->kind == ExprKind::sequence) {
             for (const Term* each : other->args)
-                (void)terms_.expect(*each, store_.atom(TypeKind::event), "a trace is made of events");
+                (void)terms_.expect_type(*each, store_.atom(TypeKind::event), "a trace is made of events");
         } else {
-            (void)terms_.expect(*other, store_.sequence_of(store_.atom(TypeKind::event)),
-                                "a trace is a sequence of events");
+            (void)terms_.expect_type(*other, store_.sequence_of(store_.atom(TypeKind::event)),
+                                     "a trace is a sequence of events");
         }
     } else if (other != nullptr) {
         terms_.expect_atom(*other, TypeKind::process, "an assertion is about processes");
     }
     if (declaration.tau_priority != nullptr) {
-        (void)terms_.expect(*declaration.tau_priority, store_.set_of(store_.atom(TypeKind::event)),
-                            "tau has priority over events");
+        (void)terms_.expect_type(*declaration.tau_priority, store_.set_of(store_.atom(TypeKind::event)),
+                                 "tau has priority over events");
     }
 }
 

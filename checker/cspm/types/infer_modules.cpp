@@ -9,13 +9,14 @@
 
 namespace robochart::cspm::types {
 
-// The module's type is the tuple of its parameters. Types inside that depend on the parameters stay open.
+// The type of a module is the tuple of the types of its parameters. Types inside the module that depend on the
+// parameters stay open.
 void Inference::check_module(const Declaration& declaration) {
     terms_.bind_locals(declaration.parameters);
     if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
     std::vector<TypeId> types;
     for (const Symbol* each : declaration.parameters) types.push_back(unifier_.evaluate_dots(each->scheme.type));
-    const TypeId type = store_.make(TypeKind::tuple, types);
+    const TypeId type = store_.make_type(TypeKind::tuple, types);
     (void)terms_.unify(declaration.span, declaration.module->symbol->scheme.type, type);
 }
 
@@ -29,9 +30,9 @@ void Inference::check_instance(const Declaration& declaration) {
     const Scheme& scheme = original->symbol->scheme;
     std::vector<std::pair<TypeId, TypeId>> parameters;
     for (const TypeId each : scheme.quantified)
-        parameters.emplace_back(each, store_.fresh(store_.node(each).constraints));
+        parameters.emplace_back(each, store_.fresh_variable(store_.node(each).constraints));
     std::ranges::sort(parameters);
-    const TypeId type = store_.head(unifier_.copy(scheme.type, parameters, {}));
+    const TypeId type = store_.head(unifier_.copy_type(scheme.type, parameters, {}));
     const std::vector<TypeId> wanted =
         store_.node(type).kind == TypeKind::tuple ? store_.arguments(type) : std::vector<TypeId>{};
     if (wanted.size() != declaration.arguments.size()) {
@@ -42,7 +43,7 @@ void Inference::check_instance(const Declaration& declaration) {
                         declaration.span};
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        (void)terms_.expect(*declaration.arguments[i], wanted[i], "the module uses its parameter so");
+        (void)terms_.expect_type(*declaration.arguments[i], wanted[i], "the module uses its parameter so");
     }
     (void)terms_.unify(declaration.span, declaration.module->symbol->scheme.type, type);
     copy_types(declaration, parameters);
@@ -59,7 +60,7 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
             datatypes.emplace_back(each.original->datatype, each.copy->datatype);
         for (const TypeId open : each.original->scheme.quantified) {
             if (!known.insert(open).second) continue;
-            variables.emplace_back(open, store_.fresh(store_.node(open).constraints));
+            variables.emplace_back(open, store_.fresh_variable(store_.node(open).constraints));
         }
     }
     std::ranges::sort(variables);
@@ -69,7 +70,7 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
             each.copy->failed = true;
             continue;
         }
-        const TypeId type = unifier_.copy(each.original->scheme.type, variables, datatypes);
+        const TypeId type = unifier_.copy_type(each.original->scheme.type, variables, datatypes);
         (void)terms_.unify(instance.span, each.copy->scheme.type, type);
     }
 }
@@ -85,7 +86,7 @@ void Inference::find_comparable(const Declaration& instance) {
             if (each.copy->kind != SymbolKind::constructor || each.copy->failed) continue;
             std::vector<TypeId> parts;
             const TypeId end = store_.head(store_.split(each.copy->scheme.type, parts));
-            if (store_.node(end).kind != TypeKind::datatype || !store_.comparable(store_.node(end).first)) continue;
+            if (store_.node(end).kind != TypeKind::datatype || !store_.is_comparable(store_.node(end).first)) continue;
             try {
                 for (const TypeId part : parts) unifier_.constrain(can_equal, part);
             } catch (const TypeFault&) {

@@ -11,7 +11,7 @@ namespace robochart::cspm::types {
 
 // ---------------------------------------------------------------- expressions
 
-const Term* NameResolver::expression(const ExprPtr& expr) {
+const Term* NameResolver::resolve_expression(const ExprPtr& expr) {
     diagnostics_->poll();
     Term& term = script_->terms.emplace_back();
     term.syntax = expr.get();
@@ -23,19 +23,19 @@ const Term* NameResolver::expression(const ExprPtr& expr) {
     Scope* const outer = scope_;
     switch (expr->kind) {
         case ExprKind::name:
-            name(*expr, term);
+            resolve_name(*expr, term);
             break;
         case ExprKind::lambda:
-            lambda(*expr, term);
+            resolve_lambda(*expr, term);
             break;
         case ExprKind::let:
-            let(*expr, term);
+            resolve_let(*expr, term);
             break;
         case ExprKind::prefix:
-            prefix(*expr, term);
+            resolve_prefix(*expr, term);
             break;
         default:
-            clauses(*expr, term);
+            resolve_clauses(*expr, term);
             break;
     }
     scope_ = outer;
@@ -43,26 +43,26 @@ const Term* NameResolver::expression(const ExprPtr& expr) {
     return &term;
 }
 
-void NameResolver::name(const Expr& expr, Term& term) {
+void NameResolver::resolve_name(const Expr& expr, Term& term) {
     term.symbol = value_named(expr.text, expr.span);
 }
 
 // Each pattern of a lambda is a separate scope; a later one hides the names of an earlier one.
-void NameResolver::lambda(const Expr& expr, Term& term) {
+void NameResolver::resolve_lambda(const Expr& expr, Term& term) {
     for (const PatternPtr& each : expr.patterns) {
         scope_ = new_scope(scope_);
         std::vector<Symbol*> distinct;
-        term.patterns.push_back(pattern(*each, term.binds, distinct));
+        term.patterns.push_back(resolve_pattern(*each, term.binds, distinct));
     }
-    term.args = {expression(expr.args.at(0))};
+    term.args = {resolve_expression(expr.args.at(0))};
 }
 
-void NameResolver::let(const Expr& expr, Term& term) {
+void NameResolver::resolve_let(const Expr& expr, Term& term) {
     Place place;
     place.scope = scope_ = new_scope(scope_);
     place.timed = timed_;
-    term.decls = declarations(expr.decls, place);
-    term.args = {expression(expr.args.at(0))};
+    term.decls = resolve_declarations(expr.decls, place);
+    term.args = {resolve_expression(expr.args.at(0))};
 }
 
 namespace {
@@ -86,8 +86,8 @@ bool doubles_fields(const Pattern& pattern) {
 }  // namespace
 
 // Nondeterministic fields are chosen before the event is offered, so their names are bound first.
-void NameResolver::prefix(const Expr& expr, Term& term) {
-    term.args.push_back(expression(expr.args.at(0)));
+void NameResolver::resolve_prefix(const Expr& expr, Term& term) {
+    term.args.push_back(resolve_expression(expr.args.at(0)));
     scope_ = new_scope(scope_);
     term.fields.resize(expr.fields.size());
     std::vector<Symbol*> distinct;
@@ -102,15 +102,15 @@ void NameResolver::prefix(const Expr& expr, Term& term) {
                 report(rules::bad_pattern, field.pattern->span, {"@@ is not allowed in a prefix"});
             }
             if (choosing && timed_) report(rules::not_timed, field.span, {"a `$` field"});
-            if (field.value) term.fields[i].value = expression(field.value);
-            if (field.pattern) term.fields[i].pattern = pattern(*field.pattern, term.binds, distinct);
+            if (field.value) term.fields[i].value = resolve_expression(field.value);
+            if (field.pattern) term.fields[i].pattern = resolve_pattern(*field.pattern, term.binds, distinct);
         }
     }
     for (const Field& field : expr.fields) {
         if (field.kind == FieldKind::nondeterministic && others) report(rules::field_order, field.span, {});
         others = others || (field.kind != FieldKind::nondeterministic && field.kind != FieldKind::dot);
     }
-    term.args.push_back(expression(expr.args.at(1)));
+    term.args.push_back(resolve_expression(expr.args.at(1)));
 }
 
 namespace {
@@ -124,14 +124,15 @@ bool outside_clauses(ExprKind kind, std::size_t arg) {
 
 }  // namespace
 
-void NameResolver::clauses(const Expr& expr, Term& term) {
+void NameResolver::resolve_clauses(const Expr& expr, Term& term) {
     const bool linked = expr.kind == ExprKind::replicated_linked;
     if (timed_ && (linked || expr.kind == ExprKind::linked)) report(rules::not_timed, expr.span, {"linked parallel"});
     const std::size_t count = linked ? 1 : expr.args.size();
     term.args.resize(count);
     const auto arguments = [&](bool outside) {
         for (std::size_t i = 0; i < count; ++i) {
-            if (expr.args[i] && outside_clauses(expr.kind, i) == outside) term.args[i] = expression(expr.args[i]);
+            if (expr.args[i] && outside_clauses(expr.kind, i) == outside)
+                term.args[i] = resolve_expression(expr.args[i]);
         }
     };
     arguments(true);
@@ -139,8 +140,8 @@ void NameResolver::clauses(const Expr& expr, Term& term) {
     arguments(false);
     if (linked && expr.args.size() > 1) clause_list(expr.args[1]->clauses, term.link_clauses, term.binds);
     for (const Link& each : expr.links) {
-        const Term* from = expression(each.from);
-        term.links.push_back({from, expression(each.to)});
+        const Term* from = resolve_expression(each.from);
+        term.links.push_back({from, resolve_expression(each.to)});
     }
 }
 
@@ -151,8 +152,8 @@ void NameResolver::clause_list(const std::vector<Clause>& list, std::vector<Clau
     for (const Clause& each : list) {
         ClauseTerm clause;
         clause.generator = each.pattern != nullptr;
-        clause.value = expression(each.value);
-        if (each.pattern) clause.pattern = pattern(*each.pattern, binds, distinct);
+        clause.value = resolve_expression(each.value);
+        if (each.pattern) clause.pattern = resolve_pattern(*each.pattern, binds, distinct);
         out.push_back(std::move(clause));
     }
 }
@@ -172,7 +173,7 @@ void NameResolver::check_form(const Pattern& pattern) {
 Symbol* NameResolver::constructor_named(const Pattern& pattern) {
     const Lookup found = find(pattern.text);
     if (found.entry.symbol != nullptr && found.entry.symbol->label()) {
-        use(found.entry.symbol);
+        record_use(found.entry.symbol);
         return found.entry.symbol;
     }
     if (pattern.text.find("::") == std::string::npos) return nullptr;
@@ -182,7 +183,8 @@ Symbol* NameResolver::constructor_named(const Pattern& pattern) {
     return nullptr;
 }
 
-Symbol* NameResolver::variable(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct) {
+Symbol* NameResolver::resolve_variable(const Pattern& pattern, std::vector<Symbol*>& binds,
+                                       std::vector<Symbol*>& distinct) {
     Symbol& symbol = new_symbol(pattern.text, pattern.span, SymbolKind::variable);
     const auto same = std::ranges::find(distinct, pattern.text, &Symbol::name);
     if (same != distinct.end()) {
@@ -195,22 +197,23 @@ Symbol* NameResolver::variable(const Pattern& pattern, std::vector<Symbol*>& bin
     return &symbol;
 }
 
-PatternTerm NameResolver::pattern(const Pattern& given, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct) {
+PatternTerm NameResolver::resolve_pattern(const Pattern& given, std::vector<Symbol*>& binds,
+                                          std::vector<Symbol*>& distinct) {
     PatternTerm term;
     term.syntax = &given;
     check_form(given);
     if (given.kind == PatternKind::name) {
         term.symbol = constructor_named(given);
         const bool plain = given.text.find("::") == std::string::npos;
-        if (term.symbol == nullptr && plain) term.symbol = variable(given, binds, distinct);
+        if (term.symbol == nullptr && plain) term.symbol = resolve_variable(given, binds, distinct);
     }
-    for (const PatternPtr& each : given.args) term.args.push_back(pattern(*each, binds, distinct));
+    for (const PatternPtr& each : given.args) term.args.push_back(resolve_pattern(*each, binds, distinct));
     return term;
 }
 
 // ---------------------------------------------------------------- annotations
 
-const Annotation* NameResolver::annotation(const Decl& decl) {
+const Annotation* NameResolver::resolve_annotation(const Decl& decl) {
     Annotation& result = script_->annotations.emplace_back();
     result.span = decl.span;
     const WrittenScheme written = read_type(decl.text);
@@ -259,7 +262,7 @@ TypeTerm NameResolver::named_type(const WrittenType& written, Annotation& into) 
         }
     }
     if (result.datatype != nullptr) {
-        use(result.datatype);
+        record_use(result.datatype);
         result.kind = TypeKind::datatype;
         return result;
     }

@@ -10,7 +10,7 @@
 
 namespace robochart::cspm::types {
 
-DeclarationList* NameResolver::declarations(const std::vector<DeclPtr>& decls, const Place& place) {
+DeclarationList* NameResolver::resolve_declarations(const std::vector<DeclPtr>& decls, const Place& place) {
     Place inside = place;
     inside.list = &script_->lists.emplace_back();
     inside.enclosing = current_;
@@ -62,7 +62,7 @@ void NameResolver::flatten(const std::vector<DeclPtr>& decls, const Place& place
             items[function].decls[0]->names == decl->names &&
             items[function].decls[0]->span.source == decl->span.source) {
             items[function].decls.push_back(decl);
-            items[function].declaration->span = diagnostics::join(items[function].declaration->span, decl->span);
+            items[function].declaration->span = diagnostics::join_spans(items[function].declaration->span, decl->span);
             continue;
         }
         if (decl->kind == DeclKind::module) {
@@ -88,7 +88,7 @@ void NameResolver::flatten_module(const DeclPtr& decl, const Place& place, Items
     module.parametrised = module.parameters > 0;
     module.outer = place.module;
     module.symbol = &new_symbol(module.name, decl->span, SymbolKind::module);
-    enter(place, decl->names.at(0), {nullptr, &module}, decl->span);
+    enter_name(place, decl->names.at(0), {nullptr, &module}, decl->span);
 
     Item& item = add_item(items, decl, place);
     Declaration* const declaration = item.declaration;
@@ -111,7 +111,7 @@ void NameResolver::flatten_module(const DeclPtr& decl, const Place& place, Items
             declaration->parameters.push_back(&parameter);
             Place here = inside;
             here.module = nullptr;
-            enter(here, name, {&parameter, nullptr}, decl->span);
+            enter_name(here, name, {&parameter, nullptr}, decl->span);
         }
     }
     inside.exported = false;
@@ -147,10 +147,10 @@ void NameResolver::find_original(Item& item) {
             report(rules::wrong_kind_of_name, decl.span, {decl.text, "a value", "a module"});
         } else {
             const std::string hint = found.hint.empty() ? "an instance stands below its module" : found.hint;
-            not_found(decl.text, decl.span, hint);
+            report_not_found(decl.text, decl.span, hint);
         }
     }
-    enter(item.place, decl.names.at(0), {nullptr, &module}, decl.span);
+    enter_name(item.place, decl.names.at(0), {nullptr, &module}, decl.span);
 }
 
 void NameResolver::copy_modules(const Module& from, Module& to) {
@@ -198,11 +198,11 @@ void NameResolver::copy_names(const Module& from, Module& to, bool labels, bool 
 void NameResolver::add_labels(Item& item) {
     const Decl& decl = *item.decls[0];
     if (decl.kind == DeclKind::channel) {
-        for (const std::string& name : decl.names) declare(item, name, decl.span, SymbolKind::channel);
+        for (const std::string& name : decl.names) declare_symbol(item, name, decl.span, SymbolKind::channel);
     } else if (decl.kind == DeclKind::datatype) {
         for (const Constructor& each : decl.constructors) {
             ConstructorTerm& term = item.declaration->constructors.emplace_back();
-            term.symbol = declare(item, each.name, each.span, SymbolKind::constructor);
+            term.symbol = declare_symbol(item, each.name, each.span, SymbolKind::constructor);
             term.span = each.span;
         }
     } else if (decl.kind == DeclKind::instance && item.original != nullptr) {
@@ -217,10 +217,10 @@ void NameResolver::add_names(Item& item) {
         case DeclKind::function:
         case DeclKind::subtype:
         case DeclKind::nametype:
-            declare(item, decl.names.at(0), decl.span, SymbolKind::variable);
+            declare_symbol(item, decl.names.at(0), decl.span, SymbolKind::variable);
             break;
         case DeclKind::datatype: {
-            Symbol* symbol = declare(item, decl.names.at(0), decl.span, SymbolKind::datatype);
+            Symbol* symbol = declare_symbol(item, decl.names.at(0), decl.span, SymbolKind::datatype);
             symbol->datatype = store_.new_datatype(symbol->name);
             item.place.scope->types.emplace(decl.names.at(0), symbol);
             break;
@@ -267,7 +267,7 @@ void NameResolver::add_imports(const Item& item) {
             symbol = &new_symbol(name, decl.span, SymbolKind::variable);
             symbol->failed = true;
         }
-        enter(item.place, name, {symbol, nullptr}, decl.span);
+        enter_name(item.place, name, {symbol, nullptr}, decl.span);
     }
 }
 
@@ -279,7 +279,7 @@ PatternTerm NameResolver::declared_pattern(const Item& item, const Pattern& patt
         term.symbol = constructor_named(pattern);
         if (term.symbol != nullptr && term.symbol->owner != nullptr) item.declaration->uses.push_back(term.symbol);
         if (term.symbol == nullptr && pattern.text.find("::") == std::string::npos) {
-            term.symbol = declare(item, pattern.text, pattern.span, SymbolKind::variable);
+            term.symbol = declare_symbol(item, pattern.text, pattern.span, SymbolKind::variable);
         }
     }
     for (const PatternPtr& each : pattern.args) term.args.push_back(declared_pattern(item, *each));
@@ -288,7 +288,7 @@ PatternTerm NameResolver::declared_pattern(const Item& item, const Pattern& patt
 
 const Annotation* NameResolver::annotation_of(const Item& item, const std::string& name) {
     const auto found = item.place.scope->annotations.find(name);
-    return found == item.place.scope->annotations.end() ? nullptr : annotation(*found->second);
+    return found == item.place.scope->annotations.end() ? nullptr : resolve_annotation(*found->second);
 }
 
 // ---------------------------------------------------------------- phase 4: bodies
@@ -306,17 +306,17 @@ void NameResolver::add_body(Item& item) {
             if (decl.patterns[0][0]->kind == PatternKind::name) {
                 declaration.annotation = annotation_of(item, decl.patterns[0][0]->text);
             }
-            declaration.body = expression(decl.body);
+            declaration.body = resolve_expression(decl.body);
             break;
         case DeclKind::nametype:
             declaration.annotation = annotation_of(item, decl.names[0]);
-            declaration.body = expression(decl.body);
+            declaration.body = resolve_expression(decl.body);
             break;
         case DeclKind::channel:
             for (const std::string& each : decl.names) {
                 if (declaration.annotation == nullptr) declaration.annotation = annotation_of(item, each);
             }
-            if (decl.body) declaration.body = expression(decl.body);
+            if (decl.body) declaration.body = resolve_expression(decl.body);
             break;
         case DeclKind::datatype:
         case DeclKind::subtype:
@@ -324,13 +324,13 @@ void NameResolver::add_body(Item& item) {
             break;
         case DeclKind::timed:
             declaration.tock = value_named("tock", decl.span);
-            if (decl.body) declaration.body = expression(decl.body);
+            if (decl.body) declaration.body = resolve_expression(decl.body);
             break;
         case DeclKind::module:
             if (item.made->parametrised) break;
             for (const Names* names : {&item.made->exported, &item.made->hidden}) {
                 for (const auto& [name, entry] : *names) {
-                    use(entry.module != nullptr ? entry.module->symbol : entry.symbol);
+                    record_use(entry.module != nullptr ? entry.module->symbol : entry.symbol);
                 }
             }
             break;
@@ -359,9 +359,9 @@ void NameResolver::body_of_function(Item& item) {
         std::vector<Symbol*> distinct;
         for (const auto& group : decl->patterns) {
             std::vector<PatternTerm>& terms = equation.groups.emplace_back();
-            for (const PatternPtr& each : group) terms.push_back(pattern(*each, equation.binds, distinct));
+            for (const PatternPtr& each : group) terms.push_back(resolve_pattern(*each, equation.binds, distinct));
         }
-        equation.body = expression(decl->body);
+        equation.body = resolve_expression(decl->body);
         scope_ = outer;
     }
 }
@@ -384,24 +384,24 @@ void NameResolver::body_of_datatype(Item& item) {
         Scope* const outer = scope_;
         scope_ = new_scope(outer);
         if (decl.kind == DeclKind::datatype) term.annotation = annotation_of(item, each.name);
-        if (each.fields) term.fields = expression(each.fields);
+        if (each.fields) term.fields = resolve_expression(each.fields);
         scope_ = outer;
     }
 }
 
 void NameResolver::body_of_instance(Item& item) {
     const Decl& decl = *item.decls[0];
-    for (const ExprPtr& each : decl.arguments) item.declaration->arguments.push_back(expression(each));
-    if (item.original != nullptr) use(item.original->symbol);
+    for (const ExprPtr& each : decl.arguments) item.declaration->arguments.push_back(resolve_expression(each));
+    if (item.original != nullptr) record_use(item.original->symbol);
 }
 
 void NameResolver::body_of_assertion(Item& item) {
     const Decl& decl = *item.decls[0];
     Declaration& declaration = *item.declaration;
     declaration.assertion = &decl.assertion;
-    declaration.specification = expression(decl.assertion.specification);
-    if (decl.assertion.implementation) declaration.implementation = expression(decl.assertion.implementation);
-    if (decl.assertion.tau_priority) declaration.tau_priority = expression(decl.assertion.tau_priority);
+    declaration.specification = resolve_expression(decl.assertion.specification);
+    if (decl.assertion.implementation) declaration.implementation = resolve_expression(decl.assertion.implementation);
+    if (decl.assertion.tau_priority) declaration.tau_priority = resolve_expression(decl.assertion.tau_priority);
 }
 
 // Unknown names in a print statement are only a warning.
@@ -409,11 +409,11 @@ void NameResolver::body_of_print(const Item& item) {
     diagnostics::Diagnostics inside;
     diagnostics::Diagnostics* const outside = std::exchange(diagnostics_, &inside);
     const bool missing = script_->names_missing;
-    item.declaration->body = expression(item.decls[0]->body);
+    item.declaration->body = resolve_expression(item.decls[0]->body);
     script_->names_missing = missing;
     diagnostics_ = outside;
     if (inside.ok()) return;
-    const diagnostics::Diagnostic first = inside.sorted().front();
+    const diagnostics::Diagnostic first = inside.sorted_findings().front();
     report(rules::print_ill_typed, first.span, {first.message()});
     item.declaration->body = nullptr;
 }

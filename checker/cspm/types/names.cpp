@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/diagnostics/spelling.hpp"
 #include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/rules.hpp"
-#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cspm::types {
 
@@ -19,7 +19,7 @@ std::unique_ptr<ResolvedScript> NameResolver::run(const Script& script) {
     place.scope = new_scope(nullptr);
     place.top = true;
     scope_ = place.scope;
-    script_->top = declarations(script.decls, place);
+    script_->top = resolve_declarations(script.decls, place);
     return std::move(script_);
 }
 
@@ -131,7 +131,7 @@ std::string NameResolver::in_a_module(std::string_view name) {
 
 /// Suggests a correction for a qualified name: its last part if that is known unqualified, a member that extends it
 /// (the channel `moveCall` for `move`), or the most similar member.
-std::string NameResolver::member_suggestion(std::string_view name) {
+std::string NameResolver::suggest_member(std::string_view name) {
     const std::size_t colons = name.rfind("::");
     if (colons == std::string_view::npos) return "";
     const std::string last(name.substr(colons + 2));
@@ -142,17 +142,17 @@ std::string NameResolver::member_suggestion(std::string_view name) {
     std::string longer;
     for (const std::string& member : members) {
         if (!member.starts_with(name)) continue;
-        if (!longer.empty()) return diagnostics::nearest(name, members);
+        if (!longer.empty()) return diagnostics::nearest_spelling(name, members);
         longer = member;
     }
-    return longer.empty() ? diagnostics::nearest(name, members) : longer;
+    return longer.empty() ? diagnostics::nearest_spelling(name, members) : longer;
 }
 
 // Suggests a name with the same spelling in a module, otherwise the most similar name in scope: a local, a member or a
 // predefined name.
-std::string NameResolver::suggestion(std::string_view name) {
+std::string NameResolver::suggest_name(std::string_view name) {
     if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
-    if (std::string member = member_suggestion(name); !member.empty()) return member;
+    if (std::string member = suggest_member(name); !member.empty()) return member;
     std::vector<std::string> candidates;
     const std::string ending = "::" + std::string(name);
     for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)
@@ -166,10 +166,10 @@ std::string NameResolver::suggestion(std::string_view name) {
         }
     for (const BuiltinName& each : builtin_names())
         if (each.visibility == Visibility::always) candidates.emplace_back(each.name);
-    return name.size() < 3 ? "" : diagnostics::nearest(name, candidates);
+    return name.size() < 3 ? "" : diagnostics::nearest_spelling(name, candidates);
 }
 
-void NameResolver::not_found(std::string_view name, Span span, const std::string& hint) {
+void NameResolver::report_not_found(std::string_view name, Span span, const std::string& hint) {
     script_->names_missing = true;
     diagnostics::Diagnostic& finding = report(rules::not_in_scope, span, {std::string(name)});
     const std::string_view line = BuiltinTypes::hint(name);
@@ -180,7 +180,7 @@ void NameResolver::not_found(std::string_view name, Span span, const std::string
     } else if (!line.empty()) {
         finding.notes.push_back(
             {span, "make it known by a line `" + std::string(line) + " " + std::string(name) + "`"});
-    } else if (const std::string other = suggestion(name); !other.empty()) {
+    } else if (const std::string other = suggest_name(name); !other.empty()) {
         finding.notes.push_back({span, "did you mean '" + other + "'?"});
     }
 }
@@ -188,43 +188,43 @@ void NameResolver::not_found(std::string_view name, Span span, const std::string
 Symbol* NameResolver::value_named(std::string_view name, Span span) {
     const Lookup found = find(name);
     if (found.entry.symbol != nullptr) {
-        use(found.entry.symbol);
+        record_use(found.entry.symbol);
         return found.entry.symbol;
     }
     if (found.entry.module != nullptr) {
         script_->names_missing = true;
         report(rules::wrong_kind_of_name, span, {std::string(name), "a module", "a value"});
     } else {
-        not_found(name, span, found.hint);
+        report_not_found(name, span, found.hint);
     }
     return nullptr;
 }
 
-void NameResolver::use(Symbol* symbol) {
+void NameResolver::record_use(Symbol* symbol) {
     if (symbol->owner == nullptr) return;
     for (Declaration* each = current_; each != nullptr; each = each->enclosing) each->uses.push_back(symbol);
 }
 
 // ---------------------------------------------------------------- entering
 
-void NameResolver::enter(const Place& place, const std::string& name, const Entry& entry, Span span) {
+void NameResolver::enter_name(const Place& place, const std::string& name, const Entry& entry, Span span) {
     const auto [at, fresh] = place.scope->names.emplace(name, entry);
     if (!fresh) {
         const Entry& first = at->second;
         diagnostics::Diagnostic& finding = report(rules::declared_twice, span, {name});
         const Span where = first.module != nullptr ? first.module->span : first.symbol->span;
-        if (where.known()) finding.notes.push_back({where, "the other declaration"});
+        if (where.is_known()) finding.notes.push_back({where, "the other declaration"});
         return;
     }
     if (place.module == nullptr) return;
     (place.exported ? place.module->exported : place.module->hidden).emplace(name, entry);
 }
 
-Symbol* NameResolver::declare(const Item& item, const std::string& name, Span span, SymbolKind kind) {
+Symbol* NameResolver::declare_symbol(const Item& item, const std::string& name, Span span, SymbolKind kind) {
     Symbol& symbol = new_symbol(item.place.prefix + name, span, kind);
     symbol.owner = item.declaration;
     item.declaration->binds.push_back(&symbol);
-    enter(item.place, name, {&symbol, nullptr}, span);
+    enter_name(item.place, name, {&symbol, nullptr}, span);
     if (item.place.top) script_->shown.push_back(&symbol);
     return &symbol;
 }

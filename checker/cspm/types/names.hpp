@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/types/builtin_types.hpp"
 #include "checker/cspm/types/terms.hpp"
-#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 
@@ -55,7 +55,7 @@ private:
     using Items = std::vector<Item>;
 
     // declarations, in phases: modules, labels, other names, bodies
-    DeclarationList* declarations(const std::vector<DeclPtr>& decls, const Place& place);
+    DeclarationList* resolve_declarations(const std::vector<DeclPtr>& decls, const Place& place);
     void flatten(const std::vector<DeclPtr>& decls, const Place& place, Items& items);
     Item& add_item(Items& items, const DeclPtr& decl, const Place& place);
     void flatten_module(const DeclPtr& decl, const Place& place, Items& items);
@@ -71,26 +71,26 @@ private:
     void body_of_instance(Item& item);
     void body_of_assertion(Item& item);
     void body_of_print(const Item& item);
-    Symbol* declare(const Item& item, const std::string& name, Span span, SymbolKind kind);
-    void enter(const Place& place, const std::string& name, const Entry& entry, Span span);
+    Symbol* declare_symbol(const Item& item, const std::string& name, Span span, SymbolKind kind);
+    void enter_name(const Place& place, const std::string& name, const Entry& entry, Span span);
     const Annotation* annotation_of(const Item& item, const std::string& name);
 
     // expressions
-    const Term* expression(const ExprPtr& expr);
-    void name(const Expr& expr, Term& term);
-    void lambda(const Expr& expr, Term& term);
-    void let(const Expr& expr, Term& term);
-    void prefix(const Expr& expr, Term& term);
-    void clauses(const Expr& expr, Term& term);
+    const Term* resolve_expression(const ExprPtr& expr);
+    void resolve_name(const Expr& expr, Term& term);
+    void resolve_lambda(const Expr& expr, Term& term);
+    void resolve_let(const Expr& expr, Term& term);
+    void resolve_prefix(const Expr& expr, Term& term);
+    void resolve_clauses(const Expr& expr, Term& term);
     void clause_list(const std::vector<Clause>& clauses, std::vector<ClauseTerm>& out, std::vector<Symbol*>& binds);
-    PatternTerm pattern(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
+    PatternTerm resolve_pattern(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
     void check_form(const Pattern& pattern);
     PatternTerm declared_pattern(const Item& item, const Pattern& pattern);
     Symbol* constructor_named(const Pattern& pattern);
-    Symbol* variable(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
+    Symbol* resolve_variable(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
 
     // annotations
-    const Annotation* annotation(const Decl& decl);
+    const Annotation* resolve_annotation(const Decl& decl);
     TypeTerm type_term(const struct WrittenType& written, Annotation& into);
     TypeTerm named_type(const WrittenType& written, Annotation& into);
     TypeVariable* type_variable(const std::string& name, Annotation& into, bool may_bind);
@@ -104,11 +104,11 @@ private:
     [[nodiscard]] const Entry* find_plain(std::string_view name) const;
     [[nodiscard]] static Lookup find_inside(const Module& module, std::string_view path);
     Symbol* value_named(std::string_view name, Span span);
-    void use(Symbol* symbol);
-    void not_found(std::string_view name, Span span, const std::string& hint);
+    void record_use(Symbol* symbol);
+    void report_not_found(std::string_view name, Span span, const std::string& hint);
     [[nodiscard]] std::string in_a_module(std::string_view name);
-    [[nodiscard]] std::string member_suggestion(std::string_view name);
-    [[nodiscard]] std::string suggestion(std::string_view name);
+    [[nodiscard]] std::string suggest_member(std::string_view name);
+    [[nodiscard]] std::string suggest_name(std::string_view name);
     Symbol& new_symbol(const std::string& name, Span span, SymbolKind kind);
     Scope* new_scope(Scope* parent);
     diagnostics::Diagnostic& report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments);

@@ -102,7 +102,7 @@ const Rule not_timed{
     "In a timed section every process lets time pass by the event tock. FDR defines no such reading of linked parallel "
     "and of nondeterministic inputs."};
 
-std::span<const Rule* const> all() {
+std::span<const Rule* const> all_rules() {
     static constexpr std::array<const Rule*, 23> table{
         &not_in_scope,     &declared_twice,    &wrong_import,     &wrong_kind_of_name, &qualified_pattern,
         &field_order,      &bad_type_variable, &mismatch,         &wrong_arity,        &not_a_function,

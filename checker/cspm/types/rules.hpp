@@ -38,6 +38,6 @@ extern const diagnostics::Rule bad_pattern;
 extern const diagnostics::Rule not_timed;
 
 /// Returns all rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+[[nodiscard]] std::span<const diagnostics::Rule* const> all_rules();
 
 }  // namespace robochart::cspm::types::rules

@@ -37,15 +37,15 @@ TypeId TypeStore::add(const TypeNode& node) {
     return static_cast<TypeId>(nodes_.size() - 1);
 }
 
-TypeId TypeStore::fresh(Constraints constraints) {
+TypeId TypeStore::fresh_variable(Constraints constraints) {
     TypeNode node;
     node.constraints = constraints;
     node.level = level_;
     return add(node);
 }
 
-TypeId TypeStore::rigid(const std::string& name, Constraints constraints) {
-    const TypeId result = fresh(constraints);
+TypeId TypeStore::rigid_variable(const std::string& name, Constraints constraints) {
+    const TypeId result = fresh_variable(constraints);
     nodes_[result].rigid = true;
     nodes_[result].first = static_cast<std::uint32_t>(names_.size());
     names_.push_back(name);
@@ -65,7 +65,7 @@ std::uint32_t TypeStore::new_datatype(const std::string& name) {
     return node.first;
 }
 
-TypeId TypeStore::make(TypeKind kind, const std::vector<TypeId>& args) {
+TypeId TypeStore::make_type(TypeKind kind, const std::vector<TypeId>& args) {
     TypeNode node;
     node.kind = kind;
     node.first = static_cast<std::uint32_t>(args_.size());
@@ -73,7 +73,7 @@ TypeId TypeStore::make(TypeKind kind, const std::vector<TypeId>& args) {
     node.closed = true;
     node.plain = kind != TypeKind::dot && kind != TypeKind::dotable && kind != TypeKind::extendable;
     for (const TypeId each : args) {
-        const TypeId end = follow(each);
+        const TypeId end = follow_links(each);
         args_.push_back(end);
         node.closed = node.closed && nodes_[end].closed;
         node.plain = node.plain && nodes_[end].plain;
@@ -81,23 +81,23 @@ TypeId TypeStore::make(TypeKind kind, const std::vector<TypeId>& args) {
     return add(node);
 }
 
-TypeId TypeStore::dot(const std::vector<TypeId>& parts) {
-    return parts.size() == 1 ? parts.front() : make(TypeKind::dot, parts);
+TypeId TypeStore::dot_type(const std::vector<TypeId>& parts) {
+    return parts.size() == 1 ? parts.front() : make_type(TypeKind::dot, parts);
 }
 
-TypeId TypeStore::dotable(const std::vector<TypeId>& arguments, std::size_t from, TypeId result) {
-    for (std::size_t i = arguments.size(); i > from; --i) result = dotable(arguments[i - 1], result);
+TypeId TypeStore::dotable_type(const std::vector<TypeId>& arguments, std::size_t from, TypeId result) {
+    for (std::size_t i = arguments.size(); i > from; --i) result = dotable_type(arguments[i - 1], result);
     return result;
 }
 
 // ---------------------------------------------------------------- looking
 
-TypeId TypeStore::follow(TypeId type) {
+TypeId TypeStore::follow_links(TypeId type) {
     TypeId end = type;
     while (nodes_[end].link != no_type) end = nodes_[end].link;
     while (nodes_[type].link != no_type && nodes_[type].link != end) {
         const TypeId next = nodes_[type].link;
-        change(type);
+        record_change(type);
         nodes_[type].link = end;
         type = next;
     }
@@ -107,17 +107,17 @@ TypeId TypeStore::follow(TypeId type) {
 // An extendable whose variable is bound to `argument, rest` is the dotable of that argument and the rest.
 TypeId TypeStore::head(TypeId type) {
     for (;;) {
-        type = follow(type);
+        type = follow_links(type);
         if (nodes_[type].kind != TypeKind::extendable) return type;
         const TypeId result = argument(type, 0);
-        const TypeId given = follow(argument(type, 1));
+        const TypeId given = follow_links(argument(type, 1));
         if (nodes_[given].kind == TypeKind::variable) {
-            return given == argument(type, 1) ? type : extendable(result, given);
+            return given == argument(type, 1) ? type : extendable_type(result, given);
         }
         if (nodes_[given].kind == TypeKind::complete) {
             type = result;
         } else {
-            return dotable(argument(given, 0), extendable(result, argument(given, 1)));
+            return dotable_type(argument(given, 0), extendable_type(result, argument(given, 1)));
         }
     }
 }
@@ -141,7 +141,7 @@ std::vector<TypeId> TypeStore::dot_parts(TypeId type) {
 
 TypeId TypeStore::split(TypeId type, std::vector<TypeId>& given) {
     for (;;) {
-        step();
+        count_step();
         type = head(type);
         if (nodes_[type].kind != TypeKind::dotable) return type;
         const TypeId result = argument(type, 1);
@@ -153,11 +153,11 @@ TypeId TypeStore::split(TypeId type, std::vector<TypeId>& given) {
 
 // ---------------------------------------------------------------- changing
 
-void TypeStore::change(TypeId type) {
+void TypeStore::record_change(TypeId type) {
     if (recording_) trail_.emplace_back(type, nodes_[type]);
 }
 
-void TypeStore::undo(std::size_t mark) {
+void TypeStore::undo_to(std::size_t mark) {
     while (trail_.size() > mark) {
         nodes_[trail_.back().first] = trail_.back().second;
         trail_.pop_back();
@@ -165,22 +165,22 @@ void TypeStore::undo(std::size_t mark) {
 }
 
 void TypeStore::bind(TypeId variable, TypeId type) {
-    change(variable);
+    record_change(variable);
     nodes_[variable].link = type;
 }
 
 void TypeStore::constrain(TypeId variable, Constraints constraints) {
-    change(variable);
+    record_change(variable);
     nodes_[variable].constraints |= constraints;
 }
 
 void TypeStore::lower_level(TypeId variable, std::uint32_t level) {
     if (nodes_[variable].level <= level) return;
-    change(variable);
+    record_change(variable);
     nodes_[variable].level = level;
 }
 
-bool TypeStore::visit(TypeId type, TypeId wanted, std::uint32_t level) {
+bool TypeStore::lower_and_find(TypeId type, TypeId wanted, std::uint32_t level) {
     const Depth guard(*this);
     type = head(type);
     if (nodes_[type].closed) return false;
@@ -189,7 +189,8 @@ bool TypeStore::visit(TypeId type, TypeId wanted, std::uint32_t level) {
         return type == wanted;
     }
     bool found = false;
-    for (std::uint32_t i = 0; i < nodes_[type].count; ++i) found = visit(argument(type, i), wanted, level) || found;
+    for (std::uint32_t i = 0; i < nodes_[type].count; ++i)
+        found = lower_and_find(argument(type, i), wanted, level) || found;
     return found;
 }
 

@@ -78,20 +78,22 @@ public:
     TypeStore();
 
     // making types
-    [[nodiscard]] TypeId fresh(Constraints constraints = 0);
-    [[nodiscard]] TypeId rigid(const std::string& name, Constraints constraints);
+    [[nodiscard]] TypeId fresh_variable(Constraints constraints = 0);
+    [[nodiscard]] TypeId rigid_variable(const std::string& name, Constraints constraints);
     [[nodiscard]] TypeId atom(TypeKind kind) const { return static_cast<TypeId>(kind); }
     [[nodiscard]] TypeId datatype(std::uint32_t number);
-    [[nodiscard]] TypeId make(TypeKind kind, const std::vector<TypeId>& args);
-    [[nodiscard]] TypeId set_of(TypeId element) { return make(TypeKind::set, {element}); }
-    [[nodiscard]] TypeId sequence_of(TypeId element) { return make(TypeKind::sequence, {element}); }
+    [[nodiscard]] TypeId make_type(TypeKind kind, const std::vector<TypeId>& args);
+    [[nodiscard]] TypeId set_of(TypeId element) { return make_type(TypeKind::set, {element}); }
+    [[nodiscard]] TypeId sequence_of(TypeId element) { return make_type(TypeKind::sequence, {element}); }
     /// A dotted type of one or more parts.
-    [[nodiscard]] TypeId dot(const std::vector<TypeId>& parts);
-    [[nodiscard]] TypeId dotable(TypeId argument, TypeId result) { return make(TypeKind::dotable, {argument, result}); }
+    [[nodiscard]] TypeId dot_type(const std::vector<TypeId>& parts);
+    [[nodiscard]] TypeId dotable_type(TypeId argument, TypeId result) {
+        return make_type(TypeKind::dotable, {argument, result});
+    }
     /// `result` after several arguments.
-    [[nodiscard]] TypeId dotable(const std::vector<TypeId>& arguments, std::size_t from, TypeId result);
-    [[nodiscard]] TypeId extendable(TypeId result, TypeId arguments) {
-        return make(TypeKind::extendable, {result, arguments});
+    [[nodiscard]] TypeId dotable_type(const std::vector<TypeId>& arguments, std::size_t from, TypeId result);
+    [[nodiscard]] TypeId extendable_type(TypeId result, TypeId arguments) {
+        return make_type(TypeKind::extendable, {result, arguments});
     }
 
     // looking at types
@@ -103,9 +105,9 @@ public:
     [[nodiscard]] TypeId argument(TypeId type, std::size_t i) const { return args_[nodes_[type].first + i]; }
     [[nodiscard]] std::vector<TypeId> arguments(TypeId type) const;
     [[nodiscard]] const std::string& rigid_name(TypeId type) const { return names_[nodes_[type].first]; }
-    /// The parts of a dotted type, with nested ones flattened; one part for all other types.
+    /// Returns the parts of a dotted type, with nested ones flattened. Any other type is its only part.
     [[nodiscard]] std::vector<TypeId> dot_parts(TypeId type);
-    /// A dotable's arguments (flattened) and its final result; no arguments for all other types.
+    /// Returns the final result of a dotable and its arguments (flattened). All other types have no arguments.
     [[nodiscard]] TypeId split(TypeId type, std::vector<TypeId>& arguments);
 
     // changing variables
@@ -113,35 +115,35 @@ public:
     void constrain(TypeId variable, Constraints constraints);
     void lower_level(TypeId variable, std::uint32_t level);
     /// Lowers the variables of a type to at most this level; returns whether `wanted` occurs in it.
-    bool visit(TypeId type, TypeId wanted, std::uint32_t level);
+    bool lower_and_find(TypeId type, TypeId wanted, std::uint32_t level);
     /// Variables of a type above the current level, sorted.
     [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
 
     // groups of declarations
-    void enter() { ++level_; }
-    void leave() { --level_; }
+    void enter_level() { ++level_; }
+    void leave_level() { --level_; }
     [[nodiscard]] std::uint32_t level() const { return level_; }
     void renew_steps() { steps_ = 0; }
-    void step() {
+    void count_step() {
         if (++steps_ > max_steps) throw TypeOverflow{false};
     }
 
     // undoing
-    [[nodiscard]] std::size_t mark() const { return trail_.size(); }
+    [[nodiscard]] std::size_t trail_mark() const { return trail_.size(); }
     void recording(bool on) { recording_ = on; }
-    void undo(std::size_t mark);
+    void undo_to(std::size_t mark);
 
     // datatypes
     [[nodiscard]] std::uint32_t new_datatype(const std::string& name);
     [[nodiscard]] const std::string& datatype_name(std::uint32_t number) const { return datatypes_[number].name; }
-    [[nodiscard]] bool comparable(std::uint32_t number) const { return datatypes_[number].comparable; }
+    [[nodiscard]] bool is_comparable(std::uint32_t number) const { return datatypes_[number].comparable; }
     void set_comparable(std::uint32_t number, bool value) { datatypes_[number].comparable = value; }
 
     /// Counts recursion on types; bounded.
     class Depth {
     public:
         explicit Depth(TypeStore& store) : store_(store) {
-            store_.step();
+            store_.count_step();
             if (store_.depth_ >= max_depth) throw TypeOverflow{true};
             ++store_.depth_;
         }
@@ -162,8 +164,8 @@ private:
 
     void gather_open(TypeId type, std::vector<TypeId>& out);
     TypeId add(const TypeNode& node);
-    void change(TypeId type);
-    TypeId follow(TypeId type);
+    void record_change(TypeId type);
+    TypeId follow_links(TypeId type);
 
     std::vector<TypeNode> nodes_;
     std::vector<TypeId> args_;
@@ -181,7 +183,7 @@ class TypeWriter {
 public:
     explicit TypeWriter(TypeStore& store) : store_(store) {}
     /// The type without constraints.
-    [[nodiscard]] std::string text(TypeId type);
+    [[nodiscard]] std::string type_text(TypeId type);
     /// The type preceded by the constraints of its variables.
     [[nodiscard]] std::string with_constraints(TypeId type);
 

@@ -32,7 +32,7 @@ public:
 
     NameTable run(const types::ResolvedScript& script) {
         for (const types::Symbol& each : script.symbols)
-            if (each.span.known()) (void)number_of(each);
+            if (each.span.is_known()) (void)number_of(each);
         for (const types::Term& each : script.terms) term(each);
         for (const types::DeclarationList& list : script.lists)
             for (const types::Declaration& each : list.items) declaration(each);
@@ -53,19 +53,19 @@ private:
         if (typed) known.type = types::TypeWriter(store_).with_constraints(symbol.scheme.type);
         return at->second;
     }
-    void use(Span span, const types::Symbol* symbol) {
-        if (symbol != nullptr && span.known()) table_.uses.push_back({span, number_of(*symbol)});
+    void add_use(Span span, const types::Symbol* symbol) {
+        if (symbol != nullptr && span.is_known()) table_.uses.push_back({span, number_of(*symbol)});
     }
 
     void pattern(const types::PatternTerm& pattern) {
-        if (pattern.syntax != nullptr) use(pattern.syntax->span, pattern.symbol);
+        if (pattern.syntax != nullptr) add_use(pattern.syntax->span, pattern.symbol);
         for (const types::PatternTerm& each : pattern.args) this->pattern(each);
     }
     void clauses(const std::vector<types::ClauseTerm>& clauses) {
         for (const types::ClauseTerm& each : clauses) pattern(each.pattern);
     }
     void term(const types::Term& term) {
-        if (term.syntax != nullptr) use(term.syntax->span, term.symbol);
+        if (term.syntax != nullptr) add_use(term.syntax->span, term.symbol);
         for (const types::FieldTerm& each : term.fields) pattern(each.pattern);
         for (const types::PatternTerm& each : term.patterns) pattern(each);
         clauses(term.clauses);
@@ -78,15 +78,16 @@ private:
         for (const types::ConstructorTerm& each : declaration.constructors) constructor(each);
     }
     void equation(const types::EquationTerm& equation, const types::Declaration& function) {
-        if (!function.binds.empty()) use(beginning(equation.span, *function.binds.front()), function.binds.front());
+        if (!function.binds.empty()) add_use(name_span(equation.span, *function.binds.front()), function.binds.front());
         for (const auto& group : equation.groups)
             for (const types::PatternTerm& each : group) pattern(each);
     }
     void constructor(const types::ConstructorTerm& constructor) {
-        if (constructor.symbol != nullptr) use(beginning(constructor.span, *constructor.symbol), constructor.symbol);
+        if (constructor.symbol != nullptr)
+            add_use(name_span(constructor.span, *constructor.symbol), constructor.symbol);
     }
     /// The span of the name at the beginning of a declaration or use.
-    static Span beginning(Span span, const types::Symbol& symbol) {
+    static Span name_span(Span span, const types::Symbol& symbol) {
         const std::size_t colons = symbol.name.rfind(':');
         const std::size_t length = symbol.name.size() - (colons == std::string::npos ? 0 : colons + 1);
         span.end = std::min(span.end, span.begin + static_cast<std::uint32_t>(length));

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "checker/cspm/syntax/syntax.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
 
 namespace robochart::cspm {
 

@@ -146,14 +146,14 @@ void TypeWriter::write(TypeId type, int binding, std::string& out) {
     --depth_;
 }
 
-std::string TypeWriter::text(TypeId type) {
+std::string TypeWriter::type_text(TypeId type) {
     std::string result;
     write(type, loosest, result);
     return result;
 }
 
 std::string TypeWriter::with_constraints(TypeId type) {
-    const std::string body = text(type);
+    const std::string body = type_text(type);
     std::vector<std::string> constraints;
     for (const auto& [each, name] : seen_) {
         const Constraints held = store_.node(each).constraints;

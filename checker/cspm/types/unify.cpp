@@ -37,7 +37,7 @@ bool is_atom(TypeKind kind) {
            kind == TypeKind::process || kind == TypeKind::event;
 }
 
-bool yields(TypeKind kind) {
+bool is_result_kind(TypeKind kind) {
     return kind == TypeKind::event || kind == TypeKind::datatype || kind == TypeKind::dotable ||
            kind == TypeKind::extendable;
 }
@@ -76,8 +76,8 @@ TypeId Unifier::unify_heads(TypeId a, TypeId b) {
         if (left == TypeKind::extendable) return unify_extendable(a, b);
         mismatch();
     }
-    if (left == TypeKind::dot && yields(right)) return unify_dot_with(a, b, true);
-    if (right == TypeKind::dot && yields(left)) return unify_dot_with(b, a, false);
+    if (left == TypeKind::dot && is_result_kind(right)) return unify_dot_with(a, b, true);
+    if (right == TypeKind::dot && is_result_kind(left)) return unify_dot_with(b, a, false);
     if (left == TypeKind::extendable || right == TypeKind::extendable) return unify_extendable(a, b);
     mismatch();
 }
@@ -100,10 +100,10 @@ TypeId Unifier::unify_variables(TypeId a, TypeId b) {
 }
 
 TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
-    if (store_.node(variable).rigid && is(type, TypeKind::dot)) {
+    if (store_.node(variable).rigid && has_kind(type, TypeKind::dot)) {
         // A variable of an annotation is never equal to a dot, but it may be equal to the dot's result.
         const TypeId yielded = store_.head(evaluate_dots(type));
-        if (!is(yielded, TypeKind::dot)) return unify(variable, yielded);
+        if (!has_kind(yielded, TypeKind::dot)) return unify(variable, yielded);
     }
     constrain_all(store_.node(variable).constraints, type);
     return substitute(variable, type);
@@ -113,12 +113,12 @@ TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
 TypeId Unifier::substitute(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid) mismatch();
     const std::uint32_t level = store_.node(variable).level;
-    if (store_.visit(type, variable, level)) {
+    if (store_.lower_and_find(type, variable, level)) {
         type = evaluate_dots(type);
         if (store_.head(type) == variable) return type;
-        if (store_.visit(type, variable, level)) {
+        if (store_.lower_and_find(type, variable, level)) {
             TypeWriter writer(store_);
-            std::vector<std::string> shown{writer.text(variable), writer.text(type)};
+            std::vector<std::string> shown{writer.type_text(variable), writer.type_text(type)};
             throw TypeFault{&rules::infinite_type, std::move(shown), {}, here_};
         }
     }
@@ -134,7 +134,7 @@ TypeId Unifier::unify_arguments(TypeId a, TypeId b) {
     if (left.size() != right.size()) mismatch();
     Parts result;
     for (std::size_t i = 0; i < left.size(); ++i) result.push_back(unify(left[i], right[i]));
-    return result == left ? a : store_.make(store_.node(a).kind, result);
+    return result == left ? a : store_.make_type(store_.node(a).kind, result);
 }
 
 // ---------------------------------------------------------------- dotted types
@@ -145,38 +145,38 @@ TypeId Unifier::unify_dotables(TypeId a, TypeId b) {
     Parts right;
     const TypeId left_end = store_.split(a, left);
     const TypeId right_end = store_.split(b, right);
-    const bool left_open = is(left_end, TypeKind::extendable);
-    const bool right_open = is(right_end, TypeKind::extendable);
+    const bool left_open = has_kind(left_end, TypeKind::extendable);
+    const bool right_open = has_kind(right_end, TypeKind::extendable);
     if (!left_open && !right_open) {
         const TypeId end = unify(left_end, right_end);
-        return store_.dotable(store_.dot(combine(left, right)), end);
+        return store_.dotable_type(store_.dot_type(combine(left, right)), end);
     }
     if (!left_open || right_open) (void)unify(left_end, right_end);
     left = evaluate(left, Match::longest);
     right = evaluate(right, Match::longest);
     Parts shared;
     for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
-        const TypeId l = left_open ? ultimate(left[i]) : left[i];
-        const TypeId r = right_open ? ultimate(right[i]) : right[i];
+        const TypeId l = left_open ? result_type(left[i]) : left[i];
+        const TypeId r = right_open ? result_type(right[i]) : right[i];
         shared.push_back(unify(l, r));
     }
     const Parts& longer = left.size() > right.size() ? left : right;
     if (!right_open && right.size() >= left.size()) {
-        (void)unify(left_end, store_.dotable(right, shared.size(), right_end));
+        (void)unify(left_end, store_.dotable_type(right, shared.size(), right_end));
     } else if (!right_open) {
         (void)unify(left_end, right_end);
     } else if (!left_open && left.size() >= right.size()) {
-        (void)unify(store_.dotable(left, shared.size(), left_end), right_end);
+        (void)unify(store_.dotable_type(left, shared.size(), left_end), right_end);
     }
     for (std::size_t i = shared.size(); i < longer.size(); ++i) {
         const bool open = &longer == &left ? left_open : right_open;
-        shared.push_back(open ? ultimate(longer[i]) : longer[i]);
+        shared.push_back(open ? result_type(longer[i]) : longer[i]);
     }
-    return store_.dotable(store_.dot(shared), right_open ? left_end : right_end);
+    return store_.dotable_type(store_.dot_type(shared), right_open ? left_end : right_end);
 }
 
 TypeId Unifier::unify_dots(TypeId a, TypeId b) {
-    return store_.dot(combine(store_.dot_parts(a), store_.dot_parts(b)));
+    return store_.dot_type(combine(store_.dot_parts(a), store_.dot_parts(b)));
 }
 
 // h.x.y is a T if h applied to x and y is a T.
@@ -188,11 +188,11 @@ TypeId Unifier::unify_dot_with(TypeId dot, TypeId other, bool dot_expected) {
         parts = evaluate(std::move(parts), Match::shortest);
         if (parts.size() == 1) return unify(other, parts.front());
     }
-    const TypeId rest = store_.dot({parts.begin() + 1, parts.end()});
-    const TypeId wanted = store_.dotable(rest, other);
+    const TypeId rest = store_.dot_type({parts.begin() + 1, parts.end()});
+    const TypeId wanted = store_.dotable_type(rest, other);
     const bool swapped = dot_expected && store_.node(other).kind == TypeKind::dotable;
     const TypeId first = swapped ? unify(parts.front(), wanted) : unify(wanted, parts.front());
-    return open ? store_.dot({first, rest}) : other;
+    return open ? store_.dot_type({first, rest}) : other;
 }
 
 void Unifier::set_arguments(TypeId variable, TypeId arguments) {
@@ -204,10 +204,10 @@ void Unifier::set_arguments(TypeId variable, TypeId arguments) {
         const std::string name = node.rigid ? store_.rigid_name(variable) : "the rest";
         throw TypeFault{&rules::fixed_extension, {name}, {}, here_};
     }
-    if (store_.visit(arguments, variable, node.level)) {
+    if (store_.lower_and_find(arguments, variable, node.level)) {
         const bool several = store_.node(arguments).kind == TypeKind::dotable;
         const TypeId first = several ? store_.argument(arguments, 0) : arguments;
-        std::vector<std::string> shown{writer.text(variable), writer.text(first)};
+        std::vector<std::string> shown{writer.type_text(variable), writer.type_text(first)};
         throw TypeFault{&rules::infinite_type, std::move(shown), {}, here_};
     }
     store_.bind(variable, arguments);
@@ -221,12 +221,12 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
     const TypeId variable = store_.head(store_.argument(open, 1));
     const TypeId end = store_.argument(open, 0);
     if (store_.node(other).kind == TypeKind::dotable) {
-        const TypeId rest = store_.fresh();
+        const TypeId rest = store_.fresh_variable();
         const TypeId given = store_.argument(other, 0);
         const TypeId yielded = store_.argument(other, 1);
-        (void)unify(store_.extendable(end, rest), yielded);
-        set_arguments(variable, store_.dotable(given, rest));
-        return store_.dotable(given, store_.extendable(end, rest));
+        (void)unify(store_.extendable_type(end, rest), yielded);
+        set_arguments(variable, store_.dotable_type(given, rest));
+        return store_.dotable_type(given, store_.extendable_type(end, rest));
     }
     if (store_.node(other).kind == TypeKind::extendable) {
         const TypeId second = store_.head(store_.argument(other, 1));
@@ -235,7 +235,7 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
             const bool keep_second = store_.node(second).rigid;
             set_arguments(keep_second ? variable : second, keep_second ? second : variable);
         }
-        return store_.extendable(result, store_.head(variable));
+        return store_.extendable_type(result, store_.head(variable));
     }
     const TypeId result = left ? unify(end, other) : unify(other, end);
     set_arguments(variable, store_.atom(TypeKind::complete));
@@ -246,7 +246,7 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
 
 // Returns the type for a message: dots that can be evaluated are evaluated. This may bind variables, which is harmless
 // after an error.
-TypeId Unifier::displayed(TypeId type) {
+TypeId Unifier::type_to_display(TypeId type) {
     if (failing_) return type;
     failing_ = true;
     try {
@@ -257,35 +257,36 @@ TypeId Unifier::displayed(TypeId type) {
     return type;
 }
 
-TypeFault Unifier::fault(TypeWriter& writer, TypeId expected, TypeId actual) {
+TypeFault Unifier::make_fault(TypeWriter& writer, TypeId expected, TypeId actual) {
     const TypeKind left = store_.kind(expected);
     const TypeKind right = store_.kind(actual);
     Parts parts;
     if (left == TypeKind::dotable && right != TypeKind::dotable && right != TypeKind::variable) {
         (void)store_.split(expected, parts);
-        return {&rules::too_many_fields, {writer.text(actual), writer.text(store_.dot(parts))}, {}, here_};
+        return {
+            &rules::too_many_fields, {writer.type_text(actual), writer.type_text(store_.dot_type(parts))}, {}, here_};
     }
-    if (right == TypeKind::dot && yields(left)) {
+    if (right == TypeKind::dot && is_result_kind(left)) {
         parts = store_.dot_parts(actual);
         const TypeKind first = store_.kind(parts.front());
         if (first == TypeKind::event || first == TypeKind::datatype) {
-            const TypeId rest = store_.dot({parts.begin() + 1, parts.end()});
-            return {&rules::too_many_fields, {writer.text(parts.front()), writer.text(rest)}, {}, here_};
+            const TypeId rest = store_.dot_type({parts.begin() + 1, parts.end()});
+            return {&rules::too_many_fields, {writer.type_text(parts.front()), writer.type_text(rest)}, {}, here_};
         }
     }
     if (right == TypeKind::dotable && (left == TypeKind::event || left == TypeKind::datatype)) {
         const TypeId end = store_.split(actual, parts);
         if (store_.head(end) == store_.head(expected)) {
-            const std::string fields = writer.text(store_.dot(parts));
+            const std::string fields = writer.type_text(store_.dot_type(parts));
             const std::string whole =
-                left == TypeKind::event ? "an event" : fmt::format("a value of {}", writer.text(end));
+                left == TypeKind::event ? "an event" : fmt::format("a value of {}", writer.type_text(end));
             TypeFault few{&rules::too_few_fields, {whole, fields}, {}, here_};
             few.notes.push_back(
                 {here_, fmt::format("behind it stands `.` and a value of {}, in a prefix also `?x`", fields)});
             return few;
         }
     }
-    return {&rules::mismatch, {writer.text(expected), writer.text(actual)}, {}, here_};
+    return {&rules::mismatch, {writer.type_text(expected), writer.type_text(actual)}, {}, here_};
 }
 
 void Unifier::mismatch() {
@@ -293,9 +294,9 @@ void Unifier::mismatch() {
     const auto [inner_expected, inner_actual] = pairs_.back();
     const std::size_t pairs = pairs_.size();
     TypeWriter writer(store_);
-    TypeFault inner = fault(writer, displayed(inner_expected), displayed(inner_actual));
+    TypeFault inner = make_fault(writer, type_to_display(inner_expected), type_to_display(inner_actual));
     if (pairs == 1) throw TypeFault(std::move(inner));
-    TypeFault outer = fault(writer, displayed(outer_expected), displayed(outer_actual));
+    TypeFault outer = make_fault(writer, type_to_display(outer_expected), type_to_display(outer_actual));
     const bool special = inner.rule != &rules::mismatch;
     TypeFault result = special ? inner : outer;
     const TypeFault& other = special ? outer : inner;

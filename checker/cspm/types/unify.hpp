@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "checker/cspm/types/type.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "checker/cspm/types/type.hpp"
 
 namespace robochart::cspm::types {
 
@@ -37,8 +37,8 @@ public:
 
     TypeId instantiate(const Scheme& scheme);
     /// Returns a copy of a type in which variables and datatypes are replaced. Both lists must be sorted.
-    TypeId copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
-                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes);
+    TypeId copy_type(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
+                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes);
 
 private:
     enum class Match { shortest, longest };
@@ -58,15 +58,15 @@ private:
     Parts combine(Parts a, Parts b);
     Parts take_left(Parts a, const Parts& b);
     Parts take_right(const Parts& a, Parts b);
-    TypeId ultimate(TypeId type);
+    TypeId result_type(TypeId type);
     TypeId one_by_one(TypeId dotable);
-    [[nodiscard]] bool is(TypeId type, TypeKind kind) { return store_.kind(type) == kind; }
+    [[nodiscard]] bool has_kind(TypeId type, TypeKind kind) { return store_.kind(type) == kind; }
     void constrain_variable(Constraint constraint, TypeId variable);
     bool constrain_parts(Constraint constraint, TypeId type);
     [[noreturn]] void mismatch();
-    [[nodiscard]] TypeFault fault(TypeWriter& writer, TypeId expected, TypeId actual);
-    TypeId displayed(TypeId type);
-    [[noreturn]] void lacks(Constraint constraint, TypeId type);
+    [[nodiscard]] TypeFault make_fault(TypeWriter& writer, TypeId expected, TypeId actual);
+    TypeId type_to_display(TypeId type);
+    [[noreturn]] void fail_constraint(Constraint constraint, TypeId type);
 
     TypeStore& store_;
     const diagnostics::Span& here_;

@@ -11,29 +11,29 @@ namespace {
 
 class TypeReader {
 public:
-    explicit TypeReader(std::string_view text) : text_(text) { space(); }
+    explicit TypeReader(std::string_view text) : text_(text) { skip_spaces(); }
 
-    WrittenScheme scheme() {
+    WrittenScheme read_scheme() {
         WrittenScheme result;
         const std::size_t start = at_;
         const bool group = accept("(");
-        if (constraint(result)) {
-            while (group && accept(",")) constraint(result);
+        if (read_constraint(result)) {
+            while (group && accept(",")) read_constraint(result);
             if (group) accept(")");
             accept("=>");
         } else {
             at_ = start;
         }
-        result.type = type();
+        result.type = read_whole_type();
         return result;
     }
 
 private:
     // `Eq a`: two adjacent names.
-    bool constraint(WrittenScheme& scheme) {
+    bool read_constraint(WrittenScheme& scheme) {
         static constexpr std::array<Constraint, 5> all{can_equal, can_order, can_input, can_collect, can_yield};
-        const std::string first = name();
-        const std::string second = name();
+        const std::string first = read_name();
+        const std::string second = read_name();
         if (first.empty() || second.empty()) return false;
         for (const Constraint each : all) {
             if (constraint_name(each) == first) scheme.constraints.emplace_back(each, second);
@@ -41,64 +41,64 @@ private:
         return true;
     }
 
-    WrittenType type() {
+    WrittenType read_whole_type() {
         bool grouped = false;
-        WrittenType left = dotted(grouped);
-        if (accept("->")) return function(std::move(left), grouped);
-        if (accept("=>*")) return {TypeKind::extendable, "", {std::move(left), type()}};
-        if (accept("=>")) return {TypeKind::dotable, "", {std::move(left), type()}};
+        WrittenType left = read_dotted(grouped);
+        if (accept("->")) return read_function(std::move(left), grouped);
+        if (accept("=>*")) return {TypeKind::extendable, "", {std::move(left), read_whole_type()}};
+        if (accept("=>")) return {TypeKind::dotable, "", {std::move(left), read_whole_type()}};
         return left;
     }
 
     // (A, B) -> C: the types in the parentheses are the arguments.
-    WrittenType function(WrittenType arguments, bool grouped) {
+    WrittenType read_function(WrittenType arguments, bool grouped) {
         WrittenType result{TypeKind::function, "", {}};
         if (grouped && arguments.kind == TypeKind::tuple) {
             result.args = std::move(arguments.args);
         } else {
             result.args.push_back(std::move(arguments));
         }
-        result.args.push_back(type());
+        result.args.push_back(read_whole_type());
         return result;
     }
 
-    WrittenType dotted(bool& grouped) {
-        WrittenType first = operand(grouped);
+    WrittenType read_dotted(bool& grouped) {
+        WrittenType first = read_operand(grouped);
         if (!peek(".")) return first;
         grouped = false;
         WrittenType result{TypeKind::dot, "", {std::move(first)}};
         bool ignored = false;
-        while (accept(".")) result.args.push_back(operand(ignored));
+        while (accept(".")) result.args.push_back(read_operand(ignored));
         return result;
     }
 
-    WrittenType operand(bool& grouped) {
-        if (accept("{")) return closed(TypeKind::set, "}");
-        if (accept("<")) return closed(TypeKind::sequence, ">");
+    WrittenType read_operand(bool& grouped) {
+        if (accept("{")) return read_until_bracket(TypeKind::set, "}");
+        if (accept("<")) return read_until_bracket(TypeKind::sequence, ">");
         if (accept("(|")) {
             bool ignored = false;
-            WrittenType result{TypeKind::map, "", {dotted(ignored)}};
+            WrittenType result{TypeKind::map, "", {read_dotted(ignored)}};
             accept("=>");
-            result.args.push_back(type());
+            result.args.push_back(read_whole_type());
             accept("|)");
             return result;
         }
-        if (accept("(")) return parenthesis(grouped);
-        return {TypeKind::variable, name(), {}};
+        if (accept("(")) return read_parenthesis(grouped);
+        return {TypeKind::variable, read_name(), {}};
     }
 
-    WrittenType closed(TypeKind kind, std::string_view close) {
-        WrittenType result{kind, "", {type()}};
+    WrittenType read_until_bracket(TypeKind kind, std::string_view close) {
+        WrittenType result{kind, "", {read_whole_type()}};
         accept(close);
         return result;
     }
 
     // (T) is a group; (T, U) is a tuple, or the arguments of a function.
-    WrittenType parenthesis(bool& grouped) {
+    WrittenType read_parenthesis(bool& grouped) {
         grouped = true;
         WrittenType result{TypeKind::tuple, "", {}};
-        if (!peek(")")) result.args.push_back(type());
-        while (accept(",")) result.args.push_back(type());
+        if (!peek(")")) result.args.push_back(read_whole_type());
+        while (accept(",")) result.args.push_back(read_whole_type());
         accept(")");
         if (result.args.size() != 1) return result;
         if (peek("->")) return result;
@@ -106,7 +106,7 @@ private:
         return only;
     }
 
-    void space() {
+    void skip_spaces() {
         while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     }
     [[nodiscard]] bool peek(std::string_view token) const { return text_.substr(at_).starts_with(token); }
@@ -114,10 +114,10 @@ private:
         if (!peek(token)) return false;
         if (token == "=>" && peek("=>*")) return false;
         at_ += token.size();
-        space();
+        skip_spaces();
         return true;
     }
-    std::string name() {
+    std::string read_name() {
         const std::size_t start = at_;
         while (at_ < text_.size()) {
             const char c = text_[at_];
@@ -125,7 +125,7 @@ private:
             ++at_;
         }
         std::string result(text_.substr(start, at_ - start));
-        space();
+        skip_spaces();
         return result;
     }
 
@@ -136,7 +136,7 @@ private:
 }  // namespace
 
 WrittenScheme read_type(std::string_view text) {
-    return TypeReader(text).scheme();
+    return TypeReader(text).read_scheme();
 }
 
 }  // namespace robochart::cspm::types

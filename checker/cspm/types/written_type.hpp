@@ -22,7 +22,7 @@ struct WrittenScheme {
     WrittenType type;
 };
 
-/// The text must have been accepted by the reader (Parser::type_scheme).
+/// The reader must have accepted the text (parse_type.cpp).
 [[nodiscard]] WrittenScheme read_type(std::string_view text);
 
 }  // namespace robochart::cspm::types

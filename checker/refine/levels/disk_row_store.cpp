@@ -41,7 +41,8 @@ DiskRowStore::DiskRowStore(KeptWhere where, Bounds bounds)
       aside_(path_of("aside", where), where.kind, bounds_.most_bytes / 16 * aside_part),
       late_level_(no_level),
       late_(new_store()) {
-    kept_.load(record(), [this](Level level, StateView row) { aside_.add(row, StateStore::hash(row), level); });
+    kept_.load_checkpoint(record(),
+                          [this](Level level, StateView row) { aside_.add(row, StateStore::hash(row), level); });
     if (levels() > 0) fill_filter();
 }
 
@@ -52,10 +53,10 @@ DiskRowStore::~DiskRowStore() {
 /// For the open level the number is only a lower bound, because a row that was found again after it had been written is
 /// in several runs.
 std::uint64_t DiskRowStore::rows(Level level) const {
-    return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest());
+    return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest_run());
 }
 
-RowStore::Found DiskRowStore::enter(StateView row, std::uint64_t hash) {
+RowStore::Found DiskRowStore::enter_row(StateView row, std::uint64_t hash) {
     ++met_;
     if (open_->find(row, hash) != lts::no_state) return Found::again;
     if (levels() > 0 && filter_.may_have(hash)) {
@@ -167,7 +168,7 @@ bool DiskRowStore::wants_to_settle() const {
 namespace {
 
 /// Compares rows of `width` words. The result is negative, 0 or positive for less, equal or greater.
-int compared(const Word* a, const Word* b, std::size_t width) {
+int compare_rows(const Word* a, const Word* b, std::size_t width) {
     for (std::size_t i = 0; i < width; ++i)
         if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
     return 0;
@@ -179,25 +180,25 @@ public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
     /// Advances to the first row that is not before `wanted`, in increasing steps (Bentley and Yao, Information
     /// Processing Letters 5(3), 1976). False if there is none.
-    bool seek(const Word* wanted) {
-        if (at_ == end() || !before(at_, wanted)) return at_ != end();
+    bool seek_row(const Word* wanted) {
+        if (at_ == end() || !is_before(at_, wanted)) return at_ != end();
         std::size_t step = stride();
         std::size_t low = at_;  // a row before `wanted`
-        while (end() - low > step && before(low + step, wanted)) {
+        while (end() - low > step && is_before(low + step, wanted)) {
             low += step;
             step *= 2;
         }
         std::size_t high = std::min(end(), low + step);
         while (high - low > stride()) {
             const std::size_t middle = low + (high - low) / stride() / 2 * stride();
-            (before(middle, wanted) ? low : high) = middle;
+            (is_before(middle, wanted) ? low : high) = middle;
         }
         at_ = high;
         return at_ != end();
     }
     [[nodiscard]] const Word* row() const { return &rows_[at_]; }
-    [[nodiscard]] Level level() const { return rows_[at_ + width_]; }
-    void mark() { rows_[at_ + width_] = no_level; }
+    [[nodiscard]] Level current_level() const { return rows_[at_ + width_]; }
+    void mark_found() { rows_[at_ + width_] = no_level; }
 
     /// Removes the marked rows.
     void remove_marked() {
@@ -213,8 +214,8 @@ public:
 private:
     [[nodiscard]] std::size_t stride() const { return width_ + 1; }
     [[nodiscard]] std::size_t end() const { return rows_.size(); }
-    [[nodiscard]] bool before(std::size_t at, const Word* wanted) const {
-        return compared(&rows_[at], wanted, width_) < 0;
+    [[nodiscard]] bool is_before(std::size_t at, const Word* wanted) const {
+        return compare_rows(&rows_[at], wanted, width_) < 0;
     }
     std::vector<Word>& rows_;
     std::size_t width_;
@@ -228,20 +229,20 @@ private:
 void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
     Sought sought(rows, width());
     const auto wants = [&](StateView first, StateView next) {
-        return sought.seek(first.data()) && (next.empty() || compared(sought.row(), next.data(), width()) < 0);
+        return sought.seek_row(first.data()) && (next.empty() || compare_rows(sought.row(), next.data(), width()) < 0);
     };
     bool any = false;
     kept_.files().each_block_if(level, wants, [&](StateView block) {
         if (polled) kept_.poll();
         for (std::size_t at = 0; at < block.size(); at += width()) {
             const Word* const row = &block[at];
-            int order = compared(sought.row(), row, width());
+            int order = compare_rows(sought.row(), row, width());
             if (order < 0) {
-                if (!sought.seek(row)) return;
-                order = compared(sought.row(), row, width());
+                if (!sought.seek_row(row)) return;
+                order = compare_rows(sought.row(), row, width());
             }
-            if (order > 0 || level > sought.level()) continue;
-            sought.mark();
+            if (order > 0 || level > sought.current_level()) continue;
+            sought.mark_found();
             any = true;
         }
     });
@@ -286,7 +287,7 @@ bool DiskRowStore::settle_aside(bool going_on) {
     return joined;
 }
 
-std::optional<Level> DiskRowStore::settle() {
+std::optional<Level> DiskRowStore::settle_unsure_rows() {
     const bool joined = settle_aside(true);
     met_ = 0;
     new_ = 0;

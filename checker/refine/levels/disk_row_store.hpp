@@ -51,13 +51,13 @@ public:
         open_->prefetch(hash);
         filter_.prefetch(hash);
     }
-    Found enter(lts::StateView row, std::uint64_t hash) override;
+    Found enter_row(lts::StateView row, std::uint64_t hash) override;
     void close_level() override;
     std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) override {
         return kept_.files().read(level, first, most, rows);
     }
     [[nodiscard]] bool wants_to_settle() const override;
-    [[nodiscard]] std::optional<Level> settle() override;
+    [[nodiscard]] std::optional<Level> settle_unsure_rows() override;
     void roll_back_to(Level level) override;
     [[nodiscard]] bool wants_checkpoint() const override { return kept_.checkpoint_due(); }
     void checkpoint() override;

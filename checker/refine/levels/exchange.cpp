@@ -3,7 +3,7 @@
 
 namespace robochart::refine {
 
-void Exchange::count(const Messages& out) {
+void Exchange::count_messages(const Messages& out) {
     ++traffic_.rounds;
     for (unsigned to = 0; to < ranks(); ++to) {
         if (to == rank() || out.sizes[to] == 0) continue;

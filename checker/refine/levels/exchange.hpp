@@ -24,7 +24,7 @@ using Words = std::vector<lts::Word>;
 /// One message to, or from, each rank, all in one block of memory.
 struct Messages {
     explicit Messages(unsigned ranks) : begins(ranks), sizes(ranks) {}
-    [[nodiscard]] lts::StateView of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
+    [[nodiscard]] lts::StateView message_of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
 
     Words words;
     std::vector<std::size_t> begins, sizes;  ///< by rank: the place of its message
@@ -69,7 +69,7 @@ public:
     [[nodiscard]] virtual bool left_together() const { return left_together_; }
 
 protected:
-    void count(const Messages& out);
+    void count_messages(const Messages& out);
 
 private:
     Traffic traffic_;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "checker/storage/sort_rows.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "checker/storage/sort_rows.hpp"
 
 namespace robochart::refine {
 
@@ -25,7 +25,7 @@ KeptLevels::KeptLevels(KeptWhere where)
 /// levels that all ranks have are complete, except for unsure rows, because a rank starts a level only when all have
 /// closed the one before. The last of them is expanded again, which finds the rows of later levels, including those
 /// that were unsure.
-void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
+void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
     // Numbers of checkpoints that only some ranks have used are not used again.
     const std::uint64_t greatest = where_.from.greatest;
@@ -42,7 +42,7 @@ void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
         files_.adopt(found[where_.place.rank], where_.poll);
         files_.forget_from(levels);
     } else {
-        redistribute(found, levels);
+        redistribute_rows(found, levels);
     }
     files_.number_from(greatest);
     const std::size_t width = where_.kind.width;
@@ -60,7 +60,8 @@ void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
                 const Level level = rows[at + width];
                 if (level >= each.levels)
                     throw storage::BadFile(fmt::format("{}/{}: it has rows of level {}, which is not closed",
-                                                       diagnostics::shown(where_.folder), each.unsure.name, level));
+                                                       diagnostics::escape_for_display(where_.folder), each.unsure.name,
+                                                       level));
                 if (level < levels && mine(row)) unsure(level, row);
             }
         });
@@ -79,18 +80,18 @@ void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
 void KeptLevels::check(const storage::Checkpoint& found) const {
     if (found.levels > found.expanded.size() + 1)
         throw storage::BadFile(
-            fmt::format("{}/{}: it has {} levels, and figures of {}", diagnostics::shown(where_.folder),
+            fmt::format("{}/{}: it has {} levels, and figures of {}", diagnostics::escape_for_display(where_.folder),
                         storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
 /// Collects the rows of this rank from the files of all former ranks. Each former rank gives one run; then the runs are
 /// merged.
-void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Level levels) {
+void KeptLevels::redistribute_rows(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
         all.emplace_back(storage::FolderOf{where_.folder, where_.kind, each.place});
         all.back().adopt(each, where_.poll);
-        all.back().rest();
+        all.back().close_finished_files();
     }
     std::uint64_t before = 0;
     storage::SortedRuns runs(path_of("runs", where_), where_.kind);
@@ -99,7 +100,7 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Lev
         for (storage::LevelFiles& files : all) {
             before += files.rows(level);
             rows += add_mine(files, level, runs);
-            files.rest();
+            files.close_finished_files();
         }
         files_.add_level([&](const storage::TakeRows& take) {
             runs.merge([&](std::span<const Word> piece) {
@@ -110,7 +111,7 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Lev
         runs.clear();
         if (files_.rows(level) != rows)
             throw storage::BadFile(fmt::format("{}/{}: a row of level {} is also in the part of another thread",
-                                               diagnostics::shown(where_.folder),
+                                               diagnostics::escape_for_display(where_.folder),
                                                storage::name_of(found[0].number, found[0].place), level));
     }
     rows_before_ = before;

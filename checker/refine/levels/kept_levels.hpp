@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
+#include "base/diagnostics/descriptor.hpp"
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/level_files.hpp"
 #include "checker/storage/sorted_runs.hpp"
-#include "base/diagnostics/descriptor.hpp"
 
 namespace robochart::refine {
 
@@ -44,7 +44,7 @@ public:
     /// Continues from the checkpoint, if there is one: files() then contains the levels that all its ranks have closed,
     /// and the record describes these levels. `unsure` is called after the levels have been loaded. Throws
     /// storage::BadFile, and the exceptions of `unsure`.
-    void load(SearchRecord& record, const TakeUnsure& unsure);
+    void load_checkpoint(SearchRecord& record, const TakeUnsure& unsure);
 
     /// The number of rows in these levels at all former ranks. No value if loading has not redistributed the rows.
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const { return rows_before_; }
@@ -64,7 +64,7 @@ public:
 
 private:
     void check(const storage::Checkpoint& found) const;
-    void redistribute(const std::vector<storage::Checkpoint>& found, Level levels);
+    void redistribute_rows(const std::vector<storage::Checkpoint>& found, Level levels);
     std::uint64_t add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs);
 
     KeptWhere where_;

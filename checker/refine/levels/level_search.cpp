@@ -24,13 +24,13 @@ constexpr std::size_t rows_a_block = 256;
 /// Adds the processor time of this thread during its lifetime.
 class Timed {
 public:
-    explicit Timed(double& seconds) : seconds_(seconds), start_(now()) {}
+    explicit Timed(double& seconds) : seconds_(seconds), start_(thread_seconds()) {}
     Timed(const Timed&) = delete;
     Timed& operator=(const Timed&) = delete;
-    ~Timed() { seconds_ += now() - start_; }
+    ~Timed() { seconds_ += thread_seconds() - start_; }
 
 private:
-    static double now() {
+    static double thread_seconds() {
         timespec time{};
         clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
         return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
@@ -75,13 +75,13 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
             expand_level(level);
             const bool violated = agreed_.faults + agreed_.forbidden > 0;
             if (violated || agreed_.open == 0 || agreed_.wants_to_settle > 0) {
-                const std::optional<Level> wrong = settle();
+                const std::optional<Level> wrong = settle_unsure_rows();
                 if (wrong && *wrong <= level + (violated ? 0 : 1)) {
                     roll_back_to(*wrong);
                     continue;
                 }
                 if (violated || agreed_.open == 0) {
-                    count(level);
+                    count_levels(level);
                     if (!violated) return std::nullopt;
                     return finding_of(least_fault().value(), level);
                 }
@@ -89,18 +89,18 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
             close_level();
         }
     } catch (const diagnostics::LimitReached&) {
-        count(depth_ > 0 ? static_cast<Level>(depth_) : 0);
-        keep();
+        count_levels(depth_ > 0 ? static_cast<Level>(depth_) : 0);
+        write_last_checkpoint();
         throw;
     } catch (const std::bad_alloc&) {
-        keep();
+        write_last_checkpoint();
         throw;
     }
 }
 
 /// Writes a checkpoint when all ranks leave the search together; otherwise only for this rank. If no level is closed,
 /// there is nothing to continue from.
-void LevelSearch::keep() {
+void LevelSearch::write_last_checkpoint() {
     if (!exchange_.left_together()) {
         if (store_.levels() > 0) store_.checkpoint();
         return;
@@ -114,21 +114,21 @@ void LevelSearch::keep() {
 /// The run is not killed before all ranks have written their checkpoints.
 void LevelSearch::checkpoint(SharedWork& work) {
     std::shared_ptr<void> held;
-    work.attempt([&] {
-        held = undisturbed();
+    work.execute_part([&] {
+        held = hold_undisturbed();
         if (store_.levels() > 0) store_.checkpoint();
     });
     work.sum({});
 }
 
 /// Only the first rank knows how a run is killed.
-std::shared_ptr<void> LevelSearch::undisturbed() const {
+std::shared_ptr<void> LevelSearch::hold_undisturbed() const {
     const auto& hold = budget_.limits().undisturbed;
     return hold && exchange_.rank() == 0 ? hold() : nullptr;
 }
 
 void LevelSearch::close_level_of_store() {
-    const std::shared_ptr<void> held = undisturbed();
+    const std::shared_ptr<void> held = hold_undisturbed();
     store_.close_level();
 }
 
@@ -142,20 +142,20 @@ void LevelSearch::use_expander(bool taus_alone) {
 
 /// Enters the initial row. If the store continues an earlier run, reads the statistics so far instead.
 void LevelSearch::begin() {
-    work_.attempt([this] {
+    work_.execute_part([this] {
         if (store_.levels() > 0) return;
         Words first(store_.width());
         if (nodes_) first[0] = monitor_.start();
-        const std::uint64_t chased_before = system_.chased();
+        const std::uint64_t chased_before = system_.chased_state_count();
         system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
         const std::uint64_t hash = lts::StateStore::hash(first);
         if (owner_of(hash, exchange_.ranks()) != exchange_.rank()) return;
-        figures_.chased = system_.chased() - chased_before;
-        store_.enter(first, hash);
+        figures_.chased = system_.chased_state_count() - chased_before;
+        store_.enter_row(first, hash);
     });
     before_ = figures_until(store_.record().expanded.size());
-    agree(0);
-    work_.attempt([this] {
+    agree_on_totals(0);
+    work_.execute_part([this] {
         if (agreed_.known == 0) throw std::logic_error("no rank has the initial state");
         const std::optional<std::uint64_t> before = store_.rows_before();
         if (before && *before != agreed_.known)
@@ -172,12 +172,12 @@ void LevelSearch::expand_level(Level level) {
     fault_.reset();
     forbidden_.reset();
     level_seconds_.resize(level + std::size_t{1});
-    if (exchange_.ranks() > 1) work_.attempt([this] { sent_.fit(store_.bytes() / 64); });
+    if (exchange_.ranks() > 1) work_.execute_part([this] { sent_.resize_to_fit(store_.bytes() / 64); });
     std::uint64_t next = 0;
     do {
         {
             const Timed timed(level_seconds_[level]);
-            work_.attempt([&] {
+            work_.execute_part([&] {
                 budget_.check();  // called after all waiting
                 expand_some(level, next);
             });
@@ -185,15 +185,15 @@ void LevelSearch::expand_level(Level level) {
         if (exchange_.ranks() > 1) batches_.exchange(exchange_);
         {
             const Timed timed(level_seconds_[level]);
-            work_.attempt([&] {
+            work_.execute_part([&] {
                 if (exchange_.ranks() > 1)
                     batches_.receive(
                         [this](std::uint64_t hash) { store_.prefetch(hash); },
-                        [this](StateView row, std::uint64_t hash, bool by_tau) { enter(row, hash, by_tau); });
+                        [this](StateView row, std::uint64_t hash, bool by_tau) { enter_row(row, hash, by_tau); });
                 budget_.states(store_.size());
             });
         }
-        agree(store_.rows(level) - next);
+        agree_on_totals(store_.rows(level) - next);
         const std::uint64_t most = budget_.limits().max_states;
         if (agreed_.known > most) {
             exchange_.leave_together();  // all ranks have the same sum
@@ -209,14 +209,14 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     // message.
     const std::uint64_t most_waiting =
         std::clamp(store_.bytes() / 32, std::uint64_t{1} << 13U, std::uint64_t{1} << 26U);
-    for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
+    for (std::size_t done = 0; done < rows_a_round && !batches_.is_full(most_waiting);) {
         block_.clear();
         const std::size_t count = store_.read(level, next, rows_a_block, block_);
         if (count == 0) return;
         expansion_.clear(width);
         for (std::size_t i = 0; i < count; ++i) {
-            if (expansion_.size() >= rows_at_once) take();
-            if (batches_.full(most_waiting)) {
+            if (expansion_.size() >= rows_at_once) distribute_rows();
+            if (batches_.is_full(most_waiting)) {
                 next += i;
                 return;
             }
@@ -234,7 +234,7 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
                 return;
             }
         }
-        take();
+        distribute_rows();
         next += count;
         done += count;
     }
@@ -252,7 +252,7 @@ void LevelSearch::expand(StateView row) {
 
 /// Collects the rows of other ranks for sending and enters the rows of this rank. Whether a tau leads back depends on
 /// the level, so the target of a tau is sent each time.
-void LevelSearch::take() {
+void LevelSearch::distribute_rows() {
     const unsigned ranks = exchange_.ranks();
     const unsigned self = exchange_.rank();
     own_.clear();
@@ -265,21 +265,22 @@ void LevelSearch::take() {
             continue;
         }
         const bool by_tau = note_taus_ && expansion_.by_tau(i);
-        if (by_tau || !sent_.again(expansion_.row(i), hash)) batches_.add(owner, expansion_.row(i), by_tau);
+        if (by_tau || !sent_.sent_recently(expansion_.row(i), hash)) batches_.add(owner, expansion_.row(i), by_tau);
     }
-    for (const std::uint32_t i : own_) enter(expansion_.row(i), expansion_.hash(i), note_taus_ && expansion_.by_tau(i));
+    for (const std::uint32_t i : own_)
+        enter_row(expansion_.row(i), expansion_.hash(i), note_taus_ && expansion_.by_tau(i));
     expansion_.clear(store_.width());
 }
 
 /// A tau leads back if its target is a row of the same level or an earlier one. Every cycle of taus contains such a
 /// tau.
-void LevelSearch::enter(StateView row, std::uint64_t hash, bool by_tau) {
-    const RowStore::Found found = store_.enter(row, hash);
+void LevelSearch::enter_row(StateView row, std::uint64_t hash, bool by_tau) {
+    const RowStore::Found found = store_.enter_row(row, hash);
     if (by_tau && (found == RowStore::Found::earlier || found == RowStore::Found::unsure))
         store_.record().marks.insert(row, hash);
 }
 
-void LevelSearch::agree(std::uint64_t waiting) {
+void LevelSearch::agree_on_totals(std::uint64_t waiting) {
     const LevelFigures so_far{before_.transitions + figures_.transitions, before_.chased + figures_.chased};
     std::uint64_t values[] = {waiting,
                               store_.size(),
@@ -295,9 +296,9 @@ void LevelSearch::agree(std::uint64_t waiting) {
 }
 
 /// Returns the least level in which some rank has missed a row.
-std::optional<Level> LevelSearch::settle() {
+std::optional<Level> LevelSearch::settle_unsure_rows() {
     std::optional<Level> wrong;
-    work_.attempt([&] { wrong = store_.settle(); });
+    work_.execute_part([&] { wrong = store_.settle_unsure_rows(); });
     work_.sum({});
     std::optional<Level> least;
     for (const Words& each : exchange_.gather(wrong ? Words{*wrong} : Words{}))
@@ -306,7 +307,7 @@ std::optional<Level> LevelSearch::settle() {
 }
 
 void LevelSearch::roll_back_to(Level level) {
-    work_.attempt([&] { store_.roll_back_to(level); });
+    work_.execute_part([&] { store_.roll_back_to(level); });
     sent_.clear();
     work_.sum({});
     std::vector<LevelFigures>& expanded = store_.record().expanded;
@@ -318,12 +319,12 @@ void LevelSearch::roll_back_to(Level level) {
     if (expanded.size() < level)
         close_level();
     else
-        work_.attempt([this] { close_level_of_store(); });
+        work_.execute_part([this] { close_level_of_store(); });
 }
 
 /// The expanded level and the open level are complete.
 void LevelSearch::close_level() {
-    work_.attempt([this] {
+    work_.execute_part([this] {
         store_.record().expanded.push_back(figures_);
         before_ = figures_until(store_.record().expanded.size());
         figures_ = {};
@@ -348,7 +349,7 @@ LevelFigures LevelSearch::figures_until(std::size_t levels) const {
 }
 
 /// Counts all levels up to this one, which has been expanded.
-void LevelSearch::count(Level last) {
+void LevelSearch::count_levels(Level last) {
     transitions_ = agreed_.transitions;
     chased_ = agreed_.chased;
     states_ = agreed_.known - agreed_.open;
@@ -457,7 +458,7 @@ Run LevelSearch::run_to(const Words& row, Level level) {
 /// Every rank searches its part of the level.
 LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
     std::optional<Step> least;
-    work_.attempt([&] {
+    work_.execute_part([&] {
         StepTo finder(monitor_, nodes_, row);
         const std::size_t width = store_.width();
         for (std::uint64_t next = 0;;) {

@@ -54,7 +54,7 @@ public:
     // Statistics of all ranks. If a violation was found, they cover the levels up to that of the violation.
     [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
-    [[nodiscard]] std::uint64_t chased() const { return chased_; }
+    [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
     // Statistics of this rank. For each level, the processor time of expanding it and of entering the rows found.
@@ -83,22 +83,22 @@ private:
     struct Step;
 
     void begin();
-    void keep();
+    void write_last_checkpoint();
     void checkpoint(SharedWork& work);
-    [[nodiscard]] std::shared_ptr<void> undisturbed() const;
+    [[nodiscard]] std::shared_ptr<void> hold_undisturbed() const;
     void close_level_of_store();
     std::optional<LevelFinding> search();
     void expand_level(Level level);
     void expand_some(Level level, std::uint64_t& next);
-    void take();
+    void distribute_rows();
     void expand(lts::StateView row);
     void use_expander(bool taus_alone);
-    void enter(lts::StateView row, std::uint64_t hash, bool by_tau);
-    void agree(std::uint64_t waiting);
-    std::optional<Level> settle();
+    void enter_row(lts::StateView row, std::uint64_t hash, bool by_tau);
+    void agree_on_totals(std::uint64_t waiting);
+    std::optional<Level> settle_unsure_rows();
     void roll_back_to(Level level);
     void close_level();
-    void count(Level last);
+    void count_levels(Level last);
     [[nodiscard]] std::uint64_t bytes() const;
     [[nodiscard]] LevelFigures figures_until(std::size_t levels) const;
 

@@ -5,7 +5,7 @@
 
 namespace robochart::refine {
 
-RowStore::Found MemoryRowStore::enter(lts::StateView row, std::uint64_t hash) {
+RowStore::Found MemoryRowStore::enter_row(lts::StateView row, std::uint64_t hash) {
     const lts::StateStore::Insertion insertion = rows_.insert(row, hash);
     if (insertion.fresh) return Found::fresh;
     return insertion.index < begin(levels()) ? Found::earlier : Found::again;

@@ -14,11 +14,11 @@ public:
     [[nodiscard]] std::uint64_t rows(Level level) const override { return end(level) - begin(level); }
     [[nodiscard]] std::uint64_t size() const override { return rows_.size(); }
     void prefetch(std::uint64_t hash) const override { rows_.prefetch(hash); }
-    Found enter(lts::StateView row, std::uint64_t hash) override;
+    Found enter_row(lts::StateView row, std::uint64_t hash) override;
     void close_level() override { ends_.push_back(rows_.size()); }
     std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) override;
     [[nodiscard]] std::uint64_t bytes() const override;
-    [[nodiscard]] bool has(lts::StateView row) const { return rows_.find(row) != lts::no_state; }
+    [[nodiscard]] bool contains_row(lts::StateView row) const { return rows_.find(row) != lts::no_state; }
 
 private:
     [[nodiscard]] std::uint64_t begin(Level level) const { return level == 0 ? 0 : ends_[level - 1]; }

@@ -33,7 +33,7 @@ public:
         ++waiting_;
     }
     /// Whether it is time to send: one message has reached 64 KiB, or all messages together have this many bytes.
-    [[nodiscard]] bool full(std::uint64_t bytes) const {
+    [[nodiscard]] bool is_full(std::uint64_t bytes) const {
         return largest_ * sizeof(lts::Word) >= std::size_t{1} << 16U || waiting_ * width_ * sizeof(lts::Word) >= bytes;
     }
     /// The number of rows in all messages so far.
@@ -45,7 +45,7 @@ public:
     template <class Prefetch, class Enter>
     void receive(const Prefetch& prefetch, const Enter& enter) const {
         for (unsigned rank = 0; rank < messages_.size(); ++rank) {
-            const lts::StateView message = in_.of(rank);
+            const lts::StateView message = in_.message_of(rank);
             if (message.empty()) continue;
             std::size_t row = 0;
             each_hashed(message.subspan(1), width_, prefetch,

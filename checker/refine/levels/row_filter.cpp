@@ -128,7 +128,8 @@ void RowFilter::add(std::uint64_t hash) {
 }
 
 /// The rows of a part are stored before its zero.
-bool RowFilter::has(const std::uint8_t* bucket, std::uint64_t counts, unsigned part, std::uint32_t wanted) const {
+bool RowFilter::bucket_contains(const std::uint8_t* bucket, std::uint64_t counts, unsigned part,
+                                std::uint32_t wanted) const {
     unsigned zero = zero_after(counts, part);
     for (const std::uint8_t* at = bucket + counts_size + std::size_t{zero - part} * bytes_of_row_;
          zero > 0 && (counts >> (zero - 1) & 1U) != 0; --zero) {
@@ -147,7 +148,7 @@ bool RowFilter::may_have(std::uint64_t hash) const {
     for (std::uint64_t home = home_of(hash), tried = 0; tried < buckets_; ++tried) {
         const std::uint8_t* const at = bucket(home);
         const std::uint64_t counts = counts_of(at);
-        if (has(at, counts, part, wanted)) return true;
+        if (bucket_contains(at, counts, part, wanted)) return true;
         if ((counts & full) == 0) return false;
         home = home + 1 == buckets_ ? 0 : home + 1;
     }

@@ -50,7 +50,8 @@ private:
     [[nodiscard]] std::uint8_t* bucket(std::uint64_t number) const {
         return static_cast<std::uint8_t*>(memory_.get()) + number * line;
     }
-    [[nodiscard]] bool has(const std::uint8_t* bucket, std::uint64_t counts, unsigned part, std::uint32_t wanted) const;
+    [[nodiscard]] bool bucket_contains(const std::uint8_t* bucket, std::uint64_t counts, unsigned part,
+                                       std::uint32_t wanted) const;
 
     unsigned most_bits_;
     std::uint64_t most_bytes_;

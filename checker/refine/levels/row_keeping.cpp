@@ -7,10 +7,10 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/diagnostics/escape.hpp"
 #include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
 #include "checker/storage/file_lock.hpp"
-#include "base/diagnostics/escape.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -21,11 +21,11 @@ std::shared_ptr<const diagnostics::Descriptor> use_folder(const RowKeeping& keep
     const std::string path = keeping.folder + "/" + run_name;
     const auto refuse = [&](const std::string& why) {
         throw storage::BadFile(fmt::format("{}: rank {}: {}: all ranks must see the folder that rank 0 sees",
-                                           diagnostics::shown(path), rank, why));
+                                           diagnostics::escape_for_display(path), rank, why));
     };
     auto file = std::make_shared<diagnostics::Descriptor>(storage::open_to_lock(path, false));
-    if (!file->open() && (errno == EMFILE || errno == ENFILE)) storage::cannot_open(path, errno);
-    if (!file->open()) refuse(std::strerror(errno));
+    if (!file->is_open() && (errno == EMFILE || errno == ENFILE)) storage::cannot_open(path, errno);
+    if (!file->is_open()) refuse(std::strerror(errno));
     if (const std::string why =
             storage::lock(*file, path, storage::Lock::shared, "another run has begun to use this folder");
         !why.empty())

@@ -8,11 +8,11 @@
 #include <memory>
 #include <string>
 
+#include "base/cache/digest.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/levels/exchange.hpp"
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/checkpoint.hpp"
-#include "base/cache/digest.hpp"
 
 namespace robochart::refine {
 

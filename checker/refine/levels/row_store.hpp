@@ -25,7 +25,7 @@ struct LevelFigures {
 struct SearchRecord {
     explicit SearchRecord(std::size_t width) : marks(width) {}
     std::vector<LevelFigures> expanded;  ///< by level: those expanded by this rank so far
-    /// Rows of this rank to which a tau leads from a row of the same level or a later one. There may be further rows.
+    /// Rows of this rank, including at least those to which a tau leads from a row of the same level or a later one.
     lts::StateStore marks;
 };
 
@@ -67,7 +67,7 @@ public:
     virtual void prefetch(std::uint64_t /*hash*/) const {}
     /// Enters a row into the open level if it is new. `hash` is lts::StateStore::hash(row). May throw LimitReached
     /// (disk full, too many rows); closed levels are then unchanged.
-    virtual Found enter(lts::StateView row, std::uint64_t hash) = 0;
+    virtual Found enter_row(lts::StateView row, std::uint64_t hash) = 0;
     /// Closes the open level and opens the next one, which is empty.
     virtual void close_level() = 0;
     /// Appends rows of a closed level to `rows`: those from number `first` on, at most `most`. The order is the store's
@@ -80,7 +80,7 @@ public:
     /// Decides about all unsure rows by comparison with the closed levels. Returns the least level into which one of
     /// them should have been entered; no value if all were found in a level before their own. The search calls it if a
     /// rank wants it, and before any verdict.
-    [[nodiscard]] virtual std::optional<Level> settle() { return std::nullopt; }
+    [[nodiscard]] virtual std::optional<Level> settle_unsure_rows() { return std::nullopt; }
     /// Opens `level` again, which is at most the open level, with its rows and with the settled rows that belong to it.
     /// Later levels and unsure rows are dropped. Rows that were unsure by mistake are stored exactly afterwards. Called
     /// at all ranks with the least level of all ranks.

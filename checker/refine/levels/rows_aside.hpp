@@ -26,7 +26,7 @@ public:
     void add(lts::StateView row, std::uint64_t hash, Level level);
     [[nodiscard]] bool empty() const { return rows() == 0; }
     /// The number of rows; duplicates may count several times.
-    [[nodiscard]] std::uint64_t rows() const { return store_->size() + unwritten() + runs_.rows(); }
+    [[nodiscard]] std::uint64_t rows() const { return store_->size() + unwritten_row_count() + runs_.rows(); }
     [[nodiscard]] bool on_disk() const { return !runs_.empty(); }
     /// Passes all rows in pieces. A piece contains ascending rows without duplicates; each row is followed by its level
     /// as another word. If a row is in several pieces, the first of them has the least level. `take` may change the
@@ -38,7 +38,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t width() const { return store_->width(); }
-    [[nodiscard]] std::uint64_t unwritten() const { return unwritten_.size() / (width() + 1); }
+    [[nodiscard]] std::uint64_t unwritten_row_count() const { return unwritten_.size() / (width() + 1); }
     [[nodiscard]] std::vector<lts::Word> with_levels(lts::StateIndex first, lts::StateIndex end) const;
     void write();
     void each_of_runs(const std::function<void(std::vector<lts::Word>& rows)>& take) const;

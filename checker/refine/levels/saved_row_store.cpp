@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/levels/saved_row_store.hpp"
 
+#include <algorithm>
+
 #include "checker/storage/sort_rows.hpp"
 
 namespace robochart::refine {
@@ -11,7 +13,7 @@ using lts::StateView;
 SavedRowStore::SavedRowStore(KeptWhere where)
     : RowStore(where.kind.width), kept_(std::move(where)), rows_(std::make_unique<MemoryRowStore>(width())) {
     std::vector<std::pair<Level, std::vector<lts::Word>>> unsure;
-    kept_.load(record(), [&](Level level, StateView row) {
+    kept_.load_checkpoint(record(), [&](Level level, StateView row) {
         unsure.emplace_back(level, std::vector<lts::Word>(row.begin(), row.end()));
     });
     std::ranges::sort(unsure);
@@ -21,7 +23,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     for (Level level = 0; level < kept_.files().levels(); ++level) {
         load_until(level + 1);
         for (; next != unsure.end() && next->first == level; ++next)
-            if (!rows_->has(next->second)) late_.push_back(std::move(*next));
+            if (!rows_->contains_row(next->second)) late_.push_back(std::move(*next));
     }
 }
 
@@ -32,14 +34,14 @@ void SavedRowStore::load_until(Level level) {
             kept_.poll();
             for (std::size_t at = 0; at < rows.size(); at += width()) {
                 const StateView row = rows.subspan(at, width());
-                rows_->enter(row, StateStore::hash(row));
+                rows_->enter_row(row, StateStore::hash(row));
             }
         });
         rows_->close_level();
     }
 }
 
-std::optional<Level> SavedRowStore::settle() {
+std::optional<Level> SavedRowStore::settle_unsure_rows() {
     if (late_.empty()) return std::nullopt;
     return late_.front().first;
 }
@@ -57,11 +59,11 @@ void SavedRowStore::roll_back_to(Level level) {
             kept_.poll();
             for (std::size_t at = 0; at < block.size(); at += width()) {
                 const StateView row = block.subspan(at, width());
-                rows_->enter(row, StateStore::hash(row));
+                rows_->enter_row(row, StateStore::hash(row));
             }
         });
     for (const auto& [own, row] : late_)
-        if (own == level) rows_->enter(row, StateStore::hash(row));
+        if (own == level) rows_->enter_row(row, StateStore::hash(row));
     kept_.files().forget_from(level);
     late_.clear();  // the other rows are found again in the levels to which they belong
 }

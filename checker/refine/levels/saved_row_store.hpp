@@ -21,13 +21,13 @@ public:
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
     [[nodiscard]] std::uint64_t size() const override { return rows_->size(); }
     void prefetch(std::uint64_t hash) const override { rows_->prefetch(hash); }
-    Found enter(lts::StateView row, std::uint64_t hash) override { return rows_->enter(row, hash); }
+    Found enter_row(lts::StateView row, std::uint64_t hash) override { return rows_->enter_row(row, hash); }
     void close_level() override { rows_->close_level(); }
     std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) override {
         return rows_->read(level, first, most, rows);
     }
     [[nodiscard]] bool wants_to_settle() const override { return !late_.empty(); }
-    [[nodiscard]] std::optional<Level> settle() override;
+    [[nodiscard]] std::optional<Level> settle_unsure_rows() override;
     void roll_back_to(Level level) override;
     [[nodiscard]] bool wants_checkpoint() const override { return kept_.checkpoint_due(); }
     void checkpoint() override;

@@ -3,7 +3,7 @@
 
 namespace robochart::refine {
 
-void SentRows::fit(std::uint64_t most_bytes) {
+void SentRows::resize_to_fit(std::uint64_t most_bytes) {
     constexpr std::uint64_t cached_bytes = std::uint64_t{1} << 18U;
     const std::uint64_t places = std::min(most_bytes, cached_bytes) / ((width_ + 1) * sizeof(lts::Word));
     if (places < 2 * std::max<std::uint64_t>(places_, 1)) return;

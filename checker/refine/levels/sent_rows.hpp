@@ -19,9 +19,9 @@ public:
     explicit SentRows(std::size_t width) : width_(width) {}
 
     /// Sets the size of the table to this many bytes, within its own limits. If the table grows, all rows are removed.
-    void fit(std::uint64_t most_bytes);
+    void resize_to_fit(std::uint64_t most_bytes);
     /// Whether the row has been sent recently; records it as sent. `hash` is lts::StateStore::hash(row).
-    bool again(lts::StateView row, std::uint64_t hash) {
+    bool sent_recently(lts::StateView row, std::uint64_t hash) {
         if (places_ == 0) return false;
         lts::Word* const place = words_.data() + (hash >> 24U & (places_ - 1)) * (width_ + 1);
         const lts::Word mark = static_cast<lts::Word>(hash) | 1U;

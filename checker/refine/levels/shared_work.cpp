@@ -7,8 +7,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "checker/storage/storage_error.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "checker/storage/storage_error.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -25,13 +25,13 @@ std::string words_of(const std::exception_ptr& error) {
     }
 }
 
-Words packed(const std::string& text) {
+Words pack_text(const std::string& text) {
     Words words((text.size() + sizeof(lts::Word)) / sizeof(lts::Word), 0);  // terminated by a null byte
     std::memcpy(words.data(), text.data(), text.size());
     return words;
 }
 
-std::string unpacked(const Words& words) {
+std::string unpack_text(const Words& words) {
     std::string text(words.size() * sizeof(lts::Word), '\0');
     std::memcpy(text.data(), words.data(), text.size());
     text.resize(std::min(text.find('\0'), text.size()));
@@ -40,22 +40,22 @@ std::string unpacked(const Words& words) {
 
 }  // namespace
 
-void SharedWork::attempt(const std::function<void()>& part) {
+void SharedWork::execute_part(const std::function<void()>& part) {
     if (failure_) return;
     try {
         part();
     } catch (const diagnostics::LimitReached&) {
-        fail(Kind::limit);
+        record_failure(Kind::limit);
     } catch (const std::bad_alloc&) {
-        fail(Kind::limit);
+        record_failure(Kind::limit);
     } catch (const storage::BadFile&) {
-        fail(Kind::bad_file);
+        record_failure(Kind::bad_file);
     } catch (...) {
-        fail(Kind::error);
+        record_failure(Kind::error);
     }
 }
 
-void SharedWork::fail(Kind kind) {
+void SharedWork::record_failure(Kind kind) {
     failure_ = std::current_exception();
     kind_ = kind;
 }
@@ -66,25 +66,25 @@ void SharedWork::sum(std::span<std::uint64_t> values) {
     for (const Kind kind : kinds) values_.push_back(kind_ == kind ? 1 : 0);
     exchange_.sum(values_);
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (values_[values.size() + i] > 0) leave(kinds[i]);
+        if (values_[values.size() + i] > 0) leave_with_failure(kinds[i]);
     std::copy_n(values_.begin(), values.size(), values.begin());
 }
 
-void SharedWork::leave(Kind worst) {
+void SharedWork::leave_with_failure(Kind worst) {
     const bool shown = kind_ == worst;
-    const std::vector<Words> texts = exchange_.gather(shown ? packed(words_of(failure_)) : Words{});
+    const std::vector<Words> texts = exchange_.gather(shown ? pack_text(words_of(failure_)) : Words{});
     exchange_.leave_together();
     if (shown) std::rethrow_exception(failure_);
     const auto first = std::ranges::find_if(texts, [](const Words& text) { return !text.empty(); });
-    const std::string why = first == texts.end() ? "another rank has ended" : unpacked(*first);
+    const std::string why = first == texts.end() ? "another rank has ended" : unpack_text(*first);
     if (worst == Kind::limit) throw diagnostics::LimitReached(why);
     if (worst == Kind::bad_file) throw storage::BadFile(why);
     throw RankFailed("rank " + std::to_string(first - texts.begin()) + ": " + why);
 }
 
-void together(Exchange& exchange, const std::function<void()>& part) {
+void run_together(Exchange& exchange, const std::function<void()>& part) {
     SharedWork work(exchange);
-    work.attempt(part);
+    work.execute_part(part);
     work.sum({});
 }
 

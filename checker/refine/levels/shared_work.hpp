@@ -24,8 +24,8 @@ public:
     explicit SharedWork(Exchange& exchange) : exchange_(exchange) {}
 
     /// Executes this rank's part of the work, unless it has failed already; stores its exception.
-    void attempt(const std::function<void()>& part);
-    [[nodiscard]] bool failed() const { return failure_ != nullptr; }
+    void execute_part(const std::function<void()>& part);
+    [[nodiscard]] bool has_failed() const { return failure_ != nullptr; }
     /// Adds values as Exchange::sum does. If a rank has failed, all ranks throw. That rank throws its stored exception.
     /// The others throw LimitReached with its message for a limit or a lack of memory, storage::BadFile with its
     /// message for a bad file, and RankFailed otherwise. If several ranks have failed, the worst failure counts: an
@@ -35,8 +35,8 @@ public:
 private:
     enum class Kind : std::uint8_t { error, bad_file, limit, none };  // the worst first
 
-    void fail(Kind kind);
-    [[noreturn]] void leave(Kind worst);
+    void record_failure(Kind kind);
+    [[noreturn]] void leave_with_failure(Kind worst);
 
     Exchange& exchange_;
     std::exception_ptr failure_;
@@ -46,6 +46,6 @@ private:
 
 /// Each rank executes its part, which may be empty, and continues when all have finished. If one fails, all throw
 /// (SharedWork::sum).
-void together(Exchange& exchange, const std::function<void()>& part);
+void run_together(Exchange& exchange, const std::function<void()>& part);
 
 }  // namespace robochart::refine

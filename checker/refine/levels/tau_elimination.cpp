@@ -43,14 +43,14 @@ TauElimination::TauElimination(lts::TransitionSystem& system, RowStore& store, E
       reached_(store.width()) {}
 
 std::optional<TauCycle> TauElimination::least_cycle() {
-    follow();
+    find_reached_rows();
     eliminate();
     if (left_everywhere() == 0) return std::nullopt;
     std::vector<Words> rows = at_first_rank();
     // The words are the level, the length of the loop, the row, and then each step of the loop as revealed event and
     // state.
     Words answer;
-    work_.attempt([&] {
+    work_.execute_part([&] {
         if (exchange_.rank() != 0) return;
         const TauCycle cycle = decide(std::move(rows));
         answer = {cycle.level, static_cast<lts::Word>(cycle.loop.steps.size())};
@@ -78,7 +78,7 @@ std::optional<TauCycle> TauElimination::least_cycle() {
 }
 
 /// Repeats rounds until no rank has a waiting row: the taus of waiting rows are sent to the ranks of their targets.
-void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
+void TauElimination::repeat_rounds(const Waiting& waiting, const OnRow& on_target) {
     constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
     constexpr std::uint64_t most_waiting = std::uint64_t{1} << 22U;
     const unsigned ranks = exchange_.ranks();
@@ -93,9 +93,9 @@ void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
     std::uint64_t left[1] = {0};
     do {
         left[0] = 0;
-        work_.attempt([&] {
+        work_.execute_part([&] {
             std::size_t done = 0;
-            for (; done < rows_a_round && !batches_.full(most_waiting); ++done) {
+            for (; done < rows_a_round && !batches_.is_full(most_waiting); ++done) {
                 const std::optional<StateIndex> next = waiting();
                 if (!next) break;
                 budget_.charge();
@@ -106,7 +106,7 @@ void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
             left[0] = done;  // possibly more
         });
         batches_.exchange(exchange_);
-        work_.attempt([&] {
+        work_.execute_part([&] {
             batches_.receive([](std::uint64_t) {},
                              [&](StateView row, std::uint64_t hash, bool) {
                                  on_target(row, hash);
@@ -119,26 +119,27 @@ void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
 }
 
 /// Finds the rows that taus reach from the marks, and counts the taus that lead to each.
-void TauElimination::follow() {
-    work_.attempt([this] {
+void TauElimination::find_reached_rows() {
+    work_.execute_part([this] {
         const lts::StateStore& marks = store_.record().marks;
         for (StateIndex mark = 0; mark < marks.size(); ++mark) reached_.insert(marks[mark]);
         taus_to_.resize(reached_.size(), 0);
     });
     StateIndex next = 0;
-    rounds([&]() -> std::optional<StateIndex> { return next < reached_.size() ? std::optional(next++) : std::nullopt; },
-           [&](StateView row, std::uint64_t hash) {
-               const StateIndex target = reached_.insert(row, hash).index;
-               if (target == taus_to_.size()) taus_to_.push_back(0);
-               ++taus_to_[target];
-           });
+    repeat_rounds(
+        [&]() -> std::optional<StateIndex> { return next < reached_.size() ? std::optional(next++) : std::nullopt; },
+        [&](StateView row, std::uint64_t hash) {
+            const StateIndex target = reached_.insert(row, hash).index;
+            if (target == taus_to_.size()) taus_to_.push_back(0);
+            ++taus_to_[target];
+        });
 }
 
 /// Removes rows to which no tau leads, and repeats this for rows that have lost their last one.
 void TauElimination::eliminate() {
     for (StateIndex row = 0; row < taus_to_.size(); ++row)
         if (taus_to_[row] == 0) dropped_.push_back(row);
-    rounds(
+    repeat_rounds(
         [&]() -> std::optional<StateIndex> {
             if (dropped_.empty()) return std::nullopt;
             const StateIndex row = dropped_.back();
@@ -170,7 +171,7 @@ std::vector<Words> TauElimination::at_first_rank() {
     while (more[0] > 0) {
         more[0] = 0;
         out.words.clear();
-        work_.attempt([&] {
+        work_.execute_part([&] {
             Words block;
             while (level < store_.levels() && out.words.size() < rows_a_message * width) {
                 block.clear();
@@ -192,7 +193,7 @@ std::vector<Words> TauElimination::at_first_rank() {
         });
         out.sizes[0] = out.words.size();
         exchange_.all_to_all(out, in);
-        work_.attempt([&] {
+        work_.execute_part([&] {
             for (std::size_t at = 0; at < in.words.size(); at += width + 1)
                 all.emplace_back(in.words.begin() + static_cast<std::ptrdiff_t>(at),
                                  in.words.begin() + static_cast<std::ptrdiff_t>(at + width + 1));

@@ -38,8 +38,8 @@ private:
     using OnRow = std::function<void(lts::StateView row, std::uint64_t hash)>;
     using Waiting = std::function<std::optional<lts::StateIndex>()>;
 
-    void rounds(const Waiting& waiting, const OnRow& on_target);
-    void follow();
+    void repeat_rounds(const Waiting& waiting, const OnRow& on_target);
+    void find_reached_rows();
     void eliminate();
     [[nodiscard]] std::uint64_t left_everywhere();
     std::vector<Words> at_first_rank();

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "checker/refine/levels/shared_work.hpp"
 #include "base/diagnostics/budget.hpp"
 #include "base/threads/threads.hpp"
+#include "checker/refine/levels/shared_work.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -36,13 +36,13 @@ public:
     /// Returns the exchange of a thread; threads are counted from 0.
     [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned thread);
     /// All other threads that wait now or later throw RankLost.
-    void leave();
+    void leave_meeting();
 
 private:
     class Member;
-    void wait(bool able = true);
+    void wait_for_all(bool able = true);
     template <class Part>
-    void meet(const Part& part);
+    void meet_and_run(const Part& part);
     void exchange_rows();
     void exchange_sums();
     void exchange_words();
@@ -75,9 +75,9 @@ public:
     [[nodiscard]] unsigned ranks_here() const override { return meeting_.threads_; }
 
     void all_to_all(const Messages& out, Messages& in) override {
-        count(out);
+        count_messages(out);
         meeting_.out_[thread_] = &out;
-        meeting_.meet([&] {
+        meeting_.meet_and_run([&] {
             if (thread_ == 0) meeting_.exchange_rows();
             read_those_of_threads(in);
         });
@@ -85,20 +85,20 @@ public:
     }
     void sum(std::span<std::uint64_t> values) override {
         meeting_.sums_[thread_].assign(values.begin(), values.end());
-        meeting_.meet([&] {
+        meeting_.meet_and_run([&] {
             if (thread_ == 0) meeting_.exchange_sums();
         });
         std::ranges::copy(meeting_.sum_, values.begin());
     }
     [[nodiscard]] std::vector<Words> gather(const Words& own) override {
         meeting_.words_[thread_] = &own;
-        meeting_.meet([&] {
+        meeting_.meet_and_run([&] {
             if (thread_ == 0) meeting_.exchange_words();
         });
         return meeting_.all_words_;
     }
     void broadcast(std::string& bytes) override {
-        meeting_.meet([&] {
+        meeting_.meet_and_run([&] {
             if (thread_ != 0) return;
             meeting_.text_ = bytes;
             meeting_.programs_.broadcast(meeting_.text_);
@@ -119,7 +119,7 @@ private:
         in.words.clear();
         in.words.reserve(size);
         unsigned from = first_rank(meeting_.programs_.rank());
-        for (const Messages* const each : meeting_.out_) append(each->of(rank()), in, from++);
+        for (const Messages* const each : meeting_.out_) append(each->message_of(rank()), in, from++);
     }
     void read_those_of_programs(Messages& in) const {
         const Messages& came = meeting_.from_programs_;
@@ -133,7 +133,7 @@ private:
                 for (unsigned thread = 0; thread < threads; ++thread) append({}, in, from++);
                 continue;
             }
-            const lts::StateView message = came.of(program);
+            const lts::StateView message = came.message_of(program);
             const lts::StateView sizes = message.first(threads * threads);
             const auto mine = sizes.begin() + static_cast<std::ptrdiff_t>(thread_ * threads);
             std::size_t at = std::accumulate(sizes.begin(), mine, sizes.size());
@@ -158,7 +158,7 @@ std::unique_ptr<Exchange> Meeting::exchange(unsigned thread) {
 }
 
 /// `able`: whether this thread can continue afterwards. If one cannot, all others throw RankLost.
-void Meeting::wait(bool able) {
+void Meeting::wait_for_all(bool able) {
     std::unique_lock lock(mutex_);
     if (!able) unable_ = true;
     const std::uint64_t turn = turn_;
@@ -175,18 +175,18 @@ void Meeting::wait(bool able) {
 
 /// All threads wait before and after the part, even if one has failed, because others may still read its data.
 template <class Part>
-void Meeting::meet(const Part& part) {
-    wait();
+void Meeting::meet_and_run(const Part& part) {
+    wait_for_all();
     try {
         part();
     } catch (...) {
-        wait(false);
+        wait_for_all(false);
         throw;
     }
-    wait();
+    wait_for_all();
 }
 
-void Meeting::leave() {
+void Meeting::leave_meeting() {
     const std::scoped_lock lock(mutex_);
     left_ = true;
     all_here_.notify_all();
@@ -213,7 +213,7 @@ void Meeting::exchange_rows() {
             const std::size_t head = words.size();
             for (unsigned to = first; to < first + threads_; ++to)
                 for (const Messages* const each : out_)
-                    words.insert(words.end(), each->of(to).begin(), each->of(to).end());
+                    words.insert(words.end(), each->message_of(to).begin(), each->message_of(to).end());
             if (words.size() == head) words.resize(begin);
         }
         to_programs_.begins[program] = begin;
@@ -264,16 +264,16 @@ public:
     void start() {
         try {
             others_.emplace(
-                static_cast<unsigned>(exchanges_.size()), [this](unsigned thread) { be(thread); },
-                [this] { meeting_.leave(); });
+                static_cast<unsigned>(exchanges_.size()), [this](unsigned thread) { run_as_rank(thread); },
+                [this] { meeting_.leave_meeting(); });
         } catch (const diagnostics::LimitReached& limit) {
             if (programs_.ranks() == 1) throw;
             throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
         }
     }
     /// Executes the caller's part, then waits for the end of all.
-    void finish() {
-        be(0);
+    void finish_all() {
+        run_as_rank(0);
         others_->join();
         if (std::ranges::all_of(exchanges_, [](const auto& each) { return each->left_together(); }))
             programs_.leave_together();
@@ -283,7 +283,7 @@ public:
     }
 
 private:
-    void be(std::size_t thread) {
+    void run_as_rank(std::size_t thread) {
         try {
             return work_(*exchanges_[thread]);
         } catch (const RankLost&) {
@@ -293,7 +293,7 @@ private:
         } catch (...) {
             errors_[thread] = std::current_exception();
         }
-        meeting_.leave();
+        meeting_.leave_meeting();
     }
 
     Exchange& programs_;
@@ -309,8 +309,8 @@ private:
 void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work) {
     if (threads == 1) return work(programs);
     std::optional<Team> team;
-    together(programs, [&] { team.emplace(programs, threads, work).start(); });
-    team->finish();
+    run_together(programs, [&] { team.emplace(programs, threads, work).start(); });
+    team->finish_all();
 }
 
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work) {

@@ -11,7 +11,7 @@ constexpr std::size_t most_compared = 64;
 
 }  // namespace
 
-lts::StateIndex Antichain::number(lts::StateView state) {
+lts::StateIndex Antichain::number_state(lts::StateView state) {
     const lts::StateStore::Insertion insertion = states_.insert(state);
     if (insertion.fresh) {
         nodes_.emplace_back();
@@ -20,7 +20,7 @@ lts::StateIndex Antichain::number(lts::StateView state) {
     return insertion.index;
 }
 
-bool Antichain::covers(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const {
+bool Antichain::is_covered(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const {
     const std::vector<Monitor::Node>& nodes = nodes_[state];
     const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(nodes.size(), most_compared));
     return std::any_of(nodes.begin(), end, [&](Monitor::Node smaller) { return monitor.includes(node, smaller); });
@@ -33,7 +33,7 @@ bool Antichain::is_subsumed(lts::StateIndex state, Monitor::Node node, Monitor& 
                        [&](Monitor::Node smaller) { return smaller != node && monitor.includes(node, smaller); });
 }
 
-void Antichain::enter(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair) {
+void Antichain::enter_node(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair) {
     if (nodes_[state].empty()) first_pair_[state] = pair;
     nodes_[state].push_back(node);
 }

@@ -22,10 +22,10 @@ public:
     explicit Antichain(std::size_t width) : states_(width) {}
 
     /// Returns the number of a state, in the order of first appearance.
-    lts::StateIndex number(lts::StateView state);
+    lts::StateIndex number_state(lts::StateView state);
     /// Whether a pair with this state has been entered whose node is included in `node`.
-    [[nodiscard]] bool covers(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
-    void enter(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair);
+    [[nodiscard]] bool is_covered(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
+    void enter_node(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair);
     /// Whether one of the state's pairs has a node that is included in `node` and differs from it.
     [[nodiscard]] bool is_subsumed(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
     [[nodiscard]] lts::StateIndex first_pair(lts::StateIndex state) const { return first_pair_[state]; }

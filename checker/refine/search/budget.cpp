@@ -40,13 +40,14 @@ unsigned Budget::threads() const {
     return diagnostics::threads_wanted(limits_.threads);
 }
 
-void Budget::tell(Time now) {
+void Budget::report_progress(Time now) {
     reported_ = now;
     Progress progress;
     progress.phase = phase_;
     progress.seconds = std::chrono::duration<double>(now - start_).count();
-    progress.resident_bytes = run_.resident();
-    progress.grown_bytes = run_.resident() > resident_at_start_ ? run_.resident() - resident_at_start_ : 0;
+    progress.resident_bytes = run_.resident_memory();
+    progress.grown_bytes =
+        run_.resident_memory() > resident_at_start_ ? run_.resident_memory() - resident_at_start_ : 0;
     if (source_) source_(progress);
     limits_.progress(progress);
 }
@@ -54,7 +55,7 @@ void Budget::tell(Time now) {
 void Budget::poll() {
     run_.check();
     const Time now = std::chrono::steady_clock::now();
-    if (limits_.progress && now - reported_ >= between_reports) tell(now);
+    if (limits_.progress && now - reported_ >= between_reports) report_progress(now);
 }
 
 }  // namespace robochart::refine

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <string>
 
+#include "base/diagnostics/budget.hpp"
 #include "checker/process/operational_semantics.hpp"
 #include "checker/refine/search/limits.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace robochart::refine {
 
@@ -29,11 +29,11 @@ public:
     /// Checks the limits of the run at once. Throws LimitReached.
     void check() { run_.check(); }
     /// Checks at once whether a limit of the run is reached, or the run is interrupted.
-    [[nodiscard]] bool over() { return !run_.reached().empty(); }
+    [[nodiscard]] bool limit_reached() { return !run_.reached_limit().empty(); }
     /// Sets the number of stored states. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;
-    [[nodiscard]] std::uint64_t work() const { return work_; }
+    [[nodiscard]] std::uint64_t work_done() const { return work_; }
     [[nodiscard]] const Limits& limits() const { return limits_; }
     /// `source` fills in the statistics when progress is reported; may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
@@ -45,7 +45,7 @@ private:
     using Time = std::chrono::steady_clock::time_point;
 
     void poll();
-    void tell(Time now);
+    void report_progress(Time now);
 
     const Limits& limits_;
     diagnostics::Budget run_;

@@ -14,11 +14,11 @@ void Expansion::clear(std::size_t width) {
     error = nullptr;
 }
 
-bool Expansion::eventful() const {
-    return faulty() || std::ranges::any_of(pairs, [](const Pair& pair) { return pair.forbidden.has_value(); });
+bool Expansion::has_findings() const {
+    return has_faults() || std::ranges::any_of(pairs, [](const Pair& pair) { return pair.forbidden.has_value(); });
 }
 
-bool Expansion::faulty() const {
+bool Expansion::has_faults() const {
     return error || std::ranges::any_of(pairs, [](const Pair& pair) { return pair.fault.has_value(); });
 }
 
@@ -55,7 +55,7 @@ void Expander::expand(lts::StateView words, Expansion& out) {
     try {
         expand_into(words);
     } catch (...) {
-        out.shrink(before);
+        out.shrink_to(before);
         throw;
     }
 }
@@ -66,9 +66,9 @@ void Expander::expand_into(lts::StateView words) {
     offer_.events.clear();
     offer_.branches = false;
     pair_ = {};
-    const std::uint64_t chased_before = system_.chased();
+    const std::uint64_t chased_before = system_.chased_state_count();
     system_.successors(nodes_ ? words.subspan(1) : words, *this);
-    pair_.chased = system_.chased() - chased_before;
+    pair_.chased = system_.chased_state_count() - chased_before;
     settle_offer();
     pair_.fault = monitor_.examine(node_, offer_);
     pair_.end_row = static_cast<std::uint32_t>(out_->size());

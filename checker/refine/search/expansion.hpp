@@ -33,12 +33,12 @@ public:
     /// Appends a row; the caller fills it in.
     std::span<lts::Word> add(bool by_tau);
     void set_hash(std::uint64_t hash) { hashes_[size_ - 1] = hash; }
-    void shrink(std::size_t size) { size_ = size; }
+    void shrink_to(std::size_t size) { size_ = size; }
 
     /// Whether there are results other than rows.
-    [[nodiscard]] bool eventful() const;
+    [[nodiscard]] bool has_findings() const;
     /// Whether there are results other than rows and forbidden events.
-    [[nodiscard]] bool faulty() const;
+    [[nodiscard]] bool has_faults() const;
 
     std::vector<Pair> pairs;
     std::exception_ptr error;  ///< thrown by the pair after the last
@@ -61,8 +61,8 @@ public:
 
     /// Expands from `first` on, until `end` is reached, there are enough rows, or a pair has failed with an error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
-    /// Expands one more pair, given by its words. `out` must have been cleared for rows of their number. If the system
-    /// throws an exception, removes the rows of the pair and passes the exception on.
+    /// Expands one more pair, given by its words. Before the call, `out` must be cleared with the size of these words.
+    /// If the system throws an exception, removes the rows of the pair and passes the exception on.
     void expand(lts::StateView words, Expansion& out);
     /// After this call only taus are followed.
     void follow_taus_alone() { taus_alone_ = true; }

@@ -33,7 +33,7 @@ public:
     /// Whether every violation after `larger` is also one after `smaller`, by the same run or a shorter one.
     [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
     /// Returns a monitor with the same answers for use in another thread. Null if this is not possible.
-    [[nodiscard]] virtual std::unique_ptr<Monitor> another() { return nullptr; }
+    [[nodiscard]] virtual std::unique_ptr<Monitor> clone_for_thread() { return nullptr; }
 };
 
 }  // namespace robochart::refine

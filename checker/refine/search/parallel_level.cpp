@@ -24,22 +24,24 @@ constexpr std::chrono::milliseconds longest{20};
 class ParallelLevel::Claiming {
 public:
     Claiming(std::vector<Part>& parts, std::size_t number) : parts_(parts), own_(parts[number]), number_(number) {}
-    [[nodiscard]] StateIndex next() const {
+    [[nodiscard]] StateIndex next_claim() const {
         return lts::StateStore::first_claim + static_cast<StateIndex>(number_ * ProvisionalStates::most) +
                own_.claims.size();
     }
-    [[nodiscard]] const lts::Word* row(StateIndex claim) const { return part(claim).claims.row(place(claim)); }
-    void keep(lts::StateView state) { own_.claims.keep(state); }
-    void lose(StateIndex claim) {
-        part(claim).claims.lose(place(claim));
-        part(claim).lost.fetch_add(1, std::memory_order_relaxed);
+    [[nodiscard]] const lts::Word* row(StateIndex claim) const {
+        return part_of_claim(claim).claims.row(place_in_part(claim));
+    }
+    void keep_state(lts::StateView state) { own_.claims.store_state(state); }
+    void lose_claim(StateIndex claim) {
+        part_of_claim(claim).claims.mark_lost(place_in_part(claim));
+        part_of_claim(claim).lost.fetch_add(1, std::memory_order_relaxed);
     }
 
 private:
-    static std::uint32_t place(StateIndex claim) {
+    static std::uint32_t place_in_part(StateIndex claim) {
         return (claim - lts::StateStore::first_claim) % ProvisionalStates::most;
     }
-    [[nodiscard]] Part& part(StateIndex claim) const {
+    [[nodiscard]] Part& part_of_claim(StateIndex claim) const {
         return parts_[(claim - lts::StateStore::first_claim) / ProvisionalStates::most];
     }
     std::vector<Part>& parts_;
@@ -47,12 +49,12 @@ private:
     std::size_t number_;
 };
 
-std::unique_ptr<ParallelLevel> ParallelLevel::make(const lts::TransitionSystem& system, Monitor& monitor,
-                                                   lts::StateStore& pairs, unsigned threads) {
+std::unique_ptr<ParallelLevel> ParallelLevel::create_if_supported(const lts::TransitionSystem& system, Monitor& monitor,
+                                                                  lts::StateStore& pairs, unsigned threads) {
     std::vector<Member> members(threads);
     for (Member& member : members) {
-        member.system = system.another();
-        member.monitor = monitor.another();
+        member.system = system.clone_for_thread();
+        member.monitor = monitor.clone_for_thread();
         if (!member.system || !member.monitor) return nullptr;
         member.expander = std::make_unique<Expander>(*member.system, *member.monitor, pairs);
     }
@@ -89,13 +91,13 @@ StateIndex ParallelLevel::run(StateIndex first, StateIndex end, Work work) {
     work_ = work;
     make_space();
     claimed_ = 0;
-    const std::uint64_t space = pairs_.space();
+    const std::uint64_t space = pairs_.free_state_count();
     const auto begun = std::chrono::steady_clock::now();
     const std::size_t count = std::min<std::size_t>(most_parts, (end - first + pairs_at_once - 1) / pairs_at_once);
     share(count, [&](unsigned member, std::size_t number) {
         const auto from = static_cast<StateIndex>(first + number * pairs_at_once);
         begin(parts_[number], from);
-        fill(members_[member], parts_[number], number, std::min(end - from, pairs_at_once) + from);
+        fill_part(members_[member], parts_[number], number, std::min(end - from, pairs_at_once) + from);
         claimed_ += parts_[number].claims.size();
         if (parts_[number].stopped || claimed_ >= space || std::chrono::steady_clock::now() - begun > longest)
             enough_ = true;
@@ -112,7 +114,7 @@ StateIndex ParallelLevel::run(StateIndex first, StateIndex end, Work work) {
         next += parts_[i].claims.size() - parts_[i].lost;
     }
     pairs_.make_space(next);
-    if (work_ != Work::examine) share(size_, [&](unsigned, std::size_t number) { publish(parts_[number]); });
+    if (work_ != Work::examine) share(size_, [&](unsigned, std::size_t number) { publish_states(parts_[number]); });
     return size_ == 0 ? first : parts_[size_ - 1].first + parts_[size_ - 1].pairs;
 }
 
@@ -126,14 +128,15 @@ void ParallelLevel::begin(Part& part, StateIndex first) {
     part.stopped = false;
 }
 
-void ParallelLevel::fill(Member& member, Part& part, std::size_t number, StateIndex end) {
+void ParallelLevel::fill_part(Member& member, Part& part, std::size_t number, StateIndex end) {
     Expansion& expansion = member.expansion;
     while (!part.stopped && part.first + part.pairs != end) {
         member.expander->expand(part.first + part.pairs, end, rows_at_once, expansion);
         if (work_ == Work::examine)
-            part.stopped = expansion.faulty();
+            part.stopped = expansion.has_faults();
         else
-            part.stopped = expansion.eventful() || !has_space(part, expansion) || !enter(expansion, part, number);
+            part.stopped =
+                expansion.has_findings() || !has_space(part, expansion) || !enter_rows(expansion, part, number);
         for (const Expansion::Pair& pair : expansion.pairs) {
             part.transitions += pair.transitions;
             part.chased += pair.chased;
@@ -152,12 +155,12 @@ bool ParallelLevel::has_space(Part& part, const Expansion& expansion) {
 }
 
 /// Returns false if the table is full.
-bool ParallelLevel::enter(const Expansion& expansion, Part& part, std::size_t number) {
+bool ParallelLevel::enter_rows(const Expansion& expansion, Part& part, std::size_t number) {
     Claiming claiming(parts_, number);
     std::uint32_t pair = 0;
     for (std::size_t row = 0; row < expansion.size(); ++row) {
         while (expansion.pairs[pair].end_row <= row) ++pair;
-        const StateIndex own = claiming.next();
+        const StateIndex own = claiming.next_claim();
         const lts::StateStore::Claim claim = pairs_.claim(expansion.row(row), expansion.hash(row), own, claiming);
         if (claim.index == lts::no_state) return false;
         if (claim.index == own)
@@ -170,7 +173,7 @@ bool ParallelLevel::enter(const Expansion& expansion, Part& part, std::size_t nu
 }
 
 /// Enters the new states of the part's claims permanently.
-void ParallelLevel::publish(Part& part) {
+void ParallelLevel::publish_states(Part& part) {
     constexpr std::uint32_t ahead = 8;
     StateIndex number = part.first_number;
     std::uint32_t next = 0;
@@ -180,9 +183,9 @@ void ParallelLevel::publish(Part& part) {
         for (; next < part.claims.size() && part.claims[next].pair == pair; ++next) {
             if (next + ahead < part.claims.size()) part.claims[next + ahead].slot.prefetch();
             if (!part.claims[next].lost)
-                pairs_.publish(part.claims[next].slot, number++, {part.claims.row(next), pairs_.width()});
+                pairs_.publish_state(part.claims[next].slot, number++, {part.claims.row(next), pairs_.width()});
         }
-        part.found.expanded(number - before);
+        part.found.add_expanded_state(number - before);
     }
     part.lost = 0;
 }

@@ -24,8 +24,8 @@ namespace robochart::refine {
 class ParallelLevel {
 public:
     /// Returns null if the system or the monitor supports only one thread.
-    static std::unique_ptr<ParallelLevel> make(const lts::TransitionSystem& system, Monitor& monitor,
-                                               lts::StateStore& pairs, unsigned threads);
+    static std::unique_ptr<ParallelLevel> create_if_supported(const lts::TransitionSystem& system, Monitor& monitor,
+                                                              lts::StateStore& pairs, unsigned threads);
 
     enum class Work {
         enter,            ///< enters targets
@@ -38,7 +38,7 @@ public:
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
     /// Whether the last call stopped at a pair that it cannot process. One thread then processes this many pairs, or
     /// all up to the end.
-    [[nodiscard]] bool stopped() const { return stopped_; }
+    [[nodiscard]] bool has_stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
     /// After this call only taus are followed.
     void follow_taus_alone();
@@ -74,10 +74,10 @@ private:
     void share(std::size_t count, const std::function<void(unsigned member, std::size_t number)>& work);
     void make_space();
     void begin(Part& part, lts::StateIndex first);
-    void fill(Member& member, Part& part, std::size_t number, lts::StateIndex end);
+    void fill_part(Member& member, Part& part, std::size_t number, lts::StateIndex end);
     static bool has_space(Part& part, const Expansion& expansion);
-    bool enter(const Expansion& expansion, Part& part, std::size_t number);
-    void publish(Part& part);
+    bool enter_rows(const Expansion& expansion, Part& part, std::size_t number);
+    void publish_states(Part& part);
     void give_up(Part& part);
 
     lts::StateStore& pairs_;

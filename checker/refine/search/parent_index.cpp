@@ -39,7 +39,7 @@ void ParentIndex::append(std::uint64_t bits, std::uint32_t count) {
     size_ += count;
 }
 
-void ParentIndex::expanded(std::uint32_t found) {
+void ParentIndex::add_expanded_state(std::uint32_t found) {
     constexpr std::uint32_t at_once = 32;
     for (; found > at_once; found -= at_once) append((std::uint64_t{1} << at_once) - 1, at_once);
     append((std::uint64_t{1} << found) - 1, found + 1);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The BFS parents of states as a succinct bit vector (rank/select), two bits for each state. States are numbered in the
-// order of discovery and expanded in the same order, so it suffices to store how many states each one found: a one for
-// each state found, a zero after each state expanded. The parent of a state is the number of zeros before its one.
+// Stores the BFS parents of states as a succinct bit vector (rank/select), two bits for each state. States are numbered
+// in the order of discovery and expanded in the same order, so it suffices to store how many states each one found. The
+// vector contains a one for each state found and a zero after each state expanded. The parent of a state is the number
+// of zeros before the one of that state.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace robochart::refine {
 class ParentIndex {
 public:
     /// Records that the next state has been expanded and has found this many new states.
-    void expanded(std::uint32_t found);
+    void add_expanded_state(std::uint32_t found);
     /// Appends the record of another index, which describes the following states.
     void append(const ParentIndex& next);
     void clear();

@@ -47,7 +47,7 @@ public:
         return true;
     }
     /// Stores the state of the next claim.
-    void keep(lts::StateView state) {
+    void store_state(lts::StateView state) {
         const Place place = place_of(size_);
         std::ranges::copy(state, chunks_[place.chunk].words.get() + place.offset * width_);
         chunks_[place.chunk].claims[place.offset].lost = false;
@@ -59,7 +59,9 @@ public:
         claim.pair = pair;
     }
     /// Called by the thread whose claim has replaced this one.
-    void lose(std::uint32_t number) { std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed); }
+    void mark_lost(std::uint32_t number) {
+        std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed);
+    }
 
 private:
     // Chunk k contains first_chunk * 2^k claims.

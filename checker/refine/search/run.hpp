@@ -21,7 +21,9 @@ struct Run {
     std::vector<lts::Word> initial;
     std::vector<RunStep> steps;
 
-    [[nodiscard]] const std::vector<lts::Word>& last() const { return steps.empty() ? initial : steps.back().state; }
+    [[nodiscard]] const std::vector<lts::Word>& last_state() const {
+        return steps.empty() ? initial : steps.back().state;
+    }
     /// Returns the visible events and tick of the run.
     [[nodiscard]] std::vector<process::Event> trace() const {
         std::vector<process::Event> events;

@@ -36,11 +36,11 @@ void Search::begin() {
     });
     std::vector<lts::Word> first(pairs_.width());
     if (nodes_) first[0] = monitor_.start();
-    const std::uint64_t chased_before = system_.chased();
+    const std::uint64_t chased_before = system_.chased_state_count();
     system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
-    chased_ += system_.chased() - chased_before;
-    enter(first, lts::StateStore::hash(first));
-    ahead_ = system_.another() != nullptr;
+    chased_ += system_.chased_state_count() - chased_before;
+    enter_pair(first, lts::StateStore::hash(first));
+    ahead_ = system_.clone_for_thread() != nullptr;
 }
 
 void Search::follow_taus_alone() {
@@ -72,7 +72,7 @@ std::optional<Finding> Search::search_level(StateIndex first, StateIndex end) {
 std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
     while (first != end) {
         expander_.expand(first, ahead_ ? end : first + 1, rows_at_once, expansion_);
-        if (const std::optional<Finding> finding = take(expansion_, first)) return finding;
+        if (const std::optional<Finding> finding = enter_results(expansion_, first)) return finding;
         first += static_cast<StateIndex>(expansion_.pairs.size());
     }
     return std::nullopt;
@@ -82,18 +82,18 @@ std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
 std::optional<Finding> Search::search_antichain_level(StateIndex first, StateIndex end) {
     std::vector<bool> needed;
     for (StateIndex pair = first; pair != end; ++pair) {
-        const StateIndex number = antichain_->number(state(pair));
+        const StateIndex number = antichain_->number_state(state(pair));
         needed.push_back(antichain_->first_pair(number) == pair ||
                          !antichain_->is_subsumed(number, node(pair), monitor_));
     }
     for (StateIndex pair = first; pair != end; ++pair) {
         if (!needed[pair - first]) {
             ++expanded_;
-            parents_.expanded(0);
+            parents_.add_expanded_state(0);
             continue;
         }
         expander_.expand(pair, pair + 1, 1, expansion_);
-        if (const std::optional<Finding> finding = take(expansion_, pair)) return finding;
+        if (const std::optional<Finding> finding = enter_results(expansion_, pair)) return finding;
     }
     return std::nullopt;
 }
@@ -101,7 +101,7 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
 /// Threads are started at the first wide level.
 bool Search::several_threads() {
     if (!wide_ && !one_thread_ && budget_.threads() > 1)
-        wide_ = ParallelLevel::make(system_, monitor_, pairs_, budget_.threads());
+        wide_ = ParallelLevel::create_if_supported(system_, monitor_, pairs_, budget_.threads());
     if (wide_ && taus_alone_) wide_->follow_taus_alone();
     one_thread_ = !wide_;
     return !one_thread_;
@@ -111,9 +111,9 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
     while (first != end) {
         const auto entering = note_taus_ ? ParallelLevel::Work::enter_note_taus : ParallelLevel::Work::enter;
         first = wide_->run(first, end, forbidden_ ? ParallelLevel::Work::examine : entering);
-        for (std::size_t i = 0; i < wide_->size(); ++i) note((*wide_)[i]);
+        for (std::size_t i = 0; i < wide_->size(); ++i) record_block((*wide_)[i]);
         budget_.states(pairs_.size());
-        if (!wide_->stopped()) continue;
+        if (!wide_->has_stopped()) continue;
         const StateIndex next = std::min(end - first, ParallelLevel::pairs_at_once) + first;
         if (const std::optional<Finding> finding = search_alone(first, next)) return finding;
         first = next;
@@ -122,7 +122,7 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
 }
 
 /// Records the results of a block like those of single expansions.
-void Search::note(const ParallelLevel::Block& block) {
+void Search::record_block(const ParallelLevel::Block& block) {
     budget_.charge(block.pairs);
     expanded_ += block.pairs;
     transitions_ += block.transitions;
@@ -132,7 +132,7 @@ void Search::note(const ParallelLevel::Block& block) {
 }
 
 /// Enters the results of the pairs from `first` on.
-std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first) {
+std::optional<Finding> Search::enter_results(const Expansion& expansion, StateIndex first) {
     std::size_t row = 0;
     for (const Expansion::Pair& pair : expansion.pairs) {
         budget_.charge();
@@ -159,19 +159,20 @@ void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t fir
     std::uint32_t found = 0;
     for (std::size_t i = first; i < end; ++i) {
         if ((i - first) % between_counts == between_counts - 1) budget_.states(pairs_.size());
-        const lts::StateStore::Insertion insertion = enter(expansion.row(i), expansion.hash(i));
+        const lts::StateStore::Insertion insertion = enter_pair(expansion.row(i), expansion.hash(i));
         if (insertion.fresh) ++found;
-        if (vertex && expansion.by_tau(i)) back_taus_.note(*vertex, insertion.index);
+        if (vertex && expansion.by_tau(i)) back_taus_.note_tau(*vertex, insertion.index);
     }
-    parents_.expanded(found);
+    parents_.add_expanded_state(found);
 }
 
 /// Looks up a pair. With antichains the key is the state, because divergence does not depend on the specification node.
-lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
+lts::StateStore::Insertion Search::enter_pair(StateView row, std::uint64_t hash) {
     if (!antichain_) return pairs_.insert(row, hash);
-    const StateIndex state = antichain_->number(row.subspan(1));
-    if (pairs_.find(row, hash) != lts::no_state || antichain_->covers(state, row[0], monitor_)) return {state, false};
-    antichain_->enter(state, row[0], pairs_.insert(row, hash).index);
+    const StateIndex state = antichain_->number_state(row.subspan(1));
+    if (pairs_.find(row, hash) != lts::no_state || antichain_->is_covered(state, row[0], monitor_))
+        return {state, false};
+    antichain_->enter_node(state, row[0], pairs_.insert(row, hash).index);
     return {state, true};
 }
 
@@ -179,7 +180,7 @@ lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
 /// of this state.
 std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
     if (!antichain_) return pair;
-    const StateIndex number = antichain_->number(state(pair));
+    const StateIndex number = antichain_->number_state(state(pair));
     return antichain_->first_pair(number) == pair ? std::optional(number) : std::nullopt;
 }
 
@@ -239,7 +240,7 @@ void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     system_.successors(state(pair), rows);
     for (std::size_t i = 0; i < rows.hashes.size(); ++i) {
         const StateView row = StateView(rows.words).subspan(i * pairs_.width(), pairs_.width());
-        targets.push_back(antichain_ ? antichain_->number(row.subspan(1)) : pairs_.find(row, rows.hashes[i]));
+        targets.push_back(antichain_ ? antichain_->number_state(row.subspan(1)) : pairs_.find(row, rows.hashes[i]));
     }
 }
 
@@ -260,7 +261,7 @@ std::optional<StateIndex> Search::first_tau_cycle() {
 std::vector<StateIndex> Search::tau_cycle(StateIndex pair) {
     const GraphView graph = tau_graph();
     if (!antichain_) return shortest_cycle(graph, pair);
-    std::vector<StateIndex> cycle = shortest_cycle(graph, antichain_->number(state(pair)));
+    std::vector<StateIndex> cycle = shortest_cycle(graph, antichain_->number_state(state(pair)));
     for (StateIndex& vertex : cycle) vertex = antichain_->first_pair(vertex);
     return cycle;
 }

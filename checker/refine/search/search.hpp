@@ -60,24 +60,24 @@ public:
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
-    [[nodiscard]] std::uint64_t chased() const { return chased_; }
+    [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
 
 private:
     void begin();
     void follow_taus_alone();
     std::optional<Finding> search_level(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> search_antichain_level(lts::StateIndex first, lts::StateIndex end);
-    std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
+    std::optional<Finding> enter_results(const Expansion& expansion, lts::StateIndex first);
     void insert(const Expansion& expansion, lts::StateIndex pair, std::size_t first, std::size_t end);
     std::optional<Finding> search_alone(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> search_wide_level(lts::StateIndex first, lts::StateIndex end);
     bool several_threads();
-    lts::StateStore::Insertion enter(lts::StateView row, std::uint64_t hash);
+    lts::StateStore::Insertion enter_pair(lts::StateView row, std::uint64_t hash);
     class TauRows;
     [[nodiscard]] std::optional<lts::StateIndex> tau_vertex(lts::StateIndex pair);
     [[nodiscard]] GraphView tau_graph();
     void tau_targets(lts::StateIndex pair, std::vector<lts::StateIndex>& targets);
-    void note(const ParallelLevel::Block& block);
+    void record_block(const ParallelLevel::Block& block);
 
     lts::TransitionSystem& system_;
     Monitor& monitor_;

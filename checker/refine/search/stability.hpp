@@ -19,13 +19,13 @@ struct Offer {
     process::EventSet events;
     bool branches = false;  ///< some event is offered more than once
 
-    [[nodiscard]] bool ticks() const { return !events.empty() && events.front() == process::tick; }
-    [[nodiscard]] bool nothing() const { return !tau && events.empty(); }
+    [[nodiscard]] bool can_tick() const { return !events.empty() && events.front() == process::tick; }
+    [[nodiscard]] bool is_empty() const { return !tau && events.empty(); }
 };
 
 /// The least set that the state may accept; no value if it is unstable.
 [[nodiscard]] inline std::optional<process::EventSet> acceptance(const Offer& offer) {
-    if (offer.ticks()) return process::EventSet{process::tick};
+    if (offer.can_tick()) return process::EventSet{process::tick};
     if (offer.tau) return std::nullopt;
     return offer.events;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists the transitions of single states: for counterexamples and their replay, where speed does not matter.
+// Lists the transitions of single states, for counterexamples and their replay, where speed does not matter.
 #pragma once
 
 #include <vector>

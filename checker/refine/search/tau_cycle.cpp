@@ -30,7 +30,7 @@ std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<
         targets.clear();
         graph.successors(vertex, targets);
         for (const StateIndex target : targets) {
-            again.note(vertex, target);
+            again.note_tau(vertex, target);
             meet(target);
         }
     }

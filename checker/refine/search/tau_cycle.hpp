@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cycles in a graph whose edges are computed on demand: in linear time for graphs of all shapes.
+// Finds cycles in a graph whose edges are computed on demand. It takes linear time for graphs of all shapes.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ using lts::GraphView;
 /// contains such an edge.
 class BackTargets {
 public:
-    void note(lts::StateIndex from, lts::StateIndex to) {
+    void note_tau(lts::StateIndex from, lts::StateIndex to) {
         if (to <= from) add(to);
     }
     void add(lts::StateIndex vertex);

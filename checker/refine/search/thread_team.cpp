@@ -20,7 +20,7 @@ void await_change(const std::atomic<unsigned>& value, unsigned old) {
 
 ThreadTeam::ThreadTeam(unsigned size)
     : helpers_(
-          size, [this](unsigned member) { help(member); }, [this] { end(); }) {}
+          size, [this](unsigned member) { serve_rounds(member); }, [this] { end(); }) {}
 
 void ThreadTeam::end() {
     over_ = true;
@@ -48,7 +48,7 @@ void ThreadTeam::work_as(unsigned member) {
     }
 }
 
-void ThreadTeam::help(unsigned member) {
+void ThreadTeam::serve_rounds(unsigned member) {
     for (unsigned seen = 0;;) {
         await_change(round_, seen);
         ++seen;

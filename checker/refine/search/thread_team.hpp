@@ -25,7 +25,7 @@ public:
     void run(const std::function<void(unsigned member)>& work);
 
 private:
-    void help(unsigned member);
+    void serve_rounds(unsigned member);
     void work_as(unsigned member);
     void end();
 

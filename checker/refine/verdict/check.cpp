@@ -55,8 +55,8 @@ Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits&
     return verdict;
 }
 
-std::optional<Violation> found(Earlier earlier, Verdict& verdict,
-                               const std::function<std::optional<Violation>()>& search) {
+std::optional<Violation> reuse_or_search(Earlier earlier, Verdict& verdict,
+                                         const std::function<std::optional<Violation>()>& search) {
     if (earlier != nullptr && *earlier) {
         verdict.known = true;
         verdict.statistics = (*earlier)->statistics;
@@ -72,13 +72,13 @@ Tally::~Tally() {
     statistics_.states += search_.states();
     statistics_.transitions += search_.transitions();
     statistics_.depth = std::max(statistics_.depth, search_.depth());
-    statistics_.chased += search_.chased();
+    statistics_.chased += search_.chased_state_count();
     if (specification_ != nullptr) statistics_.spec_nodes = specification_->size();
 }
 
 namespace {
 
-void fail(Verdict& verdict, Counterexample counterexample) {
+void set_failure(Verdict& verdict, Counterexample counterexample) {
     verdict.outcome = Outcome::fails;
     verdict.counterexample = std::move(counterexample);
 }
@@ -90,13 +90,13 @@ std::vector<process::EventSet> required_after(NormalForm& specification, const V
     if (violation.kind == ViolationKind::divergence) return {};
     if (violation.kind == ViolationKind::trace) trace.pop_back();
     NormalForm::Node node = specification.initial();
-    for (Event event : trace) node = specification.after(node, event).value();
+    for (Event event : trace) node = specification.node_after(node, event).value();
     if (violation.kind == ViolationKind::refusal) return specification.acceptances(node);
     return {specification.initials(node)};
 }
 
 Counterexample violation_counterexample(NormalForm& normal, const Confirmed& confirmed) {
-    Counterexample counterexample = tell(confirmed);
+    Counterexample counterexample = make_counterexample(confirmed);
     counterexample.required = required_after(normal, confirmed.violation);
     if (counterexample.kind == ViolationKind::trace) counterexample.event = counterexample.steps.back().event;
     return counterexample;
@@ -174,16 +174,17 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
         [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
             return search_refinement(normal, system, model, pairs, own, size, known);
         },
-        [&](const lts::EventPermutation& exchange) { return indifference.to(exchange); }};
-    const std::optional<Violation> violation =
-        found(earlier, verdict, [&] { return search_reduced(implementation, budget, verdict.statistics, question); });
+        [&](const lts::EventPermutation& exchange) { return indifference.holds_for(exchange); }};
+    const std::optional<Violation> violation = reuse_or_search(
+        earlier, verdict, [&] { return search_reduced(implementation, budget, verdict.statistics, question); });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
         const bool by_reference = &system != &implementation && specification.reference() != nullptr;
         confirm_refinement_violation(by_reference ? *specification.reference() : specification, system, model, shown,
                                      own);
     };
-    fail(verdict, violation_counterexample(normal, confirmed(implementation, *violation, budget, judge)));
+    set_failure(verdict,
+                violation_counterexample(normal, confirm_violation(implementation, *violation, budget, judge)));
 }
 
 std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
@@ -213,9 +214,10 @@ void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool for
         },
         [](const lts::EventPermutation&) { return true; }};
     const std::optional<Violation> violation =
-        found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
+        reuse_or_search(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
     if (!violation) return;
-    fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
+    set_failure(verdict,
+                make_counterexample(confirm_violation(system, *violation, budget, confirm_property_violation)));
 }
 
 }  // namespace

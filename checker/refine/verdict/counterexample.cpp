@@ -28,7 +28,7 @@ void tell_accepting(const Confirmed& accepting, Counterexample& counterexample) 
     if (accepting.system->states_are_terms()) counterexample.accepting_terms = terms_of(accepting.violation.run);
 }
 
-Counterexample tell(const Confirmed& confirmed) {
+Counterexample make_counterexample(const Confirmed& confirmed) {
     lts::TransitionSystem& system = *confirmed.system;
     const Violation& violation = confirmed.violation;
     Counterexample result;
@@ -46,7 +46,7 @@ Counterexample tell(const Confirmed& confirmed) {
     const bool stops = violation.kind == ViolationKind::refusal || violation.kind == ViolationKind::deadlock ||
                        violation.kind == ViolationKind::nondeterminism;
     if (stops) {
-        const Offer offer = offer_of(steps_from(system, violation.run.last()));
+        const Offer offer = offer_of(steps_from(system, violation.run.last_state()));
         result.offered = acceptance(offer).value_or(offer.events);
     }
     return result;

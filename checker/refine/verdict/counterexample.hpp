@@ -8,7 +8,7 @@
 namespace robochart::refine {
 
 /// Returns the violation with descriptions of its states. The caller fills in `required`.
-[[nodiscard]] Counterexample tell(const Confirmed& confirmed);
+[[nodiscard]] Counterexample make_counterexample(const Confirmed& confirmed);
 /// For nondeterminism: adds the run that accepts the event that the counterexample's run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 

@@ -33,7 +33,7 @@ struct Ambiguity {
 };
 
 /// Returns an event that is possible in this node and missing in some acceptance.
-std::optional<Event> refusable(NormalForm& normal, NormalForm::Node node) {
+std::optional<Event> refusable_event(NormalForm& normal, NormalForm::Node node) {
     const EventSet initials = normal.initials(node);
     for (const EventSet& accepted : normal.acceptances(node))
         for (Event event : initials)
@@ -50,7 +50,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
         {0, process::tau}};  // by node: how it was first reached; nodes are numbered in that order
     normal.initial();
     for (NormalForm::Node node = 0; node < arrivals.size(); ++node) {
-        if (const std::optional<Event> event = refusable(normal, node)) {
+        if (const std::optional<Event> event = refusable_event(normal, node)) {
             Ambiguity ambiguity{{}, *event};
             for (NormalForm::Node at = node; at != 0; at = arrivals[at].from)
                 ambiguity.trace.push_back(arrivals[at].event);
@@ -58,7 +58,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
             return ambiguity;
         }
         for (Event event : normal.initials(node))
-            if (normal.after(node, event).value() == arrivals.size()) arrivals.push_back({node, event});
+            if (normal.node_after(node, event).value() == arrivals.size()) arrivals.push_back({node, event});
     }
     return std::nullopt;
 }
@@ -131,28 +131,28 @@ public:
 class Resolution final : public Monitor {
 public:
     Resolution(lts::TransitionSystem& system, Budget& budget) : graph_(system, budget) {}
-    Node start() override { return settled(graph_.initial()); }
+    Node start() override { return node_after_taus(graph_.initial()); }
     Advance advance(Node node, Event event) override {
         const bool terminates = !graph_.edges(node, process::tick).empty();
         const auto edges = graph_.edges(node, event);
         if (edges.empty() || (terminates && event != process::tick)) return {Effect::violation};
-        return {Effect::follow, settled(edges.front().target)};
+        return {Effect::follow, node_after_taus(edges.front().target)};
     }
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override {
-        return refused(node, offer) ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
+        return refused_event(node, offer) ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
     }
     /// Returns an event of the node that a state with this offer may refuse.
-    std::optional<Event> refused(Node node, const Offer& offer) {
+    std::optional<Event> refused_event(Node node, const Offer& offer) {
         const std::optional<EventSet> accepted = acceptance(offer);
         if (!accepted) return std::nullopt;
-        const EventSet wanted = acceptance(graph_.offer(node)).value();
+        const EventSet wanted = acceptance(graph_.state_offer(node)).value();
         for (Event event : wanted)
             if (!std::ranges::binary_search(*accepted, event)) return event;
         return std::nullopt;
     }
 
 private:
-    Node settled(lts::StateIndex state) {
+    Node node_after_taus(lts::StateIndex state) {
         if (state < settled_.size() && settled_[state] != lts::no_state) return settled_[state];
         lts::StateIndex end = state;
         for (std::size_t steps = 0;; ++steps) {
@@ -182,7 +182,7 @@ std::optional<Ambiguity> against_resolution(lts::TransitionSystem& system, Budge
     const std::vector<Event> trace = search.run_along(search.path_to(finding->pair)).trace();
     if (finding->kind == ViolationKind::trace) return Ambiguity{trace, finding->event};
     const Offer offer = offer_of(steps_from(system, search.state(finding->pair)));
-    return Ambiguity{trace, resolution.refused(search.node(finding->pair), offer).value()};
+    return Ambiguity{trace, resolution.refused_event(search.node(finding->pair), offer).value()};
 }
 
 std::optional<Ambiguity> on_normal_form(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
@@ -223,7 +223,8 @@ void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing,
     };
     try {
         const Run run = run_of_prefix(system, trace, trace.size(), budget);
-        tell_accepting(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge), counterexample);
+        tell_accepting(confirm_violation(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge),
+                       counterexample);
     } catch (const process::Interrupted&) {
         counterexample.accepting.clear();
     }
@@ -238,10 +239,10 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
         // A state and its image under a symmetry may have resolutions with different choices.
         [](const lts::EventPermutation&) { return false; }};
     const std::optional<Violation> violation =
-        found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
+        reuse_or_search(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
     if (!violation) return;
-    const Confirmed refusing = confirmed(system, *violation, budget, confirm_property_violation);
-    verdict.counterexample = tell(refusing);
+    const Confirmed refusing = confirm_violation(system, *violation, budget, confirm_property_violation);
+    verdict.counterexample = make_counterexample(refusing);
     verdict.outcome = Outcome::fails;
     if (violation->kind == ViolationKind::nondeterminism)
         add_accepting_run(system, refusing.violation, budget, *verdict.counterexample);

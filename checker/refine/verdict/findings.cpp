@@ -17,26 +17,26 @@ class Encoder {
 public:
     explicit Encoder(const EventSet& named) : named_(named) {}
 
-    void number(std::uint64_t value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+    void write_number(std::uint64_t value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
     void event(Event event) {
         const auto place = std::ranges::lower_bound(named_, event);
         if (place == named_.end() || *place != event) throw std::logic_error("a finding with an event without a name");
-        number(static_cast<std::uint64_t>(place - named_.begin()));
+        write_number(static_cast<std::uint64_t>(place - named_.begin()));
     }
     void state(const std::vector<lts::Word>& words) {
-        for (const lts::Word word : words) number(word);
+        for (const lts::Word word : words) write_number(word);
     }
     void run(const Run& run) {
-        number(run.initial.empty() ? 0 : 1);
+        write_number(run.initial.empty() ? 0 : 1);
         state(run.initial);
-        number(run.steps.size());
+        write_number(run.steps.size());
         for (const RunStep& step : run.steps) {
             event(step.event);
             event(step.revealed);
             state(step.state);
         }
     }
-    [[nodiscard]] std::string take() { return std::move(bytes_); }
+    [[nodiscard]] std::string take_bytes() { return std::move(bytes_); }
 
 private:
     const EventSet& named_;
@@ -51,7 +51,7 @@ public:
     Decoder(std::string_view bytes, const EventSet& named, std::size_t width)
         : bytes_(bytes), named_(named), width_(width) {}
 
-    std::uint64_t number() {
+    std::uint64_t read_number() {
         std::uint64_t value = 0;
         if (bytes_.size() < sizeof value) throw Damaged();
         std::memcpy(&value, bytes_.data(), sizeof value);
@@ -59,7 +59,7 @@ public:
         return value;
     }
     std::uint64_t number_below(std::uint64_t end) {
-        const std::uint64_t value = number();
+        const std::uint64_t value = read_number();
         if (value >= end) throw Damaged();
         return value;
     }
@@ -80,7 +80,7 @@ public:
         }
         return result;
     }
-    void finish() const {
+    void expect_end() const {
         if (!bytes_.empty()) throw Damaged();
     }
 
@@ -97,16 +97,16 @@ std::string encode(const Findings& findings, const EventSet& named) {
     const Statistics& size = findings.statistics;
     for (const std::uint64_t value :
          {size.states, size.transitions, size.depth, size.spec_nodes, size.chased, size.replicas, size.distinguished})
-        out.number(value);
-    out.number(findings.violation ? 1 : 0);
+        out.write_number(value);
+    out.write_number(findings.violation ? 1 : 0);
     if (const auto& violation = findings.violation) {
-        out.number(static_cast<std::uint64_t>(violation->kind));
+        out.write_number(static_cast<std::uint64_t>(violation->kind));
         out.run(violation->run);
         out.run(violation->loop);
-        out.number(violation->event ? 1 : 0);
+        out.write_number(violation->event ? 1 : 0);
         if (violation->event) out.event(*violation->event);
     }
-    return out.take();
+    return out.take_bytes();
 }
 
 std::optional<Findings> decode(std::string_view bytes, const EventSet& named, std::size_t width) {
@@ -116,7 +116,7 @@ std::optional<Findings> decode(std::string_view bytes, const EventSet& named, st
         Statistics& size = findings.statistics;
         for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes, &size.chased,
                                      &size.replicas, &size.distinguished})
-            *value = in.number();
+            *value = in.read_number();
         if (in.number_below(2) == 1) {
             Violation violation;
             constexpr auto kinds = static_cast<std::uint64_t>(ViolationKind::no_trace) + 1;
@@ -126,7 +126,7 @@ std::optional<Findings> decode(std::string_view bytes, const EventSet& named, st
             if (in.number_below(2) == 1) violation.event = in.event();
             findings.violation = std::move(violation);
         }
-        in.finish();
+        in.expect_end();
         return findings;
     } catch (const Damaged&) {
         return std::nullopt;

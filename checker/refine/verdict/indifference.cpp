@@ -13,7 +13,7 @@ using process::EventSet;
 
 constexpr NormalForm::Node most_nodes = 10'000;
 
-EventSet image(const EventSet& events, const lts::EventPermutation& exchange) {
+EventSet image_of(const EventSet& events, const lts::EventPermutation& exchange) {
     EventSet result;
     for (const Event event : events) {
         const auto moved = std::ranges::lower_bound(exchange, std::pair(event, Event{0}));
@@ -25,24 +25,24 @@ EventSet image(const EventSet& events, const lts::EventPermutation& exchange) {
 
 }  // namespace
 
-bool Indifference::to(const lts::EventPermutation& exchange) {
+bool Indifference::holds_for(const lts::EventPermutation& exchange) {
     if (!normal_) {
         normal_.emplace(specification_, budget_);
-        whole_ = visit();
+        whole_ = visit_nodes();
     }
     for (NormalForm::Node node = 0; whole_ && node < normal_->size(); ++node)
-        if (!at(node, exchange)) return false;
+        if (!holds_at(node, exchange)) return false;
     return whole_;
 }
 
 /// Nodes are numbered in the order of their discovery.
-bool Indifference::visit() {
+bool Indifference::visit_nodes() {
     try {
         normal_->initial();
         for (NormalForm::Node node = 0; node < normal_->size(); ++node) {
             if (normal_->size() > most_nodes) return false;
             budget_.charge();
-            for (const Event event : normal_->initials(node)) static_cast<void>(normal_->after(node, event));
+            for (const Event event : normal_->initials(node)) static_cast<void>(normal_->node_after(node, event));
             if (model_ != Model::traces) static_cast<void>(normal_->acceptances(node));
         }
     } catch (const process::Interrupted&) {
@@ -57,13 +57,13 @@ bool Indifference::visit() {
     return true;
 }
 
-bool Indifference::at(NormalForm::Node node, const lts::EventPermutation& exchange) {
+bool Indifference::holds_at(NormalForm::Node node, const lts::EventPermutation& exchange) {
     for (const auto& [event, other] : exchange)
-        if (normal_->after(node, event) != normal_->after(node, other)) return false;
+        if (normal_->node_after(node, event) != normal_->node_after(node, other)) return false;
     if (model_ == Model::traces) return true;
     const std::vector<EventSet>& acceptances = normal_->acceptances(node);
     return std::ranges::all_of(acceptances, [&](const EventSet& each) {
-        return std::ranges::find(acceptances, image(each, exchange)) != acceptances.end();
+        return std::ranges::find(acceptances, image_of(each, exchange)) != acceptances.end();
     });
 }
 

@@ -20,11 +20,11 @@ public:
     /// Except in the traces model, the image of each acceptance of a node is also an acceptance of the node. Then a
     /// state of an implementation violates a node if and only if its images do. Returns false if there are more than
     /// 10,000 nodes, or after an evaluation error, which the search may never reach.
-    bool to(const lts::EventPermutation& exchange);
+    bool holds_for(const lts::EventPermutation& exchange);
 
 private:
-    [[nodiscard]] bool visit();
-    [[nodiscard]] bool at(NormalForm::Node node, const lts::EventPermutation& exchange);
+    [[nodiscard]] bool visit_nodes();
+    [[nodiscard]] bool holds_at(NormalForm::Node node, const lts::EventPermutation& exchange);
 
     lts::TransitionSystem& specification_;
     Model model_;

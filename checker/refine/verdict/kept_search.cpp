@@ -12,9 +12,9 @@
 #include <fstream>
 #include <random>
 
-#include "checker/storage/file_lock.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "checker/storage/file_lock.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -28,7 +28,7 @@ constexpr std::size_t search_digits = 16;
 constexpr std::size_t longest_line = 4096;
 constexpr std::string_view title = "robochart-verify questions 1";
 
-std::string hex(const diagnostics::Digest& digest) {
+std::string hex_text(const diagnostics::Digest& digest) {
     std::string text;
     for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
     return text;
@@ -41,14 +41,14 @@ diagnostics::Digest digest_of(const std::string& text) {
     return hasher.finish();
 }
 
-std::string hex(const std::string& text) {
+std::string hex_text(const std::string& text) {
     std::string result;
     for (const char byte : text) result += fmt::format("{:02x}", static_cast<unsigned char>(byte));
     return result.empty() ? "-" : result;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-    throw storage::BadFile(fmt::format("{}: {}", diagnostics::shown(path), why));
+[[noreturn]] void throw_bad_file(const std::string& path, const std::string& why) {
+    throw storage::BadFile(fmt::format("{}: {}", diagnostics::escape_for_display(path), why));
 }
 
 /// Returns a text in one line, truncated if it is long.
@@ -68,7 +68,7 @@ bool is_finished(const std::string& name) {
 }
 
 /// Returns a different text each time.
-std::string unforeseeable() {
+std::string random_text() {
     std::random_device source;
     std::string text;
     for (int i = 0; i < 4; ++i) text += fmt::format("{:08x}", source());
@@ -86,8 +86,8 @@ bool is_unfinished(const fs::directory_entry& entry) {
 
 KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(std::move(settings)), ranks_(ranks) {
     if (settings_.program.empty())
-        refuse(settings_.folder,
-               "this program was built without a build ID, by which it knows what it has written itself");
+        throw_bad_file(settings_.folder,
+                       "this program was built without a build ID, by which it knows what it has written itself");
     lock_folder();
     look_at_folder();
     if (settings_.resume) read_questions();
@@ -102,15 +102,16 @@ void KeptSearch::lock_folder() {
     if (!settings_.resume) fs::create_directories(settings_.folder, made);
     if (!made && !fs::exists(path(lock_name), ignored)) look_at_folder();
     lock_ = storage::open_to_lock(path(lock_name), true);
-    if (!lock_.open()) {
+    if (!lock_.is_open()) {
         if (settings_.resume) storage::cannot_open(path(lock_name), errno);
         const std::string why = made ? made.message() : std::strerror(errno);
-        throw storage::CannotWrite(fmt::format("cannot write into {}: {}", diagnostics::shown(settings_.folder), why));
+        throw storage::CannotWrite(
+            fmt::format("cannot write into {}: {}", diagnostics::escape_for_display(settings_.folder), why));
     }
     if (const std::string why =
             storage::lock(lock_, path(lock_name), storage::Lock::exclusive, "another run is using this folder");
         !why.empty())
-        refuse(settings_.folder, why);
+        throw_bad_file(settings_.folder, why);
 }
 
 /// Rejects the folder if this run must not use it.
@@ -118,15 +119,16 @@ void KeptSearch::look_at_folder() const {
     std::error_code code;
     const bool there = fs::exists(path(questions_name), code);
     if (settings_.resume && !there)
-        refuse(settings_.folder, code ? code.message() : "there is no checkpoint in this folder");
+        throw_bad_file(settings_.folder, code ? code.message() : "there is no checkpoint in this folder");
     if (settings_.resume) return;
     if (there)
-        refuse(settings_.folder,
-               "it has what an earlier run has found: --resume goes on from there; else name another folder");
+        throw_bad_file(settings_.folder,
+                       "it has what an earlier run has found: --resume goes on from there; else name another folder");
     for (fs::directory_iterator at(settings_.folder, code); !code && at != fs::directory_iterator(); at.increment(code))
         if (!is_unfinished(*at) && at->path().filename() != lock_name)
-            refuse(settings_.folder, "there are other files in this folder: name one that is empty or not there");
-    if (code) refuse(settings_.folder, code.message());
+            throw_bad_file(settings_.folder,
+                           "there are other files in this folder: name one that is empty or not there");
+    if (code) throw_bad_file(settings_.folder, code.message());
 }
 
 /// The lock is removed first. If another machine has a file open that is removed, another file appears in the folder.
@@ -155,9 +157,9 @@ void KeptSearch::all_asked() {
 void KeptSearch::read_questions() {
     const std::string file = path(questions_name);
     std::error_code code;
-    if (fs::symlink_status(file, code).type() != fs::file_type::regular) refuse(file, "this is no file");
+    if (fs::symlink_status(file, code).type() != fs::file_type::regular) throw_bad_file(file, "this is no file");
     if (constexpr std::uintmax_t largest = std::uintmax_t{1} << 28U; fs::file_size(file, code) > largest || code)
-        refuse(file, "it is too large for a list of questions");
+        throw_bad_file(file, "it is too large for a list of questions");
     std::ifstream in(file, std::ios::binary);
     std::array<char, longest_line> buffer{};
     std::string line;
@@ -166,23 +168,23 @@ void KeptSearch::read_questions() {
         line = buffer.data();
         return true;
     };
-    if (!next_line() || line != title) refuse(file, "line 1: this is no list of questions of this program");
-    if (!next_line()) refuse(file, "line 2: it was cut off");
-    if (line != hex(settings_.program))
-        refuse(file, "line 2: another version of the program has written it, whose states may be others");
+    if (!next_line() || line != title) throw_bad_file(file, "line 1: this is no list of questions of this program");
+    if (!next_line()) throw_bad_file(file, "line 2: it was cut off");
+    if (line != hex_text(settings_.program))
+        throw_bad_file(file, "line 2: another version of the program has written it, whose states may be others");
     constexpr std::size_t digits = 64;
     std::size_t number = 3;
     for (; next_line(); ++number) {
         const bool good =
             line.size() > digits && line[digits] == ' ' && line.find_first_not_of("0123456789abcdef") == digits;
-        if (!good) refuse(file, fmt::format("line {}: there is no question", number));
+        if (!good) throw_bad_file(file, fmt::format("line {}: there is no question", number));
         earlier_.push_back({line.substr(0, digits), line.substr(digits + 1)});
     }
-    if (!in.eof()) refuse(file, fmt::format("line {}: it cannot be read, or is too long", number));
+    if (!in.eof()) throw_bad_file(file, fmt::format("line {}: it cannot be read, or is too long", number));
 }
 
 void KeptSearch::write_questions() const {
-    std::string text = fmt::format("{}\n{}\n", title, hex(settings_.program));
+    std::string text = fmt::format("{}\n{}\n", title, hex_text(settings_.program));
     // The assertions of this run, followed by assertions that it has not reached yet.
     std::vector<Asked> all = asked_;
     if (earlier_.size() > all.size())
@@ -193,16 +195,16 @@ void KeptSearch::write_questions() const {
 }
 
 void KeptSearch::refuse_question(std::size_t place, const std::string& instead) const {
-    refuse(settings_.folder, fmt::format("it was written for question {}, `{}`, {}", place + 1,
-                                         diagnostics::shown(earlier_[place].text), instead));
+    throw_bad_file(settings_.folder, fmt::format("it was written for question {}, `{}`, {}", place + 1,
+                                                 diagnostics::escape_for_display(earlier_[place].text), instead));
 }
 
 /// Until an assertion is identified, the digest of its text is used.
 void KeptSearch::begin_question(const std::string& text) {
-    Asked asked{hex(digest_of(text)), one_line(text)};
+    Asked asked{hex_text(digest_of(text)), one_line(text)};
     const std::size_t place = asked_.size();
     if (place < earlier_.size() && earlier_[place].text != asked.text)
-        refuse_question(place, fmt::format("where this run asks `{}`", diagnostics::shown(asked.text)));
+        refuse_question(place, fmt::format("where this run asks `{}`", diagnostics::escape_for_display(asked.text)));
     asked_.push_back(std::move(asked));
     question_.reset();
     searches_ = 0;
@@ -214,7 +216,7 @@ void KeptSearch::begin_question(const std::string& text) {
 void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
     Asked& asked = asked_.back();
     const std::string unidentified = asked.digest;
-    if (digest) asked.digest = hex(*digest);
+    if (digest) asked.digest = hex_text(*digest);
     question_ = digest;
     const bool again = asked_.size() <= earlier_.size();
     const std::string& before = again ? earlier_[asked_.size() - 1].digest : unidentified;
@@ -225,7 +227,7 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
         settings_.say(
             fmt::format("nothing is kept of the search for `{}`: its states have other numbers in each run, "
                         "or what it depends on is too large to be looked at as a whole",
-                        diagnostics::shown(asked.text)));
+                        diagnostics::escape_for_display(asked.text)));
 }
 
 /// If the answer of a decided assertion was not stored, its search is the only record of it.
@@ -273,27 +275,27 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
     rows.search = hasher.finish();
     // Another rank may see a different folder.
     std::error_code ignored;
-    rows.folder = fs::absolute(path("search-" + hex(rows.search).substr(0, search_digits)), ignored).string();
+    rows.folder = fs::absolute(path("search-" + hex_text(rows.search).substr(0, search_digits)), ignored).string();
     if (::mkdir(rows.folder.c_str(), 0700) != 0 && errno != EEXIST)
-        throw storage::CannotWrite(
-            fmt::format("cannot make the folder {}: {}", diagnostics::shown(rows.folder), std::strerror(errno)));
+        throw storage::CannotWrite(fmt::format("cannot make the folder {}: {}",
+                                               diagnostics::escape_for_display(rows.folder), std::strerror(errno)));
     folders_.push_back(rows.folder);
     const std::string run = rows.folder + "/" + run_name;
     // The lock is held until it is replaced, so that no rank of an earlier run begins in between.
     const diagnostics::Descriptor earlier = storage::open_to_lock(run, false);
-    if (!earlier.open() && errno != ENOENT) storage::cannot_open(run, errno);
-    if (earlier.open())
+    if (!earlier.is_open() && errno != ENOENT) storage::cannot_open(run, errno);
+    if (earlier.is_open())
         if (const std::string why = storage::lock(earlier, run, storage::Lock::exclusive,
                                                   "ranks of an earlier run are still using this folder");
             !why.empty())
-            refuse(settings_.folder, why);
-    rows.run = unforeseeable();
+            throw_bad_file(settings_.folder, why);
+    rows.run = random_text();
     if (const std::string error = diagnostics::replace_file(run, rows.run); !error.empty())
         throw storage::CannotWrite(error);
     rows.from = storage::newest_in(rows.folder);
     if (rows.from.ranks == 0 && rows.from.greatest > 0 && settings_.say)
         settings_.say(fmt::format("{}: not all ranks have written their part of a checkpoint; the search begins anew",
-                                  diagnostics::shown(rows.folder)));
+                                  diagnostics::escape_for_display(rows.folder)));
     rows.every = settings_.every;
     rows.disk = settings_.disk;
     // Uses only a part of the remaining memory, because the program needs memory for other purposes.
@@ -317,7 +319,7 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
     if (statistics.settled > settled && settings_.say)
         settings_.say(
             fmt::format("the states of `{}` on disk were read through {} times, and the search went back {} times",
-                        diagnostics::shown(asked_.back().text), statistics.settled - settled,
+                        diagnostics::escape_for_display(asked_.back().text), statistics.settled - settled,
                         statistics.rolled_back - rolled_back));
     return found;
 }

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "checker/refine/verdict/level_strategy.hpp"
 #include "base/cache/cache.hpp"
 #include "base/diagnostics/descriptor.hpp"
+#include "checker/refine/verdict/level_strategy.hpp"
 
 namespace robochart::refine {
 

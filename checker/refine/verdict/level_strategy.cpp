@@ -25,7 +25,7 @@ public:
         statistics_.states += search_.states();
         statistics_.transitions += search_.transitions();
         statistics_.depth = std::max(statistics_.depth, search_.depth());
-        statistics_.chased += search_.chased();
+        statistics_.chased += search_.chased_state_count();
         statistics_.ranks = ranks_;
     }
 
@@ -58,7 +58,7 @@ std::optional<Violation> search_with_store(lts::TransitionSystem& system, const 
                                            StoreFigures& figures) {
     constexpr std::uint64_t pieces_a_poll = 256;
     std::unique_ptr<RowStore> store;
-    together(exchange, [&] {
+    run_together(exchange, [&] {
         store = make_row_store(
             question.rows, question.row_width(system.width()), exchange, [&budget] { budget.charge(pieces_a_poll); },
             [&figures](const StoreFigures& found) { figures = found; });
@@ -113,12 +113,12 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     const auto& undisturbed = budget.limits().undisturbed;
     if (exchange.rank() != 0 || !undisturbed) return search_with_files(system, question, exchange, budget, statistics);
     // Only the first rank knows how a run is killed.
-    UndisturbedExchange waiting(exchange, undisturbed, [&budget] { return budget.over(); });
+    UndisturbedExchange waiting(exchange, undisturbed, [&budget] { return budget.limit_reached(); });
     return search_with_files(system, question, waiting, budget, statistics);
 }
 
 unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
-    return wanted > 1 && system.another() ? wanted : 1;
+    return wanted > 1 && system.clone_for_thread() ? wanted : 1;
 }
 
 std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
@@ -129,8 +129,8 @@ std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads,
     as_ranks(programs, threads, [&](Exchange& exchange) {
         const bool first = exchange.rank() % threads == 0;
         std::unique_ptr<lts::TransitionSystem> another;
-        together(exchange, [&] {
-            if (!first) another = system.another();
+        run_together(exchange, [&] {
+            if (!first) another = system.clone_for_thread();
             if (!first && !another) throw std::logic_error("the system serves one thread only");
         });
         Budget own(quiet);

@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "base/cache/cache.hpp"
 #include "checker/refine/levels/level_search.hpp"
 #include "checker/refine/levels/row_keeping.hpp"
 #include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/normal_table.hpp"
-#include "base/cache/cache.hpp"
 
 namespace robochart::refine {
 

@@ -13,7 +13,7 @@ using process::EventSet;
 /// it.
 Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
     const std::scoped_lock lock(*turn_);
-    const std::optional<NormalForm::Node> next = specification_.after(node, event);
+    const std::optional<NormalForm::Node> next = specification_.node_after(node, event);
     if (!next) return {Effect::violation};
     if (model_ == Model::failures_divergences && specification_.diverges(*next)) return {Effect::ignore};
     return {Effect::follow, *next};
@@ -22,16 +22,16 @@ Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
 /// F: the acceptance of a stable state must include one of the specification's acceptances after the same trace. This
 /// is the inclusion of refusals: refusals are the subsets of an acceptance's complement.
 std::optional<ViolationKind> refusal(const std::vector<EventSet>& wanted, const Offer& offer) {
-    if (offer.tau && !offer.ticks()) return std::nullopt;
+    if (offer.tau && !offer.can_tick()) return std::nullopt;
     const auto first = offer.events.begin();
-    const auto last = offer.ticks() ? first + 1 : offer.events.end();
+    const auto last = offer.can_tick() ? first + 1 : offer.events.end();
     const bool allowed = std::ranges::any_of(
         wanted, [&](const EventSet& required) { return std::includes(first, last, required.begin(), required.end()); });
     return allowed ? std::nullopt : std::optional(ViolationKind::refusal);
 }
 
 std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& offer) {
-    if (model_ == Model::traces || (offer.tau && !offer.ticks())) return std::nullopt;
+    if (model_ == Model::traces || (offer.tau && !offer.can_tick())) return std::nullopt;
     return refusal(acceptances(node), offer);
 }
 
@@ -46,11 +46,11 @@ const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
 }
 
 std::optional<ViolationKind> StateMonitor::examine(Node /*node*/, const Offer& offer) {
-    return forbid_deadlock_ && offer.nothing() ? std::optional(ViolationKind::deadlock) : std::nullopt;
+    return forbid_deadlock_ && offer.is_empty() ? std::optional(ViolationKind::deadlock) : std::nullopt;
 }
 
 std::optional<ViolationKind> ChoiceMonitor::examine(Node /*node*/, const Offer& offer) {
-    const bool open = offer.tau || offer.branches || (offer.ticks() && offer.events.size() > 1);
+    const bool open = offer.tau || offer.branches || (offer.can_tick() && offer.events.size() > 1);
     return open ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
 }
 

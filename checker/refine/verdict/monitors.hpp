@@ -27,7 +27,7 @@ public:
     [[nodiscard]] bool includes(Node larger, Node smaller) const override {
         return specification_.includes(larger, smaller);
     }
-    [[nodiscard]] std::unique_ptr<Monitor> another() override {
+    [[nodiscard]] std::unique_ptr<Monitor> clone_for_thread() override {
         return std::unique_ptr<Monitor>(new RefinementMonitor(specification_, model_, turn_));
     }
 
@@ -51,7 +51,7 @@ public:
     Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
     [[nodiscard]] bool watches_states_only() const override { return true; }
-    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<StateMonitor>(*this); }
+    [[nodiscard]] std::unique_ptr<Monitor> clone_for_thread() override { return std::make_unique<StateMonitor>(*this); }
 
 private:
     bool forbid_deadlock_;
@@ -63,7 +63,7 @@ public:
     Node start() override { return 0; }
     Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
-    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<ChoiceMonitor>(); }
+    [[nodiscard]] std::unique_ptr<Monitor> clone_for_thread() override { return std::make_unique<ChoiceMonitor>(); }
 };
 
 /// Follows runs along one trace and finds the end of its first `goal` events. With `refused`, finds an end that can
@@ -76,7 +76,7 @@ public:
     Node start() override { return 0; }
     Advance advance(Node node, process::Event event) override;
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
-    [[nodiscard]] std::size_t furthest() const { return furthest_; }
+    [[nodiscard]] std::size_t furthest_node() const { return furthest_; }
 
 private:
     const std::vector<process::Event>& trace_;

@@ -65,7 +65,7 @@ std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state, Event event)
     return {first, last};
 }
 
-Offer LazyGraph::offer(StateIndex state) {
+Offer LazyGraph::state_offer(StateIndex state) {
     Offer offer;
     for (const Edge& edge : edges(state)) {
         if (edge.event == process::tau)
@@ -81,13 +81,13 @@ namespace {
 constexpr std::size_t few_nodes = 256;
 constexpr NormalForm::Node unresolved = std::numeric_limits<NormalForm::Node>::max();
 
-bool shorter(const EventSet& a, const EventSet& b) {
+bool is_shorter(const EventSet& a, const EventSet& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
 
 /// Keeps the sets that contain no other set.
 std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
-    std::ranges::sort(sets, shorter);
+    std::ranges::sort(sets, is_shorter);
     sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
     std::vector<EventSet> kept;
     for (EventSet& set : sets) {
@@ -118,7 +118,7 @@ NormalForm::Node NormalForm::initial() {
 }
 
 NormalForm::Node NormalForm::node_of(Members seeds) {
-    close(seeds);
+    close_under_tau(seeds);
     if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
     // Throws before the node is entered, because another thread would take its number for a node.
     budget_.states(nodes_.size());
@@ -131,7 +131,7 @@ NormalForm::Node NormalForm::node_of(Members seeds) {
 }
 
 /// Adds the states that taus reach, and sorts the states.
-void NormalForm::close(Members& members) {
+void NormalForm::close_under_tau(Members& members) {
     ++closure_;
     const auto first_visit = [this](StateIndex state) {
         if (state >= mark_.size()) mark_.resize(state + 1U, 0);
@@ -144,7 +144,7 @@ void NormalForm::close(Members& members) {
     std::ranges::sort(members);
 }
 
-std::vector<NormalForm::Arc>& NormalForm::arcs(Node node) {
+std::vector<NormalForm::Arc>& NormalForm::arcs_of(Node node) {
     NodeData& data = nodes_[node];
     if (data.arcs) return *data.arcs;
     std::vector<Event> events;
@@ -159,8 +159,8 @@ std::vector<NormalForm::Arc>& NormalForm::arcs(Node node) {
     return *data.arcs;
 }
 
-std::optional<NormalForm::Node> NormalForm::after(Node node, Event event) {
-    std::vector<Arc>& known = arcs(node);
+std::optional<NormalForm::Node> NormalForm::node_after(Node node, Event event) {
+    std::vector<Arc>& known = arcs_of(node);
     const auto arc = std::ranges::lower_bound(known, event, {}, &Arc::event);
     if (arc == known.end() || arc->event != event) return std::nullopt;
     if (arc->target == unresolved) {
@@ -180,7 +180,7 @@ std::vector<lts::StateView> NormalForm::states(Node node) const {
 
 EventSet NormalForm::initials(Node node) {
     EventSet events;
-    for (const Arc& arc : arcs(node)) events.push_back(arc.event);
+    for (const Arc& arc : arcs_of(node)) events.push_back(arc.event);
     return events;
 }
 
@@ -195,7 +195,7 @@ const std::vector<EventSet>& NormalForm::acceptances(Node node) {
     if (data.acceptances) return *data.acceptances;
     std::vector<EventSet> all;
     for (StateIndex member : *data.members)
-        if (std::optional<EventSet> own = acceptance(graph_.offer(member))) all.push_back(std::move(*own));
+        if (std::optional<EventSet> own = acceptance(graph_.state_offer(member))) all.push_back(std::move(*own));
     data.acceptances = minimal(std::move(all), budget_);
     return *data.acceptances;
 }

@@ -29,7 +29,7 @@ public:
     /// Valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state);
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
-    [[nodiscard]] Offer offer(lts::StateIndex state);
+    [[nodiscard]] Offer state_offer(lts::StateIndex state);
     [[nodiscard]] std::size_t size() const { return states_.size(); }
     /// The packed state with a number.
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
@@ -64,7 +64,7 @@ public:
 
     Node initial();
     /// Returns the node after one more visible event or tick. No value if the specification cannot perform it.
-    std::optional<Node> after(Node node, process::Event event);
+    std::optional<Node> node_after(Node node, process::Event event);
     /// Returns the events that the specification can perform in this node, ascending.
     process::EventSet initials(Node node);
     /// Returns the minimal acceptances of the node's states, sorted by size, then by events. Every stable behaviour in
@@ -97,8 +97,8 @@ private:
     };
 
     Node node_of(Members seeds);
-    void close(Members& members);
-    std::vector<Arc>& arcs(Node node);
+    void close_under_tau(Members& members);
+    std::vector<Arc>& arcs_of(Node node);
     bool state_diverges(lts::StateIndex state);
 
     LazyGraph graph_;

@@ -14,7 +14,7 @@ namespace {
 /// Numbers nodes in the order of discovery.
 class Numbering {
 public:
-    Monitor::Node of(NormalForm::Node node) {
+    Monitor::Node number_of(NormalForm::Node node) {
         if (node >= numbers_.size()) numbers_.resize(std::max<std::size_t>(node + 1U, 2 * numbers_.size()), none);
         if (numbers_[node] == none) {
             numbers_[node] = static_cast<Monitor::Node>(met.size());
@@ -35,7 +35,7 @@ std::optional<NormalTable> table_of(NormalForm& normal, Model model) {
     NormalTable table;
     Numbering numbering;
     try {
-        numbering.of(normal.initial());
+        numbering.number_of(normal.initial());
         for (std::size_t at = 0; at < numbering.met.size(); ++at) {
             if (numbering.met.size() > most_table_nodes) return std::nullopt;
             const NormalForm::Node node = numbering.met[at];
@@ -43,7 +43,7 @@ std::optional<NormalTable> table_of(NormalForm& normal, Model model) {
             row.diverges = model == Model::failures_divergences && normal.diverges(node);
             if (row.diverges) continue;
             for (const Event event : normal.initials(node))
-                row.arcs.emplace_back(event, numbering.of(normal.after(node, event).value()));
+                row.arcs.emplace_back(event, numbering.number_of(normal.node_after(node, event).value()));
             if (model != Model::traces) row.acceptances = normal.acceptances(node);
         }
     } catch (const SpecificationGrows&) {

@@ -38,7 +38,9 @@ public:
     Node start() override { return 0; }
     Advance advance(Node node, process::Event event) override;
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
-    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<TableMonitor>(table_, model_); }
+    [[nodiscard]] std::unique_ptr<Monitor> clone_for_thread() override {
+        return std::make_unique<TableMonitor>(table_, model_);
+    }
 
 private:
     std::shared_ptr<const NormalTable> table_;

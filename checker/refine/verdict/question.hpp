@@ -18,8 +18,8 @@ namespace robochart::refine {
                              const std::function<void(Budget&, Verdict&)>& question);
 
 /// Returns the violation of an earlier search if it is known. Otherwise runs the search and stores its result.
-[[nodiscard]] std::optional<Violation> found(Earlier earlier, Verdict& verdict,
-                                             const std::function<std::optional<Violation>()>& search);
+[[nodiscard]] std::optional<Violation> reuse_or_search(Earlier earlier, Verdict& verdict,
+                                                       const std::function<std::optional<Violation>()>& search);
 
 /// Adds up the statistics of a search, even if it ends by an exception.
 class Tally {

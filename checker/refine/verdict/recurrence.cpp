@@ -15,7 +15,7 @@ namespace {
 
 using lts::StateIndex;
 
-bool among(const process::EventSet& goal, process::Event event) {
+bool is_in_goal(const process::EventSet& goal, process::Event event) {
     return std::ranges::binary_search(goal, event);
 }
 
@@ -31,7 +31,7 @@ public:
         for (StateIndex state = 0; state < states; ++state)
             for (const lts::Edge& edge : graph.edges(state)) sources_[next[edge.target]++] = state;
     }
-    [[nodiscard]] std::span<const StateIndex> sources(StateIndex state) const {
+    [[nodiscard]] std::span<const StateIndex> sources_of(StateIndex state) const {
         return std::span(sources_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
 
@@ -46,7 +46,7 @@ std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& g
     std::vector<StateIndex> waiting;
     for (StateIndex state = 0; state < graph.size(); ++state)
         for (const lts::Edge& edge : graph.edges(state))
-            if (!marked[state] && among(goal, edge.event)) {
+            if (!marked[state] && is_in_goal(goal, edge.event)) {
                 marked[state] = true;
                 waiting.push_back(state);
             }
@@ -55,7 +55,7 @@ std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& g
         budget.charge();
         const StateIndex state = waiting.back();
         waiting.pop_back();
-        for (const StateIndex source : backwards.sources(state)) {
+        for (const StateIndex source : backwards.sources_of(state)) {
             if (marked[source]) continue;
             marked[source] = true;
             waiting.push_back(source);
@@ -90,7 +90,7 @@ Run run_along(lts::TransitionSystem& system, const lts::Exploration& all, const 
     Run run{words(0), {}};
     for (const StateIndex state : way) {
         const std::vector<lts::Word> target = words(state);
-        std::vector<RunStep> steps = steps_from(system, run.last());
+        std::vector<RunStep> steps = steps_from(system, run.last_state());
         const auto step = std::ranges::find_if(steps, [&](const RunStep& each) { return each.state == target; });
         if (step == steps.end()) throw std::logic_error("a transition that was explored cannot be taken again");
         run.steps.push_back(std::move(*step));
@@ -110,7 +110,7 @@ std::optional<Violation> explore_backwards(lts::TransitionSystem& system, const 
     budget.report_by({});
     statistics.states += all.graph.size();
     statistics.transitions += all.graph.edge_count();
-    statistics.chased += system.chased();
+    statistics.chased += system.chased_state_count();
     const std::vector<bool> marked = leading_to(all.graph, goal, budget);
     const auto lost = std::ranges::find(marked, false);
     if (lost == marked.end()) return std::nullopt;
@@ -124,12 +124,12 @@ void confirm_no_return(lts::TransitionSystem& system, const process::EventSet& g
                        Budget& budget) {
     constexpr StateIndex most = 100'000;
     lts::StateStore found(system.width());
-    (void)found.insert(violation.run.last());
+    (void)found.insert(violation.run.last_state());
     for (StateIndex state = 0; state < found.size() && state < most; ++state) {
         const lts::StateView view = found[state];
         const std::vector<lts::Word> words(view.begin(), view.end());
         for (const RunStep& step : steps_from(system, words, budget)) {
-            if (among(goal, step.event)) throw std::logic_error("what can never happen again can happen");
+            if (is_in_goal(goal, step.event)) throw std::logic_error("what can never happen again can happen");
             (void)found.insert(step.state);
         }
     }
@@ -143,7 +143,7 @@ Verdict recurrent(lts::TransitionSystem& system, const process::EventSet& goal, 
                                           const Violation*) { return explore_backwards(searched, goal, own, size); },
                                       [&](const lts::EventPermutation& exchange) {
                                           return std::ranges::all_of(exchange, [&](const auto& pair) {
-                                              return among(goal, pair.first) == among(goal, pair.second);
+                                              return is_in_goal(goal, pair.first) == is_in_goal(goal, pair.second);
                                           });
                                       },
                                       false};
@@ -151,7 +151,7 @@ Verdict recurrent(lts::TransitionSystem& system, const process::EventSet& goal, 
         verdict.outcome = violation ? Outcome::fails : Outcome::holds;
         if (!violation) return;
         confirm_no_return(system, goal, *violation, budget);
-        verdict.counterexample = tell({*violation, &system, false});
+        verdict.counterexample = make_counterexample({*violation, &system, false});
     });
 }
 

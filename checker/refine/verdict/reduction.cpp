@@ -28,12 +28,12 @@ public:
 
     std::optional<Violation> run(Statistics& statistics) {
         const auto poll = [this] { budget_.charge(); };
-        std::shared_ptr<lts::ReducedSystem> reduced = system_.reduced(poll);
+        std::shared_ptr<lts::ReducedSystem> reduced = system_.make_reduced_system(poll);
         find_symmetry(poll);
         const std::optional<Violation> violation = search(reduced, budget_, statistics, nullptr);
-        note(statistics);
+        record_reduction(statistics);
         if (!violation || !followed_) return violation;
-        return shortest(*violation);
+        return find_shortest(*violation);
     }
 
 private:
@@ -51,7 +51,7 @@ private:
         if (!kept.empty()) symmetry_.emplace(std::move(kept));
     }
 
-    void note(Statistics& statistics) const {
+    void record_reduction(Statistics& statistics) const {
         statistics.replicas = symmetry_ ? symmetry_->replicas() : 0;
         statistics.distinguished = distinguished_;
     }
@@ -61,21 +61,21 @@ private:
                                     Statistics& statistics, const Violation* known) {
         const PollGuard taus_guard({reduced.get()}, budget);
         std::unique_ptr<lts::TransitionSystem> folded;
-        if (symmetry_) folded = std::make_unique<lts::SymmetricSystem>(another(reduced), *symmetry_);
+        if (symmetry_) folded = std::make_unique<lts::SymmetricSystem>(clone_system(reduced), *symmetry_);
         const PollGuard guard({folded.get()}, budget);
         lts::TransitionSystem& searched = folded ? *folded : reduced ? *reduced : system_;
         std::optional<Violation> violation = question_.search(searched, budget, statistics, known);
-        followed_ = statistics.chased > 0 || searched.chased() > 0;
+        followed_ = statistics.chased > 0 || searched.chased_state_count() > 0;
         if (!violation || &searched == &system_) return violation;
-        return unfolded(system_, {reduced.get(), symmetry_ ? &*symmetry_ : nullptr}, *violation);
+        return unfold_violation(system_, {reduced.get(), symmetry_ ? &*symmetry_ : nullptr}, *violation);
     }
 
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another(
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_system(
         const std::shared_ptr<lts::ReducedSystem>& reduced) const {
-        return reduced ? reduced->another() : system_.another();
+        return reduced ? reduced->clone_for_thread() : system_.clone_for_thread();
     }
 
-    Violation shortest(Violation known) {
+    Violation find_shortest(Violation known) {
         if (!question_.shortest) {
             known.shortest = false;
             return known;

@@ -35,7 +35,7 @@ Moves moves_of(lts::TransitionSystem& system, const State& state, Budget& budget
 struct Action {
     Event event;
     std::optional<Event> revealed = std::nullopt;
-    [[nodiscard]] bool fits(const RunStep& step) const {
+    [[nodiscard]] bool matches_step(const RunStep& step) const {
         return step.event == event && (!revealed || step.revealed == *revealed);
     }
 };
@@ -51,14 +51,15 @@ public:
                             const std::function<bool(const State&, const Moves&)>& ends) {
         nodes_.clear();
         known_.clear();
-        visit({0, from, 0, {}});
+        add_node({0, from, 0, {}});
         for (std::size_t at = 0; at < nodes_.size(); ++at) {
             const std::size_t place = nodes_[at].place;
             const Moves moves = moves_of(system_, nodes_[at].state, budget_);
             if (place == actions.size() && ends(nodes_[at].state, moves)) return run_to(at);
             for (const RunStep& step : moves.list) {
-                if (place < actions.size() && actions[place].fits(step)) visit({place + 1, step.state, at, step});
-                if (free_taus && step.event == process::tau) visit({place, step.state, at, step});
+                if (place < actions.size() && actions[place].matches_step(step))
+                    add_node({place + 1, step.state, at, step});
+                if (free_taus && step.event == process::tau) add_node({place, step.state, at, step});
             }
         }
         return std::nullopt;
@@ -72,7 +73,7 @@ private:
         RunStep step;
     };
 
-    void visit(Node node) {
+    void add_node(Node node) {
         if (known_.emplace(std::pair(node.place, node.state), nodes_.size()).second) nodes_.push_back(std::move(node));
     }
     Run run_to(std::size_t at) const {
@@ -125,7 +126,7 @@ std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state
     const std::vector<Action> actions = revealed_actions_of(loop);
     Paths paths(system, budget);
     std::vector<Run> rounds;
-    for (State at = state; rounds.size() < most_rounds; at = rounds.back().last()) {
+    for (State at = state; rounds.size() < most_rounds; at = rounds.back().last_state()) {
         const auto begins_here = [&](const Run& round) { return round.initial == at; };
         const auto first = std::ranges::find_if(rounds, begins_here);
         if (first != rounds.end()) {
@@ -164,7 +165,7 @@ std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem&
                                                           Budget& budget) {
     switch (violation.kind) {
         case ViolationKind::refusal: {
-            const auto accepted = acceptance(moves_of(system, violation.run.last(), budget).offer);
+            const auto accepted = acceptance(moves_of(system, violation.run.last_state(), budget).offer);
             return [accepted](const State&, const Moves& moves) {
                 const auto own = acceptance(moves.offer);
                 return own && accepted && std::includes(accepted->begin(), accepted->end(), own->begin(), own->end());
@@ -205,15 +206,15 @@ Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& refe
     if (!run) throw std::logic_error("a counterexample failed its replay: the terms have no such run");
     Violation again{violation.kind, std::move(*run), {}, violation.event, violation.shortest};
     if (violation.kind == ViolationKind::divergence) {
-        Lasso lasso = tau_loop(reference, again.run.last(), violation.loop, budget).value();
+        Lasso lasso = tau_loop(reference, again.run.last_state(), violation.loop, budget).value();
         append(again.run, lasso.stem);
         again.loop = std::move(lasso.loop);
     }
     return again;
 }
 
-Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
-                    const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge) {
+Confirmed confirm_violation(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
+                            const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge) {
     judge(system, violation, budget);
     if (system.reference() == nullptr) return {violation, &system, system.states_are_terms()};
     lts::TransitionSystem& reference = *system.reference();

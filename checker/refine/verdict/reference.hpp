@@ -19,8 +19,9 @@ struct Confirmed {
 /// then that of the reference. `judge` is one of the confirm functions of replay.hpp; its argument is the system to
 /// which the states of the runs belong. If the reference needs more than its share of time, only the replay in the
 /// system is used.
-[[nodiscard]] Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
-                                  const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge);
+[[nodiscard]] Confirmed confirm_violation(
+    lts::TransitionSystem& system, const Violation& violation, Budget& budget,
+    const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge);
 
 /// Returns a run of the reference with the same trace that ends in a state of the same kind. Public for tests.
 [[nodiscard]] Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& reference,

@@ -21,7 +21,7 @@ using process::Event;
 using process::EventSet;
 using State = std::vector<Word>;
 
-void require(bool truth, const char* claim) {
+void require_claim(bool truth, const char* claim) {
     if (!truth) throw std::logic_error(fmt::format("a counterexample failed its replay: {}", claim));
 }
 
@@ -29,18 +29,18 @@ void confirm_steps(lts::TransitionSystem& system, const Run& run, Budget& budget
     const State* from = &run.initial;
     for (const RunStep& step : run.steps) {
         const std::vector<RunStep> moves = steps_from(system, *from, budget);
-        require(std::ranges::any_of(moves,
-                                    [&](const RunStep& move) {
-                                        return move.event == step.event && move.revealed == step.revealed &&
-                                               move.state == step.state;
-                                    }),
-                "a step of the run does not exist");
+        require_claim(std::ranges::any_of(moves,
+                                          [&](const RunStep& move) {
+                                              return move.event == step.event && move.revealed == step.revealed &&
+                                                     move.state == step.state;
+                                          }),
+                      "a step of the run does not exist");
         from = &step.state;
     }
 }
 
 void confirm_run(lts::TransitionSystem& system, const Run& run, Budget& budget) {
-    require(run.initial == initial_of(system), "the run does not start in the initial state");
+    require_claim(run.initial == initial_of(system), "the run does not start in the initial state");
     confirm_steps(system, run, budget);
 }
 
@@ -49,17 +49,17 @@ struct Conduct {
     bool tau = false;
     std::set<Event> events;
 
-    [[nodiscard]] bool stable() const { return !tau && !events.contains(process::tick); }
+    [[nodiscard]] bool is_stable() const { return !tau && !events.contains(process::tick); }
     /// Whether the state can refuse everything outside `accepted`: a stable state accepts everything that it offers; a
     /// state that can terminate accepts only tick.
     [[nodiscard]] bool can_settle_for(const EventSet& accepted) const {
         if (events.contains(process::tick)) return std::ranges::find(accepted, process::tick) != accepted.end();
-        return stable() && std::ranges::all_of(events, [&](Event event) {
+        return is_stable() && std::ranges::all_of(events, [&](Event event) {
                    return std::ranges::find(accepted, event) != accepted.end();
                });
     }
     [[nodiscard]] bool can_refuse(Event event) const {
-        return events.contains(process::tick) ? event != process::tick : stable() && !events.contains(event);
+        return events.contains(process::tick) ? event != process::tick : is_stable() && !events.contains(event);
     }
 };
 
@@ -83,22 +83,22 @@ public:
     Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most = std::numeric_limits<std::size_t>::max())
         : system_(system), budget_(budget), most_(most) {
         states_.insert(initial_of(system));
-        close();
+        close_under_tau();
     }
 
-    void perform(Event event) {
+    void perform_event(Event event) {
         std::set<State> next;
         for (const State& state : states_)
             for (RunStep& move : steps_from(system_, state, budget_))
                 if (move.event == event) next.insert(std::move(move.state));
         states_.swap(next);
-        close();
+        close_under_tau();
     }
-    [[nodiscard]] bool impossible() const { return states_.empty(); }
+    [[nodiscard]] bool has_no_states() const { return states_.empty(); }
     bool can_perform(Event event) {
         Powerset next = *this;
-        next.perform(event);
-        return !next.impossible();
+        next.perform_event(event);
+        return !next.has_no_states();
     }
     bool can_settle_for(const EventSet& accepted) {
         return std::ranges::any_of(
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    void close() {
+    void close_under_tau() {
         std::vector<State> work(states_.begin(), states_.end());
         while (!work.empty()) {
             const State state = std::move(work.back());
@@ -148,18 +148,19 @@ private:
 
 void confirm_loop(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {
     const Run& loop = violation.loop;
-    require(!loop.steps.empty() && loop.initial == violation.run.last() && loop.last() == loop.initial,
-            "the loop does not return to the end of the run");
-    require(loop.trace().empty(), "the loop performs an event");
+    require_claim(
+        !loop.steps.empty() && loop.initial == violation.run.last_state() && loop.last_state() == loop.initial,
+        "the loop does not return to the end of the run");
+    require_claim(loop.trace().empty(), "the loop performs an event");
     confirm_steps(system, loop, budget);
 }
 
 void confirm_refusal(lts::TransitionSystem& implementation, Powerset& specification, const Run& run, Budget& budget) {
-    const Conduct conduct = conduct_of(implementation, run.last(), budget);
+    const Conduct conduct = conduct_of(implementation, run.last_state(), budget);
     const bool ticks = conduct.events.contains(process::tick);
-    require(ticks || conduct.stable(), "the state that refuses is not stable");
+    require_claim(ticks || conduct.is_stable(), "the state that refuses is not stable");
     const EventSet accepted = ticks ? EventSet{process::tick} : EventSet(conduct.events.begin(), conduct.events.end());
-    require(!specification.can_settle_for(accepted), "the specification refuses as much");
+    require_claim(!specification.can_settle_for(accepted), "the specification refuses as much");
 }
 
 }  // namespace
@@ -171,28 +172,28 @@ void confirm_refinement_violation(lts::TransitionSystem& specification, lts::Tra
     std::vector<Event> trace = violation.run.trace();
     std::optional<Event> forbidden;
     if (violation.kind == ViolationKind::trace) {
-        require(!trace.empty(), "no event is forbidden");
+        require_claim(!trace.empty(), "no event is forbidden");
         forbidden = trace.back();
         trace.pop_back();
     }
     Powerset allowed(specification, budget);
-    require(!with_divergence || !allowed.diverges(), "the specification diverges");
+    require_claim(!with_divergence || !allowed.diverges(), "the specification diverges");
     for (Event event : trace) {
-        allowed.perform(event);
-        require(!allowed.impossible(), "the trace is impossible before its last event");
-        require(!with_divergence || !allowed.diverges(), "the specification diverges");
+        allowed.perform_event(event);
+        require_claim(!allowed.has_no_states(), "the trace is impossible before its last event");
+        require_claim(!with_divergence || !allowed.diverges(), "the specification diverges");
     }
     switch (violation.kind) {
         case ViolationKind::trace:
-            return require(!allowed.can_perform(*forbidden), "the specification allows the event");
+            return require_claim(!allowed.can_perform(*forbidden), "the specification allows the event");
         case ViolationKind::refusal:
-            require(model != Model::traces, "refusals do not matter to traces");
+            require_claim(model != Model::traces, "refusals do not matter to traces");
             return confirm_refusal(implementation, allowed, violation.run, budget);
         case ViolationKind::divergence:
-            require(with_divergence, "divergence does not matter to this model");
+            require_claim(with_divergence, "divergence does not matter to this model");
             return confirm_loop(implementation, violation, budget);
         default:
-            require(false, "a kind that refinement does not have");
+            require_claim(false, "a kind that refinement does not have");
     }
 }
 
@@ -200,34 +201,37 @@ void confirm_property_violation(lts::TransitionSystem& system, const Violation& 
     confirm_run(system, violation.run, budget);
     if (violation.kind == ViolationKind::divergence) return confirm_loop(system, violation, budget);
     if (violation.kind == ViolationKind::deadlock)
-        return require(steps_from(system, violation.run.last(), budget).empty(), "the state is not deadlocked");
-    require(violation.kind == ViolationKind::nondeterminism && violation.event, "a kind that properties do not have");
-    require(conduct_of(system, violation.run.last(), budget).can_refuse(*violation.event), "the event is not refused");
+        return require_claim(steps_from(system, violation.run.last_state(), budget).empty(),
+                             "the state is not deadlocked");
+    require_claim(violation.kind == ViolationKind::nondeterminism && violation.event,
+                  "a kind that properties do not have");
+    require_claim(conduct_of(system, violation.run.last_state(), budget).can_refuse(*violation.event),
+                  "the event is not refused");
     Powerset states(system, budget);
-    for (Event event : violation.run.trace()) states.perform(event);
-    require(states.can_perform(*violation.event), "the event is not accepted");
+    for (Event event : violation.run.trace()) states.perform_event(event);
+    require_claim(states.can_perform(*violation.event), "the event is not accepted");
 }
 
 void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, const Run& run,
                            Budget& budget) {
     confirm_run(system, run, budget);
     const std::vector<Event> prefix = run.trace();
-    require(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
-            "the run is not a beginning of the trace");
+    require_claim(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
+                  "the run is not a beginning of the trace");
     // A single run cannot show that no run continues. If there are too many runs, the search is trusted, as it is if a
     // refinement holds.
     constexpr std::size_t most_states = 20'000;
     try {
         Powerset states(system, budget, most_states);
-        for (Event event : prefix) states.perform(event);
-        require(!states.can_perform(trace[prefix.size()]), "the trace goes on");
+        for (Event event : prefix) states.perform_event(event);
+        require_claim(!states.can_perform(trace[prefix.size()]), "the trace goes on");
     } catch (const Powerset::TooLarge&) {
     }
 }
 
 void confirm_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, const Run& run, Budget& budget) {
     confirm_run(system, run, budget);
-    require(run.trace() == trace, "the run performs another trace");
+    require_claim(run.trace() == trace, "the run performs another trace");
 }
 
 }  // namespace robochart::refine

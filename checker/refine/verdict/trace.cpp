@@ -42,15 +42,15 @@ struct Reached {
     std::size_t furthest = 0;
 };
 
-Reached reach(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t events, Budget& budget,
-              Statistics& statistics, bool shortest) {
+Reached find_trace_end(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t events,
+                       Budget& budget, Statistics& statistics, bool shortest) {
     Reached reached;
     const auto search = [&](lts::TransitionSystem& searched, Budget& own, Statistics& size) {
         TraceMonitor monitor(trace, events);
         Search along(searched, monitor, own);
         const Tally tally(along, size);
         const std::optional<Finding> end = along.first_violation();
-        reached.furthest = std::max(reached.furthest, monitor.furthest());
+        reached.furthest = std::max(reached.furthest, monitor.furthest_node());
         return end ? std::optional(violation_of(along, searched, *end)) : std::nullopt;
     };
     reached.violation = search_along(system, trace, budget, statistics, shortest, search);
@@ -72,7 +72,7 @@ public:
         if (accepted && !std::ranges::binary_search(*accepted, trace_[node])) refused_ = node;
         return std::nullopt;
     }
-    [[nodiscard]] std::optional<std::size_t> refused() const { return refused_; }
+    [[nodiscard]] std::optional<std::size_t> refused_position() const { return refused_; }
 
 private:
     const std::vector<Event>& trace_;
@@ -92,7 +92,7 @@ Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& tra
         RefusalsAlong monitor(trace);
         Search along(searched, monitor, own, divergence);
         along.first_violation();
-        doubts.refused = monitor.refused();
+        doubts.refused = monitor.refused_position();
         doubts.diverges = divergence && along.first_tau_cycle();
         return std::nullopt;
     };
@@ -100,8 +100,9 @@ Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& tra
     return doubts;
 }
 
-/// FDR's manual does not define what the failures models add to `has trace`. If the system neither refuses nor diverges
-/// along the trace, they add nothing; if it cannot perform the trace, they do not matter; otherwise the answer is open.
+/// FDR's manual does not define what the failures models add to `has trace`. They add nothing if the system neither
+/// refuses nor diverges along the trace. They do not matter if the system cannot perform the trace. Otherwise the
+/// answer is undefined, and the verdict is inconclusive.
 void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
                  Verdict& verdict) {
     const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";
@@ -120,18 +121,19 @@ void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace,
 }
 
 void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Verdict& verdict) {
-    const Reached whole = reach(system, trace, trace.size(), budget, verdict.statistics, false);
+    const Reached whole = find_trace_end(system, trace, trace.size(), budget, verdict.statistics, false);
     if (whole.violation) {
         confirm_trace(system, trace, whole.violation->run, budget);
         verdict.outcome = Outcome::holds;
         return;
     }
     Statistics ignored;
-    const Reached prefix = reach(system, trace, whole.furthest, budget, ignored, true);
+    const Reached prefix = find_trace_end(system, trace, whole.furthest, budget, ignored, true);
     const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
         confirm_missing_trace(judged, trace, shown.run, own);
     };
-    Counterexample counterexample = tell(confirmed(system, prefix.violation.value(), budget, judge));
+    Counterexample counterexample =
+        make_counterexample(confirm_violation(system, prefix.violation.value(), budget, judge));
     counterexample.event = trace[whole.furthest];
     verdict.outcome = Outcome::fails;
     verdict.counterexample = std::move(counterexample);

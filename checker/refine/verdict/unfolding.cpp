@@ -18,32 +18,32 @@ class Unfolding {
 public:
     Unfolding(lts::TransitionSystem& system, const Reduction& reduction)
         : system_(system), reduction_(reduction), shown_(initial_of(system)), run_{shown_, {}} {
-        arrive(shown_);
-        settle();
-        arrive(representative(shown_));
+        set_shown_state(shown_);
+        follow_confluent_taus();
+        set_shown_state(representative(shown_));
     }
 
-    void follow(const Run& shown) {
+    void follow_run(const Run& shown) {
         for (const RunStep& step : shown.steps) {
             const RunStep behind = step_behind(step);
             go_to(behind.state, behind.event);
-            settle();
-            arrive(step.state);
+            follow_confluent_taus();
+            set_shown_state(step.state);
         }
     }
     /// Returns the run and starts another one at its end.
-    Run take() {
+    Run take_run() {
         Run result = std::move(run_);
-        run_ = {result.last(), {}};
+        run_ = {result.last_state(), {}};
         return result;
     }
     /// Repeats the run, each time with its next image, until it returns to its first state.
-    void close() {
+    void close_loop() {
         const State first = run_.initial;
         const std::size_t length = run_.steps.size();
-        if (reduction_.symmetry == nullptr || run_.last() == first) return;
-        const lts::Symmetry::Permutation turn = reduction_.symmetry->between(first, run_.last());
-        while (run_.last() != first) {
+        if (reduction_.symmetry == nullptr || run_.last_state() == first) return;
+        const lts::Symmetry::Permutation turn = reduction_.symmetry->find_permutation(first, run_.last_state());
+        while (run_.last_state() != first) {
             const RunStep& before = run_.steps[run_.steps.size() - length];
             State next = before.state;
             reduction_.symmetry->apply(turn, next);
@@ -52,22 +52,22 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<State> chased(const State& state) const {
-        return reduction_.taus == nullptr ? std::vector<State>{} : reduction_.taus->chase(state);
+    [[nodiscard]] std::vector<State> confluent_tau_path(const State& state) const {
+        return reduction_.taus == nullptr ? std::vector<State>{} : reduction_.taus->tau_path(state);
     }
     [[nodiscard]] State representative(State state) const {
-        if (reduction_.symmetry != nullptr) reduction_.symmetry->fold(state);
+        if (reduction_.symmetry != nullptr) reduction_.symmetry->replace_by_representative(state);
         return state;
     }
-    [[nodiscard]] lts::Event orbit(lts::Event event) const {
-        return reduction_.symmetry == nullptr ? event : reduction_.symmetry->orbit(event);
+    [[nodiscard]] lts::Event orbit_of(lts::Event event) const {
+        return reduction_.symmetry == nullptr ? event : reduction_.symmetry->orbit_representative(event);
     }
 
     /// Returns the step of the system from the current state that the reduced form shows as this step.
     [[nodiscard]] RunStep step_behind(const RunStep& shown) const {
         for (RunStep& step : steps_from(system_, shown_)) {
             if (step.event != shown.event || step.revealed != shown.revealed) continue;
-            const std::vector<State> row = chased(step.state);
+            const std::vector<State> row = confluent_tau_path(step.state);
             if (representative(row.empty() ? step.state : row.back()) == shown.state) return std::move(step);
         }
         throw std::logic_error("a step of the reduced system cannot be taken");
@@ -75,8 +75,8 @@ private:
 
     /// Returns the step of the system from the end of the run.
     [[nodiscard]] RunStep step_to(const State& target, lts::Event event) const {
-        for (RunStep& step : steps_from(system_, run_.last()))
-            if (step.state == target && orbit(step.event) == orbit(event)) return std::move(step);
+        for (RunStep& step : steps_from(system_, run_.last_state()))
+            if (step.state == target && orbit_of(step.event) == orbit_of(event)) return std::move(step);
         throw std::logic_error("the image of a transition is none");
     }
 
@@ -88,14 +88,15 @@ private:
     }
 
     /// Follows confluent taus.
-    void settle() {
-        for (const State& next : chased(shown_)) go_to(next, process::tau);
+    void follow_confluent_taus() {
+        for (const State& next : confluent_tau_path(shown_)) go_to(next, process::tau);
     }
 
     /// Sets the state of the reduced form. The current state of the run is an image of it.
-    void arrive(State state) {
+    void set_shown_state(State state) {
         shown_ = std::move(state);
-        if (reduction_.symmetry != nullptr) permutation_ = reduction_.symmetry->between(shown_, run_.last());
+        if (reduction_.symmetry != nullptr)
+            permutation_ = reduction_.symmetry->find_permutation(shown_, run_.last_state());
     }
 
     lts::TransitionSystem& system_;
@@ -107,15 +108,15 @@ private:
 
 }  // namespace
 
-Violation unfolded(lts::TransitionSystem& system, const Reduction& reduction, const Violation& shown) {
+Violation unfold_violation(lts::TransitionSystem& system, const Reduction& reduction, const Violation& shown) {
     Violation result = shown;
     Unfolding unfolding(system, reduction);
-    unfolding.follow(shown.run);
-    result.run = unfolding.take();
+    unfolding.follow_run(shown.run);
+    result.run = unfolding.take_run();
     if (shown.loop.steps.empty()) return result;
-    unfolding.follow(shown.loop);
-    unfolding.close();
-    result.loop = unfolding.take();
+    unfolding.follow_run(shown.loop);
+    unfolding.close_loop();
+    result.loop = unfolding.take_run();
     return result;
 }
 

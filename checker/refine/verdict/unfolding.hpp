@@ -17,6 +17,7 @@ struct Reduction {
 };
 
 /// Converts a violation that was found in the reduced form to a violation of the system.
-[[nodiscard]] Violation unfolded(lts::TransitionSystem& system, const Reduction& reduction, const Violation& shown);
+[[nodiscard]] Violation unfold_violation(lts::TransitionSystem& system, const Reduction& reduction,
+                                         const Violation& shown);
 
 }  // namespace robochart::refine

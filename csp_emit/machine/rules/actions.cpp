@@ -22,7 +22,7 @@ namespace {
 
 const char* const received = "in__";
 
-Item statement(const ir::StmtPtr& stmt, const std::string& label) {
+Item item_of_statement(const ir::StmtPtr& stmt, const std::string& label) {
     Item item;
     item.stmt = stmt.get();
     item.label = label;
@@ -30,12 +30,12 @@ Item statement(const ir::StmtPtr& stmt, const std::string& label) {
 }
 
 /// The configuration after the statement, with these changed values.
-Next done(const RunningThread& running, Values values) {
-    return go(running.replace(running.tail()), std::move(values));
+Next finish_item(const RunningThread& running, Values values) {
+    return next_configuration(running.replace(running.tail()), std::move(values));
 }
 
 /// Resets the clock if this machine counts it in a cell.
-void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, Values& values) {
+void reset_clock(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, Values& values) {
     const Frame& frame = tables.frames[index];
     tables.watch.note_reset(frame, clock, values);
     const auto& cell = frame.clocks.at(clock.index);
@@ -45,57 +45,58 @@ void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, 
 /// `S <{d}`: a counter that runs in parallel with the statement S and ends with it.
 Next start_deadline(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
                     const Values& values) {
-    const Item inner = statement(stmt.body.at(0), running.head().label);
-    if (!tables.timed()) return go(running.replace(push(inner, rest)), values);
+    const Item inner = item_of_statement(stmt.body.at(0), running.head().label);
+    if (!tables.timed()) return next_configuration(running.replace(push_item(inner, rest)), values);
     const CellId cell = tables.cells.of_statement(running.frame(), stmt, 0, CellKind::deadline, "d__");
     Item end = running.head();
     end.kind = ItemKind::deadline_end;
     end.cells = {cell};
     Values changed = values;
-    changed[cell] = expression(tables.project(), tables.frames.scope(running.frame(), values), *stmt.value);
-    return go(running.replace(push(inner, push(end, rest))), changed);
+    changed[cell] =
+        translate_expression(tables.project(), tables.frames.make_scope(running.frame(), values), *stmt.value);
+    return next_configuration(running.replace(push_item(inner, push_item(end, rest))), changed);
 }
 
-Next choose(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
-            const Values& values) {
+Next branch_on_condition(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt,
+                         const Program& rest, const Values& values) {
     const std::string& label = running.head().label;
-    const Program other = stmt.body.size() > 1 ? push(statement(stmt.body[1], label), rest) : rest;
+    const Program other = stmt.body.size() > 1 ? push_item(item_of_statement(stmt.body[1], label), rest) : rest;
     return {Next::Kind::branching,
             {},
             {},
-            expression(tables.project(), tables.frames.scope(running.frame(), values), *stmt.condition),
-            {go(running.replace(push(statement(stmt.body.at(0), label), rest)), values),
-             go(running.replace(other), values)}};
+            translate_expression(tables.project(), tables.frames.make_scope(running.frame(), values), *stmt.condition),
+            {next_configuration(running.replace(push_item(item_of_statement(stmt.body.at(0), label), rest)), values),
+             next_configuration(running.replace(other), values)}};
 }
 
 /// The effect of the first statement, without the preconditions of the functions that it uses.
-Next effect(MachineTables& tables, const RunningThread& running, const Values& values) {
+Next effect_of(MachineTables& tables, const RunningThread& running, const Values& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     const Program& rest = running.tail();
     switch (stmt.kind) {
         case StmtKind::sequence: {
             Program all = rest;
             for (auto part = stmt.body.rbegin(); part != stmt.body.rend(); ++part)
-                all = push(statement(*part, running.head().label), all);
-            return go(running.replace(all), values);
+                all = push_item(item_of_statement(*part, running.head().label), all);
+            return next_configuration(running.replace(all), values);
         }
         case StmtKind::if_then_else:
-            return choose(tables, running, stmt, rest, values);
+            return branch_on_condition(tables, running, stmt, rest, values);
         case StmtKind::assign: {
             Values changed = values;
             changed[tables.frames[running.frame()].variables.at(stmt.variable.index)] =
-                assigned(tables, running.frame(), stmt, values);
-            return done(running, changed);
+                assigned_value(tables, running.frame(), stmt, values);
+            return finish_item(running, changed);
         }
         case StmtKind::call:
-            return call(tables, running, stmt, rest, values);
+            return call_operation(tables, running, stmt, rest, values);
         case StmtKind::wait:
         case StmtKind::wait_interval:
             return start_wait(tables, running, stmt, rest, values);
         case StmtKind::clock_reset: {
             Values changed = values;
-            reset(tables, running.frame(), stmt.clock, changed);
-            return done(running, changed);
+            reset_clock(tables, running.frame(), stmt.clock, changed);
+            return finish_item(running, changed);
         }
         case StmtKind::deadline:
             return start_deadline(tables, running, stmt, rest, values);
@@ -103,31 +104,31 @@ Next effect(MachineTables& tables, const RunningThread& running, const Values& v
         case StmtKind::communicate:
             break;
     }
-    return done(running, values);
+    return finish_item(running, values);
 }
 
 /// The effect of the first statement if it is not an event of the alphabet, followed by the continuation.
-Next perform(MachineTables& tables, const RunningThread& running, const Values& values) {
-    Next then = effect(tables, running, values);
+Next perform_statement(MachineTables& tables, const RunningThread& running, const Values& values) {
+    Next then = effect_of(tables, running, values);
     const b::Exprs conditions = function_preconditions(tables, running.frame(), *running.head().stmt, values);
     if (conditions.empty()) return then;
-    return if_(b::all_of(conditions), std::move(then), go(stuck(running), values));
+    return next_if(b::all_of(conditions), std::move(then), next_configuration(block_thread(running), values));
 }
 
 std::optional<Next> silent_statement(MachineTables& tables, const RunningThread& running, const Activation& config,
                                      const Values& values, bool alone, bool branching) {
     const ir::Stmt& stmt = *running.head().stmt;
     const bool changes = stmt.kind == StmtKind::assign || stmt.kind == StmtKind::clock_reset;
-    if (visible(tables, running, stmt)) return std::nullopt;
+    if (is_visible(tables, running, stmt)) return std::nullopt;
     const bool about_time = stmt.kind == StmtKind::clock_reset || stmt.kind == StmtKind::wait ||
                             stmt.kind == StmtKind::wait_interval || stmt.kind == StmtKind::deadline;
-    if (about_time && !tables.timed()) return perform(tables, running, values);  // dropped: semantics 3.11
+    if (about_time && !tables.timed()) return perform_statement(tables, running, values);  // dropped: semantics 3.11
     if (changes && (running.during || !alone)) return std::nullopt;
-    if (!stable(tables, running.frame(), stmt, alone)) return std::nullopt;
+    if (!is_stable(tables, running.frame(), stmt, alone)) return std::nullopt;
     // A second conditional after a first one would double the text each time, so it gets its own function.
     const bool again = stmt.kind == StmtKind::if_then_else && branching;
     if (again || !reads_only_names(tables, running.frame(), stmt, values)) return at_point(config, values);
-    return perform(tables, running, values);
+    return perform_statement(tables, running, values);
 }
 
 std::optional<Next> silent_head(MachineTables& tables, const RunningThread& running, const Activation& config,
@@ -137,24 +138,24 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::statement:
             return silent_statement(tables, running, config, values, alone, branching);
         case ItemKind::deadline_end:
-            return done(running, values);
+            return finish_item(running, values);
         case ItemKind::join: {
             const auto& beside = running.owner().durings;
             if (std::ranges::any_of(beside, [&](const During& d) { return d.node == item.node; })) return std::nullopt;
-            return done(running, values);
+            return finish_item(running, values);
         }
         case ItemKind::enter:
-            return enter(tables, running, values);
+            return enter_node(tables, running, values);
         case ItemKind::entered:
             // the environment does not see states of called operations
-            if (running.frame() != 0) return entered(tables, running, values);
+            if (running.frame() != 0) return mark_entered(tables, running, values);
             return std::nullopt;
         case ItemKind::store: {
             const CellId target = tables.frames[running.frame()].variables.at(item.variable.index);
             if (tables.cells[target].shared || !alone || running.during) return std::nullopt;
             Values changed = values;
-            changed[target] = tables.cells.value(item.cells.at(0), values);
-            return done(running, changed);
+            changed[target] = tables.cells.current_value(item.cells.at(0), values);
+            return finish_item(running, changed);
         }
         case ItemKind::frozen:
         case ItemKind::waiting:
@@ -170,18 +171,18 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
 b::Exprs values_read(const MachineTables& tables, std::uint32_t index, const ir::Stmt& stmt) {
     const Frame& frame = tables.frames[index];
     b::Exprs result;
-    if (stmt.kind == StmtKind::assign) result.push_back(assigned(tables, index, stmt, {}));
+    if (stmt.kind == StmtKind::assign) result.push_back(assigned_value(tables, index, stmt, {}));
     if (stmt.kind == StmtKind::communicate && stmt.communication.value)
-        result.push_back(expression_as(tables.project(), tables.frames.scope(index, {}), *stmt.communication.value,
+        result.push_back(expression_as(tables.project(), tables.frames.make_scope(index, {}), *stmt.communication.value,
                                        *frame.machine->events.at(stmt.communication.event.index).type));
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
-        result.push_back(expression_as(tables.project(), tables.frames.scope(index, {}), *stmt.args[i],
+        result.push_back(expression_as(tables.project(), tables.frames.make_scope(index, {}), *stmt.args[i],
                                        frame.machine->operations.at(stmt.operation.index).parameters.at(i)));
     return result;
 }
 
 /// Reads all expressions of the statement at once and stores their values.
-Branch freeze(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
+Branch freeze_values(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const std::uint32_t frame = running.frame();
     Item item = running.head();
     item.kind = ItemKind::frozen;
@@ -190,22 +191,24 @@ Branch freeze(MachineTables& tables, const RunningThread& running, const ir::Stm
         item.cells.push_back(tables.cells.of_statement(frame, stmt, item.cells.size(), CellKind::frozen, "x__"));
         values[item.cells.back()] = value;
     }
-    Next then = go(running.replace(push(item, running.tail())), values);
+    Next then = next_configuration(running.replace(push_item(item, running.tail())), values);
     const b::Exprs conditions = function_preconditions(tables, frame, stmt, {});
-    if (!conditions.empty()) then = if_(b::all_of(conditions), std::move(then), go(stuck(running), {}));
-    return {nullptr, step(tables, frame, stmt, "read "), {}, std::move(then)};
+    if (!conditions.empty())
+        then = next_if(b::all_of(conditions), std::move(then), next_configuration(block_thread(running), {}));
+    return {nullptr, hidden_step(tables, frame, stmt, "read "), {}, std::move(then)};
 }
 
 /// `e.out`, `e.out!v`.
-Branch sending(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const b::Exprs& value) {
+Branch send_event(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt,
+                  const b::Exprs& value) {
     const std::string& channel = tables.frames[running.frame()].events.at(stmt.communication.event.index);
     std::vector<cspm::Field> fields;
     if (!value.empty()) fields.push_back(b::output(value.front()));
-    return {nullptr, b::dot({b::name(channel), b::name("out")}), std::move(fields), done(running, {})};
+    return {nullptr, b::dot({b::name(channel), b::name("out")}), std::move(fields), finish_item(running, {})};
 }
 
 /// `e.in?x`; then the value is stored (semantics 3.5).
-Branch reception(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
+Branch receive_event(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const std::uint32_t frame = running.frame();
     const Project& project = tables.project();
     const ir::Communication& input = stmt.communication;
@@ -219,54 +222,56 @@ Branch reception(MachineTables& tables, const RunningThread& running, const ir::
     const ExprPtr value = received_as(project, b::name(received), type, variable, stmt.origin.span);
     ExprPtr from;
     if (input.predicate) {
-        const Scope names = tables.frames.scope(frame, {}, value);
-        b::Exprs conditions = preconditions(project, names, *input.predicate);
-        conditions.push_back(expression(project, names, *input.predicate));
+        const Scope names = tables.frames.make_scope(frame, {}, value);
+        b::Exprs conditions = translate_preconditions(project, names, *input.predicate);
+        conditions.push_back(translate_expression(project, names, *input.predicate));
         from = b::set_comprehension({b::name(received)}, {b::generator(received, type_set(project, type)),
                                                           b::condition(b::all_of(conditions))});
     }
     return {nullptr,
             b::dot({b::name(tables.frames[frame].events.at(input.event.index)), b::name("in")}),
             {b::input(received, from)},
-            go(running.replace(push(store, running.tail())), {{cell, value}})};
+            next_configuration(running.replace(push_item(store, running.tail())), {{cell, value}})};
 }
 
 /// Writes a variable: `set_x!v` if it is shared, a hidden step otherwise (semantics 3.7).
-Branch write(MachineTables& tables, const RunningThread& running, CellId id, const ExprPtr& value) {
+Branch write_variable(MachineTables& tables, const RunningThread& running, CellId id, const ExprPtr& value) {
     const Cell& cell = tables.cells[id];
-    Next next = done(running, {{id, value}});
+    Next next = finish_item(running, {{id, value}});
     if (cell.shared) return {nullptr, b::name("set_" + cell.channel), {b::output(value)}, std::move(next)};
     if (const ir::Stmt* stmt = running.head().stmt)
-        return {nullptr, step(tables, running.frame(), *stmt, ""), {}, std::move(next)};
+        return {nullptr, hidden_step(tables, running.frame(), *stmt, ""), {}, std::move(next)};
     const EventMeaning meaning{MeaningKind::assignment, "store the received value in " + cell.meaning, {}, {}};
-    return {nullptr, tables.events.step("store " + cell.name, meaning), {}, std::move(next)};
+    return {nullptr, tables.events.step_event("store " + cell.name, meaning), {}, std::move(next)};
 }
 
 /// The event of a statement that sends, calls or writes; its fields are the values read before.
 Branch event_of(MachineTables& tables, const RunningThread& running, const b::Exprs& values) {
     const ir::Stmt& stmt = *running.head().stmt;
-    if (stmt.kind == StmtKind::communicate) return sending(tables, running, stmt, values);
+    if (stmt.kind == StmtKind::communicate) return send_event(tables, running, stmt, values);
     if (stmt.kind == StmtKind::call) return call_event(tables, running, stmt, values);
-    return write(tables, running, tables.frames[running.frame()].variables.at(stmt.variable.index), values.at(0));
+    return write_variable(tables, running, tables.frames[running.frame()].variables.at(stmt.variable.index),
+                          values.at(0));
 }
 
 Branch statement_branch(MachineTables& tables, const RunningThread& running, bool alone) {
     const ir::Stmt& stmt = *running.head().stmt;
     const std::uint32_t frame = running.frame();
-    if (!visible(tables, running, stmt)) {
-        Next then = perform(tables, running, {});
-        return {nullptr, step(tables, frame, stmt, ""), {}, std::move(then)};
+    if (!is_visible(tables, running, stmt)) {
+        Next then = perform_statement(tables, running, {});
+        return {nullptr, hidden_step(tables, frame, stmt, ""), {}, std::move(then)};
     }
     if (stmt.kind == StmtKind::communicate && stmt.communication.kind == CommKind::input)
-        return reception(tables, running, stmt);
+        return receive_event(tables, running, stmt);
     if (stmt.kind == StmtKind::clock_reset) {
         Values changed;
-        reset(tables, frame, stmt.clock, changed);
-        const ExprPtr event = b::dot({b::name("clockReset"), b::name(*tables.frames.announced(frame, stmt.clock))});
-        return {nullptr, event, {}, done(running, changed)};
+        reset_clock(tables, frame, stmt.clock, changed);
+        const ExprPtr event =
+            b::dot({b::name("clockReset"), b::name(*tables.frames.reset_constructor(frame, stmt.clock))});
+        return {nullptr, event, {}, finish_item(running, changed)};
     }
-    const bool steady = stable(tables, frame, stmt, alone) && !reads_in_turn(tables, running, stmt);
-    if (!steady) return freeze(tables, running, stmt);
+    const bool steady = is_stable(tables, frame, stmt, alone) && !reads_in_turn(tables, running, stmt);
+    if (!steady) return freeze_values(tables, running, stmt);
     Branch result = event_of(tables, running, values_read(tables, frame, stmt));
     // `pre & process` for the functions that the statement uses.
     if (const b::Exprs conditions = function_preconditions(tables, frame, stmt, {}); !conditions.empty())
@@ -276,10 +281,11 @@ Branch statement_branch(MachineTables& tables, const RunningThread& running, boo
 
 }  // namespace
 
-std::optional<Next> silent(MachineTables& tables, const Activation& config, const Values& values, bool branching) {
-    const View now = view(config);
+std::optional<Next> silent_step(MachineTables& tables, const Activation& config, const Values& values, bool branching) {
+    const View now = view_of(config);
     for (const RunningThread& waiting : now.calls)  // a called operation in its final state returns (semantics 3.8)
-        if (is_final(tables, *waiting.thread().callee)) return go(waiting.replace(waiting.thread().rest), values);
+        if (is_final(tables, *waiting.thread().callee))
+            return next_configuration(waiting.replace(waiting.thread().rest), values);
     for (const RunningThread& running : now.threads)
         if (auto result = silent_head(tables, running, config, values, now.threads.size() == 1, branching))
             return result;
@@ -293,12 +299,12 @@ std::optional<Branch> head_branch(MachineTables& tables, const RunningThread& ru
             return statement_branch(tables, running, alone);
         case ItemKind::frozen: {
             b::Exprs values;
-            for (const CellId cell : item.cells) values.push_back(tables.cells.parameter(cell));
+            for (const CellId cell : item.cells) values.push_back(tables.cells.parameter_name(cell));
             return event_of(tables, running, values);
         }
         case ItemKind::store:
-            return write(tables, running, tables.frames[running.frame()].variables.at(item.variable.index),
-                         tables.cells.parameter(item.cells.at(0)));
+            return write_variable(tables, running, tables.frames[running.frame()].variables.at(item.variable.index),
+                                  tables.cells.parameter_name(item.cells.at(0)));
         case ItemKind::entered:
             return entered_branch(tables, running);
         case ItemKind::left:

@@ -12,7 +12,7 @@ namespace robochart::csp_emit {
 
 /// Executes the first item in the configuration that needs no event; returns no value if every item needs one.
 /// `branching` is true if the function already contains a conditional.
-[[nodiscard]] std::optional<Next> silent(MachineTables&, const Activation& config, const Values&, bool branching);
+[[nodiscard]] std::optional<Next> silent_step(MachineTables&, const Activation& config, const Values&, bool branching);
 /// The event of the first item of a thread; no value if the thread only waits for time or is stuck. `alone` is true if
 /// no other thread runs.
 [[nodiscard]] std::optional<Branch> head_branch(MachineTables&, const RunningThread&, bool alone);

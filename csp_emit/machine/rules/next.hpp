@@ -31,16 +31,16 @@ struct Next {
     cspm::Span span = {};  ///< for a choice from a set: the place at which an empty set is reported
 };
 
-[[nodiscard]] inline Next go(Activation config, Values values) {
+[[nodiscard]] inline Next next_configuration(Activation config, Values values) {
     return {Next::Kind::configuration, std::move(config), std::move(values)};
 }
 [[nodiscard]] inline Next at_point(Activation config, Values values) {
     return {Next::Kind::point, std::move(config), std::move(values)};
 }
-[[nodiscard]] inline Next if_(cspm::ExprPtr condition, Next then, Next otherwise) {
+[[nodiscard]] inline Next next_if(cspm::ExprPtr condition, Next then, Next otherwise) {
     return {Next::Kind::conditional, {}, {}, std::move(condition), {std::move(then), std::move(otherwise)}};
 }
-[[nodiscard]] inline Next process(cspm::ExprPtr process) {
+[[nodiscard]] inline Next next_process(cspm::ExprPtr process) {
     return {Next::Kind::process, {}, {}, std::move(process)};
 }
 

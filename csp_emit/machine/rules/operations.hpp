@@ -12,7 +12,8 @@
 namespace robochart::csp_emit {
 
 /// Runs the operation that the statement calls, then `rest`.
-[[nodiscard]] Next call(MachineTables&, const RunningThread&, const ir::Stmt&, const Program& rest, const Values&);
+[[nodiscard]] Next call_operation(MachineTables&, const RunningThread&, const ir::Stmt&, const Program& rest,
+                                  const Values&);
 /// Performs the call as an event.
 [[nodiscard]] Branch call_event(const MachineTables&, const RunningThread&, const ir::Stmt&,
                                 const std::vector<cspm::ExprPtr>& arguments);

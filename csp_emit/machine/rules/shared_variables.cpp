@@ -14,16 +14,16 @@ using cspm::ExprPtr;
 namespace {
 
 bool others_write(const MachineTables& tables) {
-    const auto& variables = tables.frames.root().variables;
+    const auto& variables = tables.frames.root_frame().variables;
     return std::ranges::any_of(variables, [&](CellId cell) { return tables.cells[cell].shared; });
 }
 
 /// Whether the statement may contain a part during which no other component may write.
 bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
     const auto function = [](const ir::Expr& part) { return part.kind == ir::ExprKind::call; };
-    const auto expressions = reads(stmt);
+    const auto expressions = expressions_of(stmt);
     return stmt.kind == ir::StmtKind::call || (tables.timed() && stmt.kind == ir::StmtKind::deadline) ||
-           std::ranges::any_of(expressions, [&](const ir::Expr* expr) { return mentions(*expr, function); }) ||
+           std::ranges::any_of(expressions, [&](const ir::Expr* expr) { return has_part(*expr, function); }) ||
            std::ranges::any_of(stmt.body, [&](const auto& part) { return may_refuse_writes(tables, *part); });
 }
 
@@ -32,10 +32,10 @@ bool refuses_writes(const MachineTables& tables, const RunningThread& running, b
     const Item& item = running.head();
     if (item.kind == ItemKind::stuck) return true;
     if (item.stmt == nullptr || (item.kind != ItemKind::statement && item.kind != ItemKind::frozen)) return false;
-    const bool to_read = item.kind == ItemKind::statement && (!stable(tables, running.frame(), *item.stmt, alone) ||
+    const bool to_read = item.kind == ItemKind::statement && (!is_stable(tables, running.frame(), *item.stmt, alone) ||
                                                               reads_in_turn(tables, running, *item.stmt));
     if (to_read) return false;
-    if (item.stmt->kind == ir::StmtKind::call) return !defined(tables, running, *item.stmt);
+    if (item.stmt->kind == ir::StmtKind::call) return !is_defined(tables, running, *item.stmt);
     if (item.stmt->kind != ir::StmtKind::communicate) return false;
     const Link* next = running.tail().get();
     return next != nullptr && next->head.kind == ItemKind::deadline_end &&
@@ -46,8 +46,8 @@ bool refuses_writes(const MachineTables& tables, const RunningThread& running, b
 
 bool reads_in_turn(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const auto variable = [](const ir::Expr& part) { return part.kind == ir::ExprKind::variable; };
-    return stmt.kind == ir::StmtKind::call && !defined(tables, running, stmt) && others_write(tables) &&
-           std::ranges::any_of(stmt.args, [&](const auto& arg) { return mentions(*arg, variable); });
+    return stmt.kind == ir::StmtKind::call && !is_defined(tables, running, stmt) && others_write(tables) &&
+           std::ranges::any_of(stmt.args, [&](const auto& arg) { return has_part(*arg, variable); });
 }
 
 void left_before(const MachineTables& tables, const ir::StmtPtr& next, ir::NodeId node,
@@ -68,12 +68,13 @@ Branch left_branch(MachineTables& tables, const RunningThread& running) {
     meaning.text = "leave " + node.path;
     meaning.origin = node.origin;
     const std::string step = "left " + std::to_string(running.frame()) + ":" + std::to_string(item.node.index);
-    return {nullptr, tables.events.step(step, meaning), {}, go(running.replace(running.tail()), {})};
+    return {
+        nullptr, tables.events.step_event(step, meaning), {}, next_configuration(running.replace(running.tail()), {})};
 }
 
 std::vector<ExprPtr> external_write_events(const MachineTables& tables) {
     std::vector<ExprPtr> result;
-    for (const CellId cell : tables.frames.root().variables)
+    for (const CellId cell : tables.frames.root_frame().variables)
         if (tables.cells[cell].shared) result.push_back(b::name("set_EXT_" + tables.cells[cell].channel));
     return result;
 }
@@ -82,12 +83,12 @@ std::vector<Branch> external_writes(const MachineTables& tables, const Activatio
     for (const RunningThread& running : view.threads)
         if (refuses_writes(tables, running, view.threads.size() == 1)) return {};
     std::vector<Branch> result;
-    for (const CellId cell : tables.frames.root().variables)
+    for (const CellId cell : tables.frames.root_frame().variables)
         if (tables.cells[cell].shared)
             result.push_back({nullptr,
                               b::name("set_EXT_" + tables.cells[cell].channel),
                               {b::input("in__")},
-                              go(config, {{cell, b::name("in__")}})});
+                              next_configuration(config, {{cell, b::name("in__")}})});
     return result;
 }
 

@@ -13,7 +13,7 @@
 namespace robochart::csp_emit {
 
 /// Whether the call reads variables in a separate step. Others may write until that step (`share__choice(get_v?v ->
-/// ...)`), but not while the operation is being called.
+/// ...)`), but not during the call of the operation.
 [[nodiscard]] bool reads_in_turn(const MachineTables&, const RunningThread&, const ir::Stmt&);
 /// Adds the step that leaves `node` if it is observable. `next` is the action that follows; it may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,

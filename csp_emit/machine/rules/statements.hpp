@@ -11,30 +11,30 @@
 namespace robochart::csp_emit {
 
 /// The expressions that the statement itself evaluates, without those of nested statements.
-[[nodiscard]] std::vector<const ir::Expr*> reads(const ir::Stmt&);
+[[nodiscard]] std::vector<const ir::Expr*> expressions_of(const ir::Stmt&);
 /// Whether the statement reads only values that other threads and components cannot write. `alone`: no other thread
 /// runs.
-[[nodiscard]] bool stable(const MachineTables&, std::uint32_t frame, const ir::Stmt&, bool alone);
+[[nodiscard]] bool is_stable(const MachineTables&, std::uint32_t frame, const ir::Stmt&, bool alone);
 /// Whether every variable that the statement reads currently has a name or a literal as its value. A second use of such
 /// a value copies no expression.
 [[nodiscard]] bool reads_only_names(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
 /// Whether the operation that the statement calls is defined in the machine's context.
-[[nodiscard]] bool defined(const MachineTables&, const RunningThread&, const ir::Stmt& call);
+[[nodiscard]] bool is_defined(const MachineTables&, const RunningThread&, const ir::Stmt& call);
 /// Whether the statement is an event of the machine's alphabet.
-[[nodiscard]] bool visible(const MachineTables&, const RunningThread&, const ir::Stmt&);
+[[nodiscard]] bool is_visible(const MachineTables&, const RunningThread&, const ir::Stmt&);
 /// The preconditions of the functions that the statement uses (semantics 3.5).
 [[nodiscard]] std::vector<cspm::ExprPtr> function_preconditions(const MachineTables&, std::uint32_t frame,
                                                                 const ir::Stmt&, const Values&);
 /// The new value of the assigned variable; the statement may replace only one part of it.
-[[nodiscard]] cspm::ExprPtr assigned(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
+[[nodiscard]] cspm::ExprPtr assigned_value(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
 /// The declared initial value of a private variable; required variables start with the type's default (semantics 3.6,
 /// 3.7).
 [[nodiscard]] cspm::ExprPtr initial_value(MachineTables&, std::uint32_t frame, const ir::Variable&);
 
 /// A hidden step of a statement: `step__.n`.
-[[nodiscard]] cspm::ExprPtr step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
+[[nodiscard]] cspm::ExprPtr hidden_step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
 /// The configuration with this thread blocked. The deadlines around the statement still expire (semantics 3.10: `S
 /// <{d}` is interrupted after d by a process in which time stops, independently of S).
-[[nodiscard]] Activation stuck(const RunningThread&);
+[[nodiscard]] Activation block_thread(const RunningThread&);
 
 }  // namespace robochart::csp_emit

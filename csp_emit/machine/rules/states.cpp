@@ -17,15 +17,15 @@ namespace {
 /// The enclosing composite states that have not been entered yet, innermost first.
 std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activation& activation, NodeId node) {
     std::vector<NodeId> result;
-    for (NodeId above = machine.nodes[node.index].parent; above.valid(); above = machine.nodes[above.index].parent)
+    for (NodeId above = machine.nodes[node.index].parent; above.is_valid(); above = machine.nodes[above.index].parent)
         if (std::ranges::find(activation.entered, above) == activation.entered.end()) result.push_back(above);
     return result;
 }
 
 /// Whether the node is the state itself or inside it.
 bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
-    while (node.valid() && node != state) node = machine.nodes[node.index].parent;
-    return node.valid();
+    while (node.is_valid() && node != state) node = machine.nodes[node.index].parent;
+    return node.is_valid();
 }
 
 /// The running machine of the frame. A thread's owner has to be looked up again after the configuration has changed.
@@ -39,7 +39,7 @@ const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
 void put_entered(const ir::Machine& machine, NodeId id, Activation& activation) {
     const ir::Node& node = machine.nodes[id.index];
     const auto outer = [&](NodeId other) {
-        for (NodeId above = node.parent; above.valid(); above = machine.nodes[above.index].parent)
+        for (NodeId above = node.parent; above.is_valid(); above = machine.nodes[above.index].parent)
             if (above == other) return true;
         return false;
     };
@@ -50,15 +50,15 @@ void put_entered(const ir::Machine& machine, NodeId id, Activation& activation) 
     first.label = "during action of " + node.path;
     const auto behind_outer =
         std::ranges::find_if_not(activation.durings, [&](const During& during) { return outer(during.node); });
-    activation.durings.insert(behind_outer, {id, {push(first, nullptr), nullptr}});
+    activation.durings.insert(behind_outer, {id, {push_item(first, nullptr), nullptr}});
 }
 
 }  // namespace
 
 bool is_final(const MachineTables& tables, const Activation& activation) {
-    if (!settled(activation)) return false;
+    if (!is_settled(activation)) return false;
     const ir::Node& node = tables.frames[activation.frame].machine->nodes[activation.at.index];
-    return node.kind == NodeKind::final && !node.parent.valid();
+    return node.kind == NodeKind::final && !node.parent.is_valid();
 }
 
 bool is_in(const MachineTables& tables, const Activation& activation, NodeId state) {
@@ -74,7 +74,7 @@ bool is_in(const MachineTables& tables, const Activation& activation, NodeId sta
     return false;
 }
 
-Next enter(const MachineTables& tables, const RunningThread& running, const Values& values) {
+Next enter_node(const MachineTables& tables, const RunningThread& running, const Values& values) {
     const Item& item = running.head();
     const ir::Machine& machine = *tables.frames[running.frame()].machine;
     const ir::Node& node = machine.nodes[item.node.index];
@@ -88,39 +88,39 @@ Next enter(const MachineTables& tables, const RunningThread& running, const Valu
         event.label = "entering " + machine.nodes[which.index].path;
         return event;
     };
-    const bool stops_here = node.kind == NodeKind::final || (node.kind == NodeKind::state && !node.composite());
+    const bool stops_here = node.kind == NodeKind::final || (node.kind == NodeKind::state && !node.is_composite());
     if (stops_here) {
         const std::vector<NodeId> outer = not_entered_around(machine, running.owner(), item.node);
-        for (auto above = outer.rbegin(); above != outer.rend(); ++above) rest = push(entered_item(*above), rest);
-        rest = push(entered_item(item.node), rest);
+        for (auto above = outer.rbegin(); above != outer.rend(); ++above) rest = push_item(entered_item(*above), rest);
+        rest = push_item(entered_item(item.node), rest);
     }
-    if (node.kind == NodeKind::state && node.composite()) {
+    if (node.kind == NodeKind::state && node.is_composite()) {
         Item inside = item;
         inside.node = node.initial;
-        rest = push(inside, rest);
+        rest = push_item(inside, rest);
     }
     if (node.kind == NodeKind::state && node.entry) {
         Item entry;
         entry.stmt = node.entry.get();
         entry.label = "entry action of " + node.path;
-        rest = push(entry, rest);
+        rest = push_item(entry, rest);
     }
     const Activation changed = running.replace(rest);
-    const View now = view(changed);
+    const View now = view_of(changed);
     const RunningMachine* owner = machine_of(now, running.frame());
-    if (owner == nullptr) return go(changed, values);
+    if (owner == nullptr) return next_configuration(changed, values);
     Activation moved = *owner->activation;
     moved.at = item.node;
-    return go(owner->replace(moved), values);
+    return next_configuration(owner->replace(moved), values);
 }
 
-Next entered(const MachineTables& tables, const RunningThread& running, const Values& values) {
+Next mark_entered(const MachineTables& tables, const RunningThread& running, const Values& values) {
     const NodeId id = running.head().node;
     const Frame& frame = tables.frames[running.frame()];
     const Activation changed = running.replace(running.tail());
-    const View now = view(changed);
+    const View now = view_of(changed);
     const RunningMachine* owner = machine_of(now, running.frame());
-    if (owner == nullptr) return go(changed, values);
+    if (owner == nullptr) return next_configuration(changed, values);
     Activation moved = *owner->activation;
     put_entered(*frame.machine, id, moved);
     Values after = values;
@@ -128,14 +128,14 @@ Next entered(const MachineTables& tables, const RunningThread& running, const Va
         if (frame.clocks[i] && frame.machine->clocks[i].entry_of == id) after[*frame.clocks[i]] = b::number(0);
     for (const auto& [transition, cell] : frame.monitors)
         if (frame.machine->transitions[transition].source == id)
-            after[cell] = expression(tables.project(), tables.frames.scope(running.frame(), values),
-                                     *frame.machine->transitions[transition].deadline);
-    return go(owner->replace(moved), after);
+            after[cell] = translate_expression(tables.project(), tables.frames.make_scope(running.frame(), values),
+                                               *frame.machine->transitions[transition].deadline);
+    return next_configuration(owner->replace(moved), after);
 }
 
 Branch entered_branch(const MachineTables& tables, const RunningThread& running) {
     const std::string& path = tables.frames[running.frame()].machine->nodes[running.head().node.index].path;
-    return {nullptr, b::name(path + "::entered"), {}, entered(tables, running, {})};
+    return {nullptr, b::name(path + "::entered"), {}, mark_entered(tables, running, {})};
 }
 
 }  // namespace robochart::csp_emit

@@ -31,13 +31,13 @@ void for_each_deadline(const View& view, const Visit& visit) {
     for (const RunningThread& running : view.threads) deadlines(running.thread().rest);
 }
 
-/// The preconditions of a call of a platform operation, `pre & opCall`. The call is urgent only if it is offered.
+/// The preconditions of a call of a platform operation in `pre & opCall`, which is urgent only if it is offered.
 b::Exprs call_preconditions(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind != ItemKind::statement || item.stmt->kind != ir::StmtKind::call) return {};
     const bool steady =
-        stable(tables, running.frame(), *item.stmt, alone) && !reads_in_turn(tables, running, *item.stmt);
-    return steady && visible(tables, running, *item.stmt)
+        is_stable(tables, running.frame(), *item.stmt, alone) && !reads_in_turn(tables, running, *item.stmt);
+    return steady && is_visible(tables, running, *item.stmt)
                ? function_preconditions(tables, running.frame(), *item.stmt, {})
                : b::Exprs{};
 }
@@ -48,25 +48,27 @@ b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     for (const RunningThread& running : view.threads)
         if (const auto conditions = call_preconditions(tables, running, view.threads.size() == 1); !conditions.empty())
             result.push_back(b::logical_not(b::all_of(conditions)));
-    const auto left = [&](CellId cell) { return b::binary(Op::greater, tables.cells.parameter(cell), b::number(0)); };
+    const auto left = [&](CellId cell) {
+        return b::binary(Op::greater, tables.cells.parameter_name(cell), b::number(0));
+    };
     for_each_deadline(view, [&](CellId cell) { result.push_back(left(cell)); });
-    for (const auto& [cell, condition] : monitors(tables, view, {})) {
+    for (const auto& [cell, condition] : active_monitors(tables, view, {})) {
         const bool always = condition->kind == Op::boolean && condition->number != 0;
         result.push_back(always ? left(cell) : b::any_of({b::logical_not(condition), left(cell)}));
     }
     return result;
 }
 
-/// The configuration after a tock: waits get shorter, and a thread continues if its wait is over. The waits are decided
-/// one after the other; `values` holds the results so far.
+/// Waits get shorter; a thread whose wait is over continues. The waits are decided one after the other; `values` holds
+/// the results so far.
 Next after_tock(const MachineTables& tables, const Activation& config, const Values& values) {
-    const View now = view(config);
+    const View now = view_of(config);
     for (const RunningThread& running : now.threads) {
         const Item& item = running.head();
         if (item.kind != ItemKind::waiting) continue;
         if (item.cells.empty()) return after_tock(tables, running.replace(running.tail()), values);
         if (values.count(item.cells[0]) != 0) continue;
-        const ExprPtr left = tables.cells.parameter(item.cells[0]);
+        const ExprPtr left = tables.cells.parameter_name(item.cells[0]);
         Values shorter = values;
         shorter[item.cells[0]] = minus_one(left);
         return {Next::Kind::wait_over,
@@ -75,14 +77,14 @@ Next after_tock(const MachineTables& tables, const Activation& config, const Val
                 b::binary(Op::greater, left, b::number(1)),
                 {after_tock(tables, config, shorter), after_tock(tables, running.replace(running.tail()), values)}};
     }
-    return go(config, values);
+    return next_configuration(config, values);
 }
 
 Next wait_for(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const ExprPtr& units,
               const Program& rest, const Values& values) {
     const bool literal = units->kind == Op::integer;
-    if (literal && units->number <= 0) return go(running.replace(rest), values);
-    if (units->kind == Op::negate) return go(running.replace(rest), values);
+    if (literal && units->number <= 0) return next_configuration(running.replace(rest), values);
+    if (units->kind == Op::negate) return next_configuration(running.replace(rest), values);
     Item item = running.head();
     item.kind = ItemKind::waiting;
     item.stmt = &stmt;
@@ -91,9 +93,10 @@ Next wait_for(MachineTables& tables, const RunningThread& running, const ir::Stm
         item.cells = {tables.cells.of_statement(running.frame(), stmt, 0, CellKind::waiting, "w__")};
         changed[item.cells[0]] = units;
     }
-    const Next waiting = go(running.replace(push(item, rest)), changed);
+    const Next waiting = next_configuration(running.replace(push_item(item, rest)), changed);
     if (literal) return waiting;
-    return if_(b::binary(Op::greater, units, b::number(0)), waiting, go(running.replace(rest), values));
+    return next_if(b::binary(Op::greater, units, b::number(0)), waiting,
+                   next_configuration(running.replace(rest), values));
 }
 
 }  // namespace
@@ -106,13 +109,13 @@ bool stops_time(const MachineTables& tables, const RunningThread& running, bool 
     if (item.kind == ItemKind::frozen) return item.stmt->kind == ir::StmtKind::call;
     if (item.kind != ItemKind::statement) return false;
     const ir::Stmt& stmt = *item.stmt;
-    if (!visible(tables, running, stmt)) return true;
+    if (!is_visible(tables, running, stmt)) return true;
     if (stmt.kind == ir::StmtKind::call) return call_preconditions(tables, running, alone).empty();
     const bool input = stmt.kind == ir::StmtKind::communicate && stmt.communication.kind == ir::CommKind::input;
-    return !input && !stable(tables, running.frame(), stmt, alone);
+    return !input && !is_stable(tables, running.frame(), stmt, alone);
 }
 
-bool urgent(const MachineTables& tables, const View& view) {
+bool is_urgent(const MachineTables& tables, const View& view) {
     const bool alone = view.threads.size() == 1;
     return std::ranges::any_of(view.threads,
                                [&](const RunningThread& running) { return stops_time(tables, running, alone); }) ||
@@ -121,7 +124,8 @@ bool urgent(const MachineTables& tables, const View& view) {
            });
 }
 
-std::vector<std::pair<CellId, ExprPtr>> monitors(const MachineTables& tables, const View& view, const Values& values) {
+std::vector<std::pair<CellId, ExprPtr>> active_monitors(const MachineTables& tables, const View& view,
+                                                        const Values& values) {
     std::vector<std::pair<CellId, ExprPtr>> result;
     for (const RunningMachine& running : view.machines) {
         const std::uint32_t index = running.activation->frame;
@@ -129,11 +133,12 @@ std::vector<std::pair<CellId, ExprPtr>> monitors(const MachineTables& tables, co
         for (const auto& [id, cell] : frame.monitors) {
             const ir::Transition& transition = frame.machine->transitions[id];
             const auto& entered = running.activation->entered;
-            if (std::find(entered.begin(), entered.end(), transition.source) == entered.end()) continue;
-            // the monitor receives no value but reads the variable (semantics 3.10)
+            if (std::ranges::find(entered, transition.source) == entered.end()) continue;
+            // The monitor receives no value: it reads the variable (semantics 3.10).
             const bool receives = transition.trigger && transition.trigger->kind == ir::CommKind::input;
             const ExprPtr known =
-                receives ? tables.cells.value(frame.variables.at(transition.trigger->variable.index), values) : nullptr;
+                receives ? tables.cells.current_value(frame.variables.at(transition.trigger->variable.index), values)
+                         : nullptr;
             result.emplace_back(cell, guard_of(tables, index, transition, values, known));
         }
     }
@@ -142,25 +147,25 @@ std::vector<std::pair<CellId, ExprPtr>> monitors(const MachineTables& tables, co
 
 Values with_monitors(const MachineTables& tables, const Activation& config, const Values& values) {
     Values changed = values;
-    for (const auto& [cell, guard] : monitors(tables, view(config), values)) {
+    for (const auto& [cell, guard] : active_monitors(tables, view_of(config), values)) {
         const bool known = guard->kind == Op::boolean;
         if (known && guard->number != 0) continue;
         const ExprPtr anew = tables.frames.full_time(cell, values);
-        changed[cell] = known ? anew : b::if_(guard, tables.cells.value(cell, values), anew);
+        changed[cell] = known ? anew : b::if_(guard, tables.cells.current_value(cell, values), anew);
     }
     return changed;
 }
 
-Branch tock(const MachineTables& tables, const Activation& config, const View& view) {
-    // clocks of callers outside the configuration advance too (SparseCall::after_tock)
+Branch tock_branch(const MachineTables& tables, const Activation& config, const View& view) {
+    // Clocks of callers that are not part of the configuration advance too (SparseCall::after_tock).
     Values values;
     for (const RunningMachine& running : view.machines)
         for (const CellId cell : tables.frames[running.activation->frame].own)
             if (tables.cells[cell].kind == CellKind::clock && tables.cells[cell].reading.empty())
-                values[cell] = b::call("clock_step", {tables.cells.parameter(cell), tables.cells[cell].limit});
-    for_each_deadline(view, [&](CellId cell) { values[cell] = minus_one(tables.cells.parameter(cell)); });
-    for (const auto& [cell, condition] : monitors(tables, view, {})) {
-        const ExprPtr left = minus_one(tables.cells.parameter(cell));
+                values[cell] = b::call("clock_step", {tables.cells.parameter_name(cell), tables.cells[cell].limit});
+    for_each_deadline(view, [&](CellId cell) { values[cell] = minus_one(tables.cells.parameter_name(cell)); });
+    for (const auto& [cell, condition] : active_monitors(tables, view, {})) {
+        const ExprPtr left = minus_one(tables.cells.parameter_name(cell));
         const bool always = condition->kind == Op::boolean && condition->number != 0;
         values[cell] = always ? left : b::if_(condition, left, tables.frames.full_time(cell, {}));
     }
@@ -174,12 +179,12 @@ Branch tock(const MachineTables& tables, const Activation& config, const View& v
 
 Next start_wait(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
                 const Values& values) {
-    if (!tables.timed()) return go(running.replace(rest), values);
+    if (!tables.timed()) return next_configuration(running.replace(rest), values);
     const Project& project = tables.project();
     const auto units = [&](const ir::Expr& expr) {
         const std::int64_t scale = project.instantiation.scale;
-        const ExprPtr value = expression(project, tables.frames.scope(running.frame(), values), expr);
-        const bool real = expr.type.valid() && project.system.type(expr.type).kind == ir::TypeKind::real;
+        const ExprPtr value = translate_expression(project, tables.frames.make_scope(running.frame(), values), expr);
+        const bool real = expr.type.is_valid() && project.system.type(expr.type).kind == ir::TypeKind::real;
         return real && scale != 1 ? b::binary(Op::divide, value, b::number(scale)) : value;
     };
     if (stmt.kind == ir::StmtKind::wait) return wait_for(tables, running, stmt, units(*stmt.value), rest, values);
@@ -202,8 +207,8 @@ std::vector<CellId> clocks_needed(const MachineTables& tables, const View& view)
             if (!tables.cells[cell].reading.empty()) result.push_back(cell);
             return false;
         };
-        for (const ir::TransitionId id : candidates(tables, *running.activation))
-            if (const auto& guard = frame.machine->transitions[id.index].guard) (void)mentions(*guard, note);
+        for (const ir::TransitionId id : outgoing_transitions(tables, *running.activation))
+            if (const auto& guard = frame.machine->transitions[id.index].guard) (void)has_part(*guard, note);
     }
     std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -14,13 +14,14 @@ namespace robochart::csp_emit {
 /// Whether the thread's next event is hidden or urgent, so that it happens before time passes.
 [[nodiscard]] bool stops_time(const MachineTables&, const RunningThread&, bool alone);
 /// Whether something must happen before time can pass.
-[[nodiscard]] bool urgent(const MachineTables&, const View&);
+[[nodiscard]] bool is_urgent(const MachineTables&, const View&);
 /// The deadlines of the current transitions: the counter and the transition's guard.
-[[nodiscard]] std::vector<std::pair<CellId, cspm::ExprPtr>> monitors(const MachineTables&, const View&, const Values&);
+[[nodiscard]] std::vector<std::pair<CellId, cspm::ExprPtr>> active_monitors(const MachineTables&, const View&,
+                                                                            const Values&);
 /// The values with which a configuration becomes a point. A transition's deadline restarts whenever its guard is false.
 [[nodiscard]] Values with_monitors(const MachineTables&, const Activation& config, const Values&);
 /// The branch in which one time unit passes, if no pending deadline has expired.
-[[nodiscard]] Branch tock(const MachineTables&, const Activation& config, const View&);
+[[nodiscard]] Branch tock_branch(const MachineTables&, const Activation& config, const View&);
 /// Starts `wait(n)`, or a wait for one of the lengths in an interval. In the untimed semantics a wait has no effect
 /// (semantics 3.11).
 [[nodiscard]] Next start_wait(MachineTables&, const RunningThread&, const ir::Stmt&, const Program& rest,

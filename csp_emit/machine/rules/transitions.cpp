@@ -24,7 +24,7 @@ namespace {
 const char* const incoming = "in__";  ///< the value that a trigger receives
 
 bool has_kind(const ir::Expr& expr, ir::ExprKind kind) {
-    return mentions(expr, [&](const ir::Expr& part) { return part.kind == kind; });
+    return has_part(expr, [&](const ir::Expr& part) { return part.kind == kind; });
 }
 
 /// Calls `visit` on the statement and all its parts.
@@ -33,15 +33,15 @@ void walk_statements(const ir::Stmt& stmt, const std::function<void(const ir::St
     for (const auto& part : stmt.body) walk_statements(*part, visit);
 }
 
-bool inside(const ir::Machine& machine, NodeId node, NodeId composite) {
-    for (NodeId above = machine.nodes[node.index].parent; above.valid(); above = machine.nodes[above.index].parent)
+bool is_inside(const ir::Machine& machine, NodeId node, NodeId composite) {
+    for (NodeId above = machine.nodes[node.index].parent; above.is_valid(); above = machine.nodes[above.index].parent)
         if (above == composite) return true;
     return false;
 }
 
 /// Whether the transition leaves a state below `source` that has an exit action.
 bool has_inner_exit(const ir::Machine& machine, NodeId active, NodeId source) {
-    for (NodeId node = active; node.valid() && node != source; node = machine.nodes[node.index].parent)
+    for (NodeId node = active; node.is_valid() && node != source; node = machine.nodes[node.index].parent)
         if (machine.nodes[node.index].exit) return true;
     return false;
 }
@@ -56,7 +56,7 @@ ExprPtr unless_true(const ExprPtr& guard) {
 
 /// Whether the order of two steps matters: the store of a trigger's value, and an exit action. It matters if the store
 /// is visible or the action uses the variable. A call of any defined operation counts as a use.
-bool races(const MachineTables& tables, std::uint32_t index, ir::VariableId variable, const ir::Stmt& exit) {
+bool order_matters(const MachineTables& tables, std::uint32_t index, ir::VariableId variable, const ir::Stmt& exit) {
     bool found = tables.cells[tables.frames[index].variables.at(variable.index)].shared;
     const auto uses = [&](const ir::Expr& part) {
         return part.kind == ir::ExprKind::variable && part.variable == variable;
@@ -65,8 +65,8 @@ bool races(const MachineTables& tables, std::uint32_t index, ir::VariableId vari
         if (stmt.kind == ir::StmtKind::assign || stmt.kind == ir::StmtKind::communicate)
             found = found || stmt.variable == variable || stmt.communication.variable == variable;
         if (stmt.kind == ir::StmtKind::call)
-            found = found || tables.frames.definition(index, stmt.operation) != nullptr;
-        for (const ir::Expr* expr : reads(stmt)) found = found || mentions(*expr, uses);
+            found = found || tables.frames.find_definition(index, stmt.operation) != nullptr;
+        for (const ir::Expr* expr : expressions_of(stmt)) found = found || has_part(*expr, uses);
     });
     return found;
 }
@@ -75,8 +75,8 @@ bool races(const MachineTables& tables, std::uint32_t index, ir::VariableId vari
 bool store_races(const MachineTables& tables, std::uint32_t index, const ir::Transition& transition) {
     const ir::Machine& machine = *tables.frames[index].machine;
     for (std::uint32_t i = 0; i < machine.nodes.size(); ++i)
-        if (machine.nodes[i].exit && inside(machine, NodeId{i}, transition.source) &&
-            races(tables, index, transition.trigger->variable, *machine.nodes[i].exit))
+        if (machine.nodes[i].exit && is_inside(machine, NodeId{i}, transition.source) &&
+            order_matters(tables, index, transition.trigger->variable, *machine.nodes[i].exit))
             return true;
     return false;
 }
@@ -86,7 +86,7 @@ Values reset_clocks(const MachineTables& tables, std::uint32_t index, const ir::
     Values result;
     for (const ir::ClockId clock : transition.resets) tables.watch.note_reset(frame, clock, result);
     for (const ir::ClockId clock : transition.resets)
-        if (frame.clocks.at(clock.index) && tables.frames.announced(index, clock) == nullptr)
+        if (frame.clocks.at(clock.index) && tables.frames.reset_constructor(index, clock) == nullptr)
             result[*frame.clocks[clock.index]] = b::number(0);
     return result;
 }
@@ -111,7 +111,7 @@ Item statement_item(const ir::StmtPtr& stmt, const std::string& label) {
 void add_exits(const MachineTables& tables, const Activation& activation, const ir::Transition& transition, bool join,
                std::vector<Item>& items) {
     const ir::Machine& left = *tables.frames[activation.frame].machine;
-    for (NodeId node = activation.at; node.valid(); node = left.nodes[node.index].parent) {
+    for (NodeId node = activation.at; node.is_valid(); node = left.nodes[node.index].parent) {
         if (node == transition.source && join) {
             items.push_back(item_of(transition, ItemKind::join));
             items.back().node = transition.source;
@@ -126,7 +126,7 @@ void add_exits(const MachineTables& tables, const Activation& activation, const 
 /// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target. If exits of
 /// inner states race with `first`, the store of the trigger's value, the store is a separate thread, and the exit of
 /// the source waits for it (semantics 3.4, step 4).
-Activation leave(MachineTables& tables, const Activation& activation, ir::TransitionId id, Program first) {
+Activation leave_source(MachineTables& tables, const Activation& activation, ir::TransitionId id, Program first) {
     const ir::Machine& left = *tables.frames[activation.frame].machine;
     const ir::Transition& transition = left.transitions[id.index];
     const NodeId source = transition.source;
@@ -135,7 +135,7 @@ Activation leave(MachineTables& tables, const Activation& activation, ir::Transi
         first && has_inner_exit(left, activation.at, source) && store_races(tables, activation.frame, transition);
     for (; first; first = first->tail) items.push_back(first->head);
     for (const ir::ClockId clock : transition.resets) {
-        if (tables.frames.announced(activation.frame, clock) == nullptr) continue;
+        if (tables.frames.reset_constructor(activation.frame, clock) == nullptr) continue;
         items.push_back(item_of(transition, ItemKind::statement));
         items.back().stmt = tables.frames.reset_statement(activation.frame, id, clock);
     }
@@ -149,7 +149,7 @@ Activation leave(MachineTables& tables, const Activation& activation, ir::Transi
 
     Activation result = activation;
     result.at = {};
-    const auto is_left = [&](NodeId node) { return node == source || inside(left, node, source); };
+    const auto is_left = [&](NodeId node) { return node == source || is_inside(left, node, source); };
     std::erase_if(result.entered, is_left);
     std::erase_if(result.durings, [&](const During& during) { return is_left(during.node); });
     if (race) result.durings.push_back({source, {program_of(beside), nullptr}});
@@ -186,17 +186,17 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
         Item store = item_of(transition, ItemKind::store);
         store.variable = trigger.variable;
         store.cells = {tables.cells.of_trigger(index, id)};
-        first = push(store, nullptr);
+        first = push_item(store, nullptr);
         values[store.cells[0]] = value;
     } else if (trigger.kind == CommKind::output) {
-        project.refuse("an output as trigger of " + transition.name, transition.origin.span);
+        project.report_unsupported("an output as trigger of " + transition.name, transition.origin.span);
     }
-    result.next = go(running.replace(leave(tables, *running.activation, id, first)), values);
+    result.next = next_configuration(running.replace(leave_source(tables, *running.activation, id, first)), values);
     if (!on_value) result.guard = unless_true(guard_of(tables, index, transition, {}, nullptr));
     if (!input && !trigger.value) return result;
     const ir::TypeId type = active.events.at(trigger.event.index).type.value();
     if (!input) {
-        const Scope names = tables.frames.scope(index, {});
+        const Scope names = tables.frames.make_scope(index, {});
         result.fields = {b::output(expression_as(project, names, *trigger.value, type))};
         return result;
     }
@@ -211,21 +211,21 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
 
 }  // namespace
 
-std::vector<ir::TransitionId> candidates(const MachineTables& tables, const Activation& activation) {
+std::vector<ir::TransitionId> outgoing_transitions(const MachineTables& tables, const Activation& activation) {
     std::vector<ir::TransitionId> result;
-    if (!settled(activation)) return result;
+    if (!is_settled(activation)) return result;
     const ir::Machine& active = *tables.frames[activation.frame].machine;
     const ir::Node& node = active.nodes[activation.at.index];
     result = node.outgoing;
     // While the active node is an initial node or a junction, nothing around it can be left (semantics 3.3).
     const bool transient = node.kind != NodeKind::state && node.kind != NodeKind::final;
-    for (NodeId above = node.parent; !transient && above.valid(); above = active.nodes[above.index].parent)
+    for (NodeId above = node.parent; !transient && above.is_valid(); above = active.nodes[above.index].parent)
         for (const ir::TransitionId id : active.nodes[above.index].outgoing) result.push_back(id);
     return result;
 }
 
 bool has_urgent_transition(const MachineTables& tables, const Activation& activation) {
-    const auto enabled = candidates(tables, activation);
+    const auto enabled = outgoing_transitions(tables, activation);
     return std::ranges::any_of(enabled, [&](ir::TransitionId id) {
         const ir::Transition& transition = tables.frames[activation.frame].machine->transitions[id.index];
         return !transition.trigger && !transition.guard;
@@ -235,25 +235,25 @@ bool has_urgent_transition(const MachineTables& tables, const Activation& activa
 ExprPtr guard_of(const MachineTables& tables, std::uint32_t frame, const ir::Transition& transition,
                  const Values& values, const ExprPtr& trigger_value) {
     b::Exprs conditions;
-    const Scope names = tables.frames.scope(frame, values, trigger_value);
+    const Scope names = tables.frames.make_scope(frame, values, trigger_value);
     const auto add = [&](const ir::Expr& expr) {
-        for (auto& condition : preconditions(tables.project(), names, expr)) conditions.push_back(condition);
-        conditions.push_back(expression(tables.project(), names, expr));
+        for (auto& condition : translate_preconditions(tables.project(), names, expr)) conditions.push_back(condition);
+        conditions.push_back(translate_expression(tables.project(), names, expr));
     };
     if (const ir::ExprPtr condition = condition_in_time(tables, transition)) add(*condition);
     if (transition.trigger && transition.trigger->predicate && trigger_value) add(*transition.trigger->predicate);
     return b::all_of(conditions);
 }
 
-Branch fire(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
+Branch fire_transition(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t index = running.activation->frame;
     const ir::Transition& transition = tables.frames[index].machine->transitions[id.index];
     if (transition.trigger) return fire_trigger(tables, running, id);
-    return {
-        unless_true(guard_of(tables, index, transition, {}, nullptr)),
-        tables.events.transition(index, id),
-        {},
-        go(running.replace(leave(tables, *running.activation, id, nullptr)), reset_clocks(tables, index, transition))};
+    return {unless_true(guard_of(tables, index, transition, {}, nullptr)),
+            tables.events.transition_event(index, id),
+            {},
+            next_configuration(running.replace(leave_source(tables, *running.activation, id, nullptr)),
+                               reset_clocks(tables, index, transition))};
 }
 
 }  // namespace robochart::csp_emit

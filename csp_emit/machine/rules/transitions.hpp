@@ -11,7 +11,7 @@
 namespace robochart::csp_emit {
 
 /// The outgoing transitions of a settled machine: those of its active node and of all enclosing states.
-[[nodiscard]] std::vector<ir::TransitionId> candidates(const MachineTables&, const Activation&);
+[[nodiscard]] std::vector<ir::TransitionId> outgoing_transitions(const MachineTables&, const Activation&);
 /// Whether a transition without trigger and condition is enabled; it fires before time passes.
 [[nodiscard]] bool has_urgent_transition(const MachineTables&, const Activation&);
 /// The guard with the preconditions of its functions; `true` if there is none. The untimed semantics omits conditions
@@ -20,6 +20,6 @@ namespace robochart::csp_emit {
                                      const cspm::ExprPtr& trigger_value);
 /// Fires the transition. With a trigger: `g & e.in?x:{x | x <- T, guard(x)}`, which refuses values that fail the guard
 /// instead of consuming them. Without a trigger: a hidden event, `g & internal__.TID_t`.
-[[nodiscard]] Branch fire(MachineTables&, const RunningMachine&, ir::TransitionId);
+[[nodiscard]] Branch fire_transition(MachineTables&, const RunningMachine&, ir::TransitionId);
 
 }  // namespace robochart::csp_emit

@@ -37,7 +37,7 @@ bool reads_clock(const ir::Machine& machine, std::uint32_t clock) {
         return part.kind == ir::ExprKind::since_entry && machine.clocks[clock].entry_of == part.node;
     };
     return std::ranges::any_of(machine.transitions,
-                               [&](const ir::Transition& t) { return t.guard && mentions(*t.guard, uses); });
+                               [&](const ir::Transition& t) { return t.guard && has_part(*t.guard, uses); });
 }
 
 }  // namespace
@@ -49,10 +49,11 @@ bool is_callers(const ir::Machine& machine, const ir::Clock& clock) {
 ActivationRecords::ActivationRecords(const MachineContext& context, const CallGraph& calls, ParameterTable& cells,
                                      ClockLimits& limits)
     : context_(context), calls_(calls), cells_(cells), limits_(limits) {
-    open(*context.machine, 0, "");
+    open_frame(*context.machine, 0, "");
 }
 
-std::uint32_t ActivationRecords::open(const ir::Machine& opened, std::uint32_t parent, const std::string& prefix) {
+std::uint32_t ActivationRecords::open_frame(const ir::Machine& opened, std::uint32_t parent,
+                                            const std::string& prefix) {
     const bool root = frames_.empty();
     Frame frame;
     frame.machine = &opened;
@@ -61,7 +62,7 @@ std::uint32_t ActivationRecords::open(const ir::Machine& opened, std::uint32_t p
     add_variables(frame, root);
     add_constants(frame);
     add_events(frame, root);
-    if (project().timed()) {
+    if (project().is_timed()) {
         add_clocks(frame, root);
         add_monitors(frame);
     } else {
@@ -92,13 +93,13 @@ void ActivationRecords::add_variables(Frame& frame, bool root) {
         cell.shared = root && variable.scope == ir::VariableScope::required;
         cell.parameter = variable.scope == ir::VariableScope::parameter;
         cell.channel = variable.name;
-        frame.variables.push_back(cells_.add(std::move(cell)));
+        frame.variables.push_back(cells_.add_cell(std::move(cell)));
         frame.own.push_back(frame.variables.back());
     }
 }
 
 void ActivationRecords::add_clocks(Frame& frame, bool root) {
-    const bool all_announced = project().mentions("clockReset") || project().mentions("FVS_C__");
+    const bool all_announced = project().blocks_mention("clockReset") || project().blocks_mention("FVS_C__");
     for (std::uint32_t i = 0; i < frame.machine->clocks.size(); ++i) {
         const ir::Clock& clock = frame.machine->clocks[i];
         frame.announced.emplace_back();
@@ -111,8 +112,8 @@ void ActivationRecords::add_clocks(Frame& frame, bool root) {
             }
         }
         const bool outside = root && is_callers(*context_.machine, clock);
-        if (outside || (root && all_announced && !clock.entry_of.valid()))
-            frame.announced.back() = "CLID_" + flatten(clock.name);
+        if (outside || (root && all_announced && !clock.entry_of.is_valid()))
+            frame.announced.back() = "CLID_" + flatten_name(clock.name);
         add_clock(frame, {i}, outside);
     }
 }
@@ -128,17 +129,17 @@ void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     Cell cell;
     cell.kind = CellKind::clock;
     cell.name = "c_" + frame.prefix + clock.name;
-    cell.meaning = clock.entry_of.valid() ? "sinceEntry(" + opened.nodes[clock.entry_of.index].path + ")"
-                                          : "since(" + clock.name + ")";
-    cell.limit = limits_.limit(opened, clock.name, clock.entry_of);
-    if (outside) cell.reading = "get_CLID_" + flatten(clock.name);
-    frame.clocks.push_back(cells_.add(std::move(cell)));
+    cell.meaning = clock.entry_of.is_valid() ? "sinceEntry(" + opened.nodes[clock.entry_of.index].path + ")"
+                                             : "since(" + clock.name + ")";
+    cell.limit = limits_.limit_of(opened, clock.name, clock.entry_of);
+    if (outside) cell.reading = "get_CLID_" + flatten_name(clock.name);
+    frame.clocks.push_back(cells_.add_cell(std::move(cell)));
     if (!outside) frame.own.push_back(*frame.clocks.back());
 }
 
 /// Whether the machine reads its clock, or may call an operation that requires and reads the clock.
 bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id) const {
-    const auto below = calls_.callable();
+    const auto below = calls_.callable_operations();
     const auto inherits = [&](const ir::Machine* operation) {
         const auto found = find_named(operation->clocks, opened.clocks[id.index].name);
         return found && operation->clocks[*found].required &&
@@ -170,19 +171,20 @@ void ActivationRecords::add_monitors(Frame& frame) {
             if (part.kind != ir::ExprKind::since || !frame.clocks.at(part.clock.index)) return false;
             return !cells_[*frame.clocks[part.clock.index]].reading.empty();
         };
-        if (transition.guard && mentions(*transition.guard, outside))
-            project().refuse("the deadline of " + transition.name + " under a condition on the caller's clock",
-                             transition.origin.span);
+        if (transition.guard && has_part(*transition.guard, outside))
+            project().report_unsupported(
+                "the deadline of " + transition.name + " under a condition on the caller's clock",
+                transition.origin.span);
         // no source defines whether such a deadline runs
         if (ir::preconditions_can_fail(project().system, project().instantiation, {}, *transition.deadline))
-            project().refuse("the deadline of " + transition.name + " by a function with a precondition",
-                             transition.origin.span);
+            project().report_unsupported("the deadline of " + transition.name + " by a function with a precondition",
+                                         transition.origin.span);
         Cell cell;
         cell.kind = CellKind::monitor;
         cell.name = "m_" + frame.prefix + transition.name;
         cell.meaning = "time left for " + transition.name;
         cell.deadline = transition.origin;
-        frame.monitors[i] = cells_.add(std::move(cell));
+        frame.monitors[i] = cells_.add_cell(std::move(cell));
     }
 }
 
@@ -191,22 +193,23 @@ void ActivationRecords::find_watched(Frame& frame, bool root) const {
     const auto& clocks = frame.machine->clocks;
     for (std::uint32_t i = 0; i < clocks.size(); ++i) {
         const bool callers = clocks[i].required && !root && frames_[frame.parent].watched;
-        if (clocks[i].name == context_.watched && !clocks[i].entry_of.valid() && (root || callers))
+        if (clocks[i].name == context_.watched && !clocks[i].entry_of.is_valid() && (root || callers))
             frame.watched = ir::ClockId{i};
     }
 }
 
-std::uint32_t ActivationRecords::called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation) {
+std::uint32_t ActivationRecords::frame_of_call(std::uint32_t caller, const ir::Stmt& call,
+                                               const ir::Machine& operation) {
     const auto key = std::make_pair(caller, &call);
     if (const auto found = called_.find(key); found != called_.end()) return found->second;
     // with the names of all callers as prefixes, deep chains of calls would make the size of the script quadratic
     constexpr std::size_t longest = 40;
     const std::string& above = frames_[caller].prefix;
     const std::string prefix = (above.size() < longest ? above : "") + operation.name + "_";
-    return called_[key] = open(operation, caller, prefix);
+    return called_[key] = open_frame(operation, caller, prefix);
 }
 
-std::uint32_t ActivationRecords::shared(std::uint32_t caller, const ir::Machine& operation) {
+std::uint32_t ActivationRecords::shared_frame(std::uint32_t caller, const ir::Machine& operation) {
     const Frame& outer = frames_[caller];
     std::string key = operation.package + "::" + operation.path + (outer.watched ? " watched" : "");
     for (const ir::Variable& variable : operation.variables)
@@ -214,41 +217,41 @@ std::uint32_t ActivationRecords::shared(std::uint32_t caller, const ir::Machine&
             key += " " + bound_to(outer.machine->variables, variable.name,
                                   [&](std::size_t i) { return std::to_string(outer.variables[i]); });
     for (const ir::Clock& clock : operation.clocks)
-        if (clock.required && project().timed())
+        if (clock.required && project().is_timed())
             key += " " + bound_to(outer.machine->clocks, clock.name, [&](std::size_t i) {
                        const std::string cell = outer.clocks[i] ? std::to_string(*outer.clocks[i]) : "unread";
                        return cell + outer.announced[i];
                    });
     if (const auto found = shared_.find(key); found != shared_.end()) return found->second;
-    return shared_[key] = open(operation, caller, operation.name + "_");
+    return shared_[key] = open_frame(operation, caller, operation.name + "_");
 }
 
-Scope ActivationRecords::scope(std::uint32_t index, const Values& values, ExprPtr trigger_value) const {
+Scope ActivationRecords::make_scope(std::uint32_t index, const Values& values, ExprPtr trigger_value) const {
     Scope result;
     // a scope may outlive the values that it was made with
     const auto values_now = std::make_shared<const Values>(values);
     result.variable = [this, index, values_now](ir::VariableId id) {
-        return cells_.value(frames_[index].variables.at(id.index), *values_now);
+        return cells_.current_value(frames_[index].variables.at(id.index), *values_now);
     };
     result.constant = [this, index](ir::ConstantId id) { return frames_[index].constants.at(id.index); };
     result.clock = [this, index, values_now](ir::ClockId id) {
-        return cells_.value(frames_[index].clocks.at(id.index).value(), *values_now);
+        return cells_.current_value(frames_[index].clocks.at(id.index).value(), *values_now);
     };
     result.entry_clock = [this, index, values_now](ir::NodeId node) {
         const auto& clocks = frames_[index].machine->clocks;
         const auto found = std::ranges::find_if(clocks, [&](const auto& c) { return c.entry_of == node; });
         const auto number = static_cast<std::size_t>(found - clocks.begin());
-        return cells_.value(frames_[index].clocks.at(number).value(), *values_now);
+        return cells_.current_value(frames_[index].clocks.at(number).value(), *values_now);
     };
     result.trigger_value = std::move(trigger_value);
     return result;
 }
 
-const ir::Machine* ActivationRecords::definition(std::uint32_t frame, ir::OperationId operation) const {
-    return calls_.definition(*frames_[frame].machine, operation);
+const ir::Machine* ActivationRecords::find_definition(std::uint32_t frame, ir::OperationId operation) const {
+    return calls_.find_definition(*frames_[frame].machine, operation);
 }
 
-const std::string* ActivationRecords::announced(std::uint32_t frame, ir::ClockId clock) const {
+const std::string* ActivationRecords::reset_constructor(std::uint32_t frame, ir::ClockId clock) const {
     const auto& names = frames_[frame].announced;
     return clock.index < names.size() && !names[clock.index].empty() ? &names[clock.index] : nullptr;
 }
@@ -257,7 +260,8 @@ ExprPtr ActivationRecords::full_time(CellId cell, const Values& values) const {
     for (std::uint32_t index = 0; index < frames_.size(); ++index)
         for (const auto& [id, monitor] : frames_[index].monitors)
             if (monitor == cell)
-                return expression(project(), scope(index, values), *frames_[index].machine->transitions[id].deadline);
+                return translate_expression(project(), make_scope(index, values),
+                                            *frames_[index].machine->transitions[id].deadline);
     return b::number(0);
 }
 

@@ -38,26 +38,26 @@ public:
     ActivationRecords(const MachineContext&, const CallGraph&, ParameterTable&, ClockLimits&);
 
     [[nodiscard]] const Frame& operator[](std::uint32_t frame) const { return frames_[frame]; }
-    [[nodiscard]] const Frame& root() const { return frames_.front(); }
+    [[nodiscard]] const Frame& root_frame() const { return frames_.front(); }
     /// The frame of the operation that the statement of `caller` calls.
-    std::uint32_t called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation);
+    std::uint32_t frame_of_call(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation);
     /// A frame of the operation. Callers share the frame if the operation's required variables and clocks denote the
     /// same cells for all of them.
-    std::uint32_t shared(std::uint32_t caller, const ir::Machine& operation);
+    std::uint32_t shared_frame(std::uint32_t caller, const ir::Machine& operation);
 
     /// The meaning of names in expressions of a frame.
-    [[nodiscard]] Scope scope(std::uint32_t frame, const Values&, cspm::ExprPtr trigger_value = nullptr) const;
+    [[nodiscard]] Scope make_scope(std::uint32_t frame, const Values&, cspm::ExprPtr trigger_value = nullptr) const;
     /// The definition of the operation in the context of the frame's machine; null if the call is an event.
-    [[nodiscard]] const ir::Machine* definition(std::uint32_t frame, ir::OperationId) const;
+    [[nodiscard]] const ir::Machine* find_definition(std::uint32_t frame, ir::OperationId) const;
     /// The constructor for the clock in its event clockReset; null if a reset is not an event.
-    [[nodiscard]] const std::string* announced(std::uint32_t frame, ir::ClockId) const;
+    [[nodiscard]] const std::string* reset_constructor(std::uint32_t frame, ir::ClockId) const;
     /// The full duration of a transition's deadline, identified by the cell that counts it down (semantics 3.10).
     [[nodiscard]] cspm::ExprPtr full_time(CellId monitor, const Values&) const;
     /// The statement for a clock reset on a transition, if the reset is an event.
     [[nodiscard]] const ir::Stmt* reset_statement(std::uint32_t frame, ir::TransitionId, ir::ClockId);
 
 private:
-    std::uint32_t open(const ir::Machine&, std::uint32_t parent, const std::string& prefix);
+    std::uint32_t open_frame(const ir::Machine&, std::uint32_t parent, const std::string& prefix);
     void add_variables(Frame&, bool root);
     void add_constants(Frame&) const;
     void add_events(Frame&, bool root) const;

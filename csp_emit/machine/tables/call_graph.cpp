@@ -13,7 +13,7 @@ namespace {
 /// For each operation of a context, the operations that it calls and the context defines.
 using Callees = std::map<const ir::Machine*, std::vector<const ir::Machine*>>;
 
-Callees callees(const std::vector<const ir::Machine*>& definitions) {
+Callees find_callees(const std::vector<const ir::Machine*>& definitions) {
     std::map<std::string, const ir::Machine*> by_name;
     for (const ir::Machine* definition : definitions) by_name[definition->name] = definition;
     Callees result;
@@ -44,29 +44,29 @@ bool has_cycle(const Callees& callees) {
 }  // namespace
 
 CallGraph::CallGraph(MachineContext& context) : context_(context) {
-    collect(*context.machine, context.names);
-    recursive_ = has_cycle(callees(callable()));
+    collect_calls(*context.machine, context.names);
+    recursive_ = has_cycle(find_callees(callable_operations()));
 }
 
-void CallGraph::collect(const ir::Machine& owner, NameManager& names) {
+void CallGraph::collect_calls(const ir::Machine& owner, NameManager& names) {
     if (std::ranges::find(reached_, &owner) != reached_.end()) return;
     reached_.push_back(&owner);
     for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
         const ir::Constant& constant = owner.constants[i];
         const std::string name = ir::constant_name(owner.package, owner.path, constant.name);
         constants_.push_back(
-            {name, constant.name, name, &owner, {i}, constant.type, names.unique(flatten(constant.name))});
+            {name, constant.name, name, &owner, {i}, constant.type, names.unique_name(flatten_name(constant.name))});
     }
     for (const ir::OperationId called : ir::called_operations(owner))
-        if (const ir::Machine* operation = definition(owner, called)) collect(*operation, names);
+        if (const ir::Machine* operation = find_definition(owner, called)) collect_calls(*operation, names);
 }
 
-const ir::Machine* CallGraph::definition(const ir::Machine& caller, ir::OperationId operation) const {
+const ir::Machine* CallGraph::find_definition(const ir::Machine& caller, ir::OperationId operation) const {
     const auto found = context_.definitions.find(caller.operations.at(operation.index).name);
     return found == context_.definitions.end() ? nullptr : &context_.project->system.machine(found->second);
 }
 
-std::vector<const ir::Machine*> CallGraph::callable() const {
+std::vector<const ir::Machine*> CallGraph::callable_operations() const {
     std::vector<const ir::Machine*> result;
     for (const auto& [name, id] : context_.definitions) {
         const ir::Machine* operation = &context_.project->system.machine(id);
@@ -75,9 +75,9 @@ std::vector<const ir::Machine*> CallGraph::callable() const {
     return result;
 }
 
-std::string CallGraph::recursion(const ir::Machine& caller, const ir::Machine& operation) const {
+std::string CallGraph::describe_recursion(const ir::Machine& caller, const ir::Machine& operation) const {
     if (!recursive_) return "";
-    const Callees calls = callees(callable());
+    const Callees calls = find_callees(callable_operations());
     std::map<const ir::Machine*, const ir::Machine*> before{{&operation, nullptr}};
     std::vector<const ir::Machine*> work{&operation};
     for (std::size_t i = 0; i < work.size() && before.count(&caller) == 0; ++i)

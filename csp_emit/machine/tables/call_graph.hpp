@@ -19,11 +19,11 @@ public:
 
     /// The definition of an operation that a machine calls; null if the context has none, in which case the call is an
     /// event.
-    [[nodiscard]] const ir::Machine* definition(const ir::Machine& caller, ir::OperationId) const;
+    [[nodiscard]] const ir::Machine* find_definition(const ir::Machine& caller, ir::OperationId) const;
     /// The operations that the machine calls, directly or indirectly.
-    [[nodiscard]] std::vector<const ir::Machine*> callable() const;
+    [[nodiscard]] std::vector<const ir::Machine*> callable_operations() const;
     /// A cycle of calls through both, `o -> p -> o`, if the operation can call its caller; otherwise "".
-    [[nodiscard]] std::string recursion(const ir::Machine& caller, const ir::Machine& operation) const;
+    [[nodiscard]] std::string describe_recursion(const ir::Machine& caller, const ir::Machine& operation) const;
 
     /// The machine's constants in order of declaration, then those of the operations that it calls.
     [[nodiscard]] const std::vector<ConstantParameter>& constants() const { return constants_; }
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::vector<std::string> constants_inside() const;
 
 private:
-    void collect(const ir::Machine& owner, NameManager& names);
+    void collect_calls(const ir::Machine& owner, NameManager& names);
 
     const MachineContext& context_;
     std::vector<const ir::Machine*> reached_;

@@ -17,64 +17,64 @@ namespace {
 const char* const top_of_stack = "return_place__";
 const char* const rest_of_stack = "outer_places__";
 
-ExprPtr pushed(std::int64_t number, const ExprPtr& outer) {
+ExprPtr push_number(std::int64_t number, const ExprPtr& outer) {
     if (outer->kind == cspm::ExprKind::sequence) return b::sequence({b::number(number)});
     return b::binary(cspm::ExprKind::concat, b::sequence({b::number(number)}), outer);
 }
 
 }  // namespace
 
-void CallSharing::push(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside) {
+void CallSharing::push_return(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside) {
     if (!return_stack_) {
         Cell cell;
         cell.name = "places__";
         cell.kind = CellKind::frozen;
-        return_stack_ = cells_.add(std::move(cell));
+        return_stack_ = cells_.add_cell(std::move(cell));
     }
     Returns& known = returns_[frame];
-    const auto [found, added] = known.number.try_emplace(key(returned), known.continuations.size());
+    const auto [found, added] = known.number.try_emplace(activation_key(returned), known.continuations.size());
     if (added) {
         known.continuations.push_back(continuations_.size());
         continuations_.push_back({frame, returned, "return " + std::to_string(continuations_.size())});
     }
     const bool first = returned.frame == 0;
     pending_.push_back({frame, std::make_shared<cspm::Expr>(), found->second,
-                        first ? b::sequence({}) : cells_.value(*return_stack_, values)});
+                        first ? b::sequence({}) : cells_.current_value(*return_stack_, values)});
     inside[*return_stack_] = pending_.back().value;
 }
 
 ExprPtr CallSharing::return_from(std::uint32_t frame, const Values& values, bool after_tock) {
     const std::string& end = points_.end_of(frame).name;
-    return returns_[frame].calls.emplace_back(calls_.add(end, cells_.arguments(values), after_tock));
+    return returns_[frame].calls.emplace_back(calls_.add_call(end, cells_.to_arguments(values), after_tock));
 }
 
-Values CallSharing::behind(const Continuation& continuation) {
+Values CallSharing::stack_after_call(const Continuation& continuation) {
     if (continuation.config.frame == 0) return {};
     pending_.push_back({continuation.frame, std::make_shared<cspm::Expr>(), std::nullopt, nullptr});
     return {{*return_stack_, pending_.back().value}};
 }
 
-ExprPtr CallSharing::dispatch(std::uint32_t frame) {
+ExprPtr CallSharing::select_continuation(std::uint32_t frame) {
     const std::vector<std::size_t>& all = returns_.at(frame).continuations;
-    const ExprPtr front = b::call(top_of_stack, {cells_.parameter(*return_stack_)});
-    ExprPtr result = calls_.add(continuations_[all.back()].name, {});
+    const ExprPtr front = b::call(top_of_stack, {cells_.parameter_name(*return_stack_)});
+    ExprPtr result = calls_.add_call(continuations_[all.back()].name, {});
     for (std::size_t i = all.size() - 1; i-- > 0;)
         result = b::if_(b::binary(cspm::ExprKind::equal, front, b::number(static_cast<std::int64_t>(i))),
-                        calls_.add(continuations_[all[i]].name, {}), result);
+                        calls_.add_call(continuations_[all[i]].name, {}), result);
     return result;
 }
 
-void CallSharing::settle() {
+void CallSharing::fill_values() {
     for (const Pending& pending : pending_) {
         const bool one = returns_.at(pending.frame).continuations.size() == 1;
-        const ExprPtr stack = cells_.parameter(*return_stack_);
+        const ExprPtr stack = cells_.parameter_name(*return_stack_);
         ExprPtr value;
         if (!pending.pushed)
             value = one ? stack : b::call(rest_of_stack, {stack});
         else if (one)
             value = pending.outer;
         else
-            value = pushed(static_cast<std::int64_t>(*pending.pushed), pending.outer);
+            value = push_number(static_cast<std::int64_t>(*pending.pushed), pending.outer);
         *pending.value = *value;
     }
 }
@@ -87,14 +87,14 @@ void CallSharing::skip_returns(std::vector<Function>& functions, const std::vect
                 skipped[points_.end_of(frame).name] = *next;
     for (const auto& [frame, returns] : returns_)
         for (const auto& call : returns.calls) {
-            auto next = skipped.find(calls_.find(*call)->function);
-            for (; next != skipped.end(); next = skipped.find(next->second)) calls_.redirect(*call, next->second);
+            auto next = skipped.find(calls_.find_call(*call)->function);
+            for (; next != skipped.end(); next = skipped.find(next->second)) calls_.redirect_call(*call, next->second);
         }
     std::erase_if(functions, [&](const Function& function) { return skipped.count(function.name) != 0; });
-    points_.erase([&](const std::string& name) { return skipped.count(name) != 0; });
+    points_.erase_points([&](const std::string& name) { return skipped.count(name) != 0; });
 }
 
-void CallSharing::describe(Candidates& candidates) const {
+void CallSharing::describe_stack(Candidates& candidates) const {
     if (return_stack_) candidates.returns = cells_[*return_stack_].name;
     for (const Pending& pending : pending_)
         if (pending.pushed)
@@ -102,7 +102,7 @@ void CallSharing::describe(Candidates& candidates) const {
                 continuations_[returns_.at(pending.frame).continuations[*pending.pushed]].name, pending.outer};
 }
 
-void CallSharing::declare(std::vector<cspm::DeclPtr>& decls) const {
+void CallSharing::declare_functions(std::vector<cspm::DeclPtr>& decls) const {
     if (std::ranges::none_of(returns_, [](const auto& returns) { return returns.second.continuations.size() > 1; }))
         return;
     using cspm::PatternKind;

@@ -30,24 +30,24 @@ public:
         : cells_(cells), points_(points), calls_(calls) {}
 
     /// Pushes the return address of a call on the stack: sets the stack in `inside`.
-    void push(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside);
+    void push_return(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside);
     /// The call of the function for the end of the operation.
     [[nodiscard]] cspm::ExprPtr return_from(std::uint32_t frame, const Values&, bool after_tock);
     /// The stack after a call has returned.
-    [[nodiscard]] Values behind(const Continuation&);
+    [[nodiscard]] Values stack_after_call(const Continuation&);
     [[nodiscard]] const std::vector<Continuation>& continuations() const { return continuations_; }
 
     /// At the end of an operation: selects the continuation by the top of the stack.
-    [[nodiscard]] cspm::ExprPtr dispatch(std::uint32_t frame);
+    [[nodiscard]] cspm::ExprPtr select_continuation(std::uint32_t frame);
     /// Fills in the values of the stack. An operation with a single continuation needs no number.
-    void settle();
+    void fill_values();
     /// Handles operations with a single continuation that only calls a point: their end becomes that point, and the
     /// function for the end is removed. `behind` contains the functions of the continuations.
     void skip_returns(std::vector<Function>& functions, const std::vector<Function>& behind);
     /// Records which parameter is the stack, and the meaning of its values.
-    void describe(Candidates&) const;
+    void describe_stack(Candidates&) const;
     /// The functions `top` and `rest` of the stack, if some operation has several continuations.
-    void declare(std::vector<cspm::DeclPtr>& decls) const;
+    void declare_functions(std::vector<cspm::DeclPtr>& decls) const;
 
 private:
     /// The continuations of a shared operation: indices into `continuations_`, and by key the index in that list.

@@ -17,7 +17,7 @@ ClockWatch::ClockWatch(const MachineContext& context, const ActivationRecords& f
     cell.name = "set__";
     cell.meaning = context.watched + " has been reset";
     mean(provenance, context.path, "reset__", {MeaningKind::transition, cell.meaning, {}, {}});
-    cell_ = cells.add(std::move(cell));
+    cell_ = cells.add_cell(std::move(cell));
 }
 
 void ClockWatch::note_reset(const Frame& frame, ir::ClockId clock, Values& values) const {
@@ -26,7 +26,7 @@ void ClockWatch::note_reset(const Frame& frame, ir::ClockId clock, Values& value
 
 ExprPtr ClockWatch::with_reset(const ExprPtr& process) const {
     if (!cell_) return process;
-    return b::choice({process, b::guard(cells_.parameter(*cell_), b::prefix(b::name("reset__"), b::stop()))});
+    return b::choice({process, b::guard(cells_.parameter_name(*cell_), b::prefix(b::name("reset__"), b::stop()))});
 }
 
 ExprPtr ClockWatch::read_unset(std::uint32_t index, ir::TransitionId id) {
@@ -36,7 +36,7 @@ ExprPtr ClockWatch::read_unset(std::uint32_t index, ir::TransitionId id) {
     const auto reads = [&](const ir::Expr& part) {
         return part.kind == ir::ExprKind::since && frame.watched == part.clock;
     };
-    if (!transition.guard || !mentions(*transition.guard, reads)) return nullptr;
+    if (!transition.guard || !has_part(*transition.guard, reads)) return nullptr;
     const auto [found, added] = reads_.try_emplace({index, id.index}, reads_.size());
     const std::string text =
         "the condition of " + transition.name + " reads " + context_.watched + ", which nothing has reset";
@@ -44,7 +44,7 @@ ExprPtr ClockWatch::read_unset(std::uint32_t index, ir::TransitionId id) {
         mean(provenance_, context_.path, "unset__." + std::to_string(found->second),
              {MeaningKind::transition, text, {}, transition.origin});
     const ExprPtr event = b::dot({b::name("unset__"), b::number(static_cast<std::int64_t>(found->second))});
-    return b::guard(b::logical_not(cells_.parameter(*cell_)), b::prefix(event, b::stop()));
+    return b::guard(b::logical_not(cells_.parameter_name(*cell_)), b::prefix(event, b::stop()));
 }
 
 void ClockWatch::declare(std::vector<cspm::DeclPtr>& decls) const {

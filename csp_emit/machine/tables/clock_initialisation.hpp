@@ -20,7 +20,7 @@ public:
     ClockWatch(const MachineContext&, const ActivationRecords&, ParameterTable&, Provenance&);
 
     /// The parameter that records whether the clock has been reset.
-    [[nodiscard]] const std::optional<CellId>& cell() const { return cell_; }
+    [[nodiscard]] const std::optional<CellId>& reset_cell() const { return cell_; }
     /// Records a reset of the watched clock.
     void note_reset(const Frame&, ir::ClockId, Values&) const;
     /// `not set__ & unset__.n -> STOP` if the transition's guard reads the watched clock, otherwise null. A settled
@@ -31,7 +31,7 @@ public:
 
     void declare(std::vector<cspm::DeclPtr>& decls) const;
     /// The number of guards that read the clock.
-    [[nodiscard]] std::size_t reads() const { return reads_.size(); }
+    [[nodiscard]] std::size_t read_count() const { return reads_.size(); }
 
 private:
     const MachineContext& context_;

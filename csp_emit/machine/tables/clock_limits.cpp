@@ -34,19 +34,19 @@ public:
         : machine_(machine), clock_(std::move(clock)), entry_of_(entry_of) {}
 
     /// Returns false if a guard uses the clock other than as a side of a comparison, which rule TE4 forbids.
-    bool collect(std::vector<const ir::Expr*>& bounds) const {
+    bool collect_bounds(std::vector<const ir::Expr*>& bounds) const {
         bool direct = true;
         for (const ir::Transition& transition : machine_.transitions)
-            if (transition.guard) direct = visit(*transition.guard, bounds) && direct;
+            if (transition.guard) direct = visit_comparisons(*transition.guard, bounds) && direct;
         return direct;
     }
 
 private:
     bool is_clock(const ir::Expr& expr) const {
-        if (expr.kind == ir::ExprKind::since_entry) return entry_of_.valid() && expr.node == entry_of_;
+        if (expr.kind == ir::ExprKind::since_entry) return entry_of_.is_valid() && expr.node == entry_of_;
         return expr.kind == ir::ExprKind::since && machine_.clocks.at(expr.clock.index).name == clock_;
     }
-    bool visit(const ir::Expr& expr, std::vector<const ir::Expr*>& bounds) const {
+    bool visit_comparisons(const ir::Expr& expr, std::vector<const ir::Expr*>& bounds) const {
         if (is_clock(expr)) return false;
         bool direct = true;
         for (std::size_t i = 0; i < expr.args.size(); ++i) {
@@ -54,7 +54,7 @@ private:
             if (side)
                 bounds.push_back(expr.args[1 - i].get());
             else
-                direct = visit(*expr.args[i], bounds) && direct;
+                direct = visit_comparisons(*expr.args[i], bounds) && direct;
         }
         return direct;
     }
@@ -70,17 +70,17 @@ ExprPtr plus_one(const ExprPtr& value) {
 
 }  // namespace
 
-ExprPtr ClockLimits::limit(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of) {
+ExprPtr ClockLimits::limit_of(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of) {
     std::int64_t literal = 0;
     b::Exprs sets;
-    auto machines = calls_.callable();
+    auto machines = calls_.callable_operations();
     std::erase(machines, &opened);
     machines.insert(machines.begin(), &opened);
     for (const ir::Machine* checked : machines) {
-        if (checked != &opened && entry_of.valid()) continue;
+        if (checked != &opened && entry_of.is_valid()) continue;
         std::vector<const ir::Expr*> bounds;
-        if (!ClockBounds(*checked, clock, entry_of).collect(bounds))
-            project_.refuse("since(" + clock + ") outside a comparison", checked->origin.span);
+        if (!ClockBounds(*checked, clock, entry_of).collect_bounds(bounds))
+            project_.report_unsupported("since(" + clock + ") outside a comparison", checked->origin.span);
         for (const ir::Expr* bound : bounds) {
             std::vector<cspm::Clause> variables;
             const ExprPtr value = bound_in_units(*checked, *bound, variables);
@@ -92,7 +92,7 @@ ExprPtr ClockLimits::limit(const ir::Machine& opened, const std::string& clock, 
     }
     if (sets.empty()) return b::number(literal + 1);
     sets.push_back(b::set({b::number(literal)}));
-    const std::string name = names_.unique("CLID_" + flatten(clock) + "_max");
+    const std::string name = names_.unique_name("CLID_" + flatten_name(clock) + "_max");
     const ExprPtr largest = b::call("clock_type_max", {b::call("Union", {b::set(sets)})});
     declarations_.push_back(b::function_decl(name, b::variables(calls_.constants_inside()), plus_one(largest),
                                              "where clock " + clock + " saturates"));
@@ -117,8 +117,8 @@ ExprPtr ClockLimits::bound_in_units(const ir::Machine& checked, const ir::Expr& 
     names.clock = [](ir::ClockId) { return b::number(0); };
     names.entry_clock = [](ir::NodeId) { return b::number(0); };
     const std::int64_t scale = project_.instantiation.scale;
-    const ExprPtr value = expression(project_, names, bound);
-    const bool real = bound.type.valid() && project_.system.type(bound.type).kind == ir::TypeKind::real;
+    const ExprPtr value = translate_expression(project_, names, bound);
+    const bool real = bound.type.is_valid() && project_.system.type(bound.type).kind == ir::TypeKind::real;
     if (!real || scale == 1) return value;
     if (value->kind == Op::integer) return b::number(value->number / scale + 1);
     return plus_one(b::binary(Op::divide, value, b::number(scale)));

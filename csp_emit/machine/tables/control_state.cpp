@@ -49,7 +49,7 @@ Activation with_thread(const Activation& activation, std::size_t number, Thread 
     const auto during = result.durings.begin() + static_cast<std::ptrdiff_t>(number) - 1;
     if (number == control_thread)
         result.control = std::move(changed);
-    else if (changed.done())
+    else if (changed.is_done())
         result.durings.erase(during);
     else
         during->thread = std::move(changed);
@@ -58,36 +58,37 @@ Activation with_thread(const Activation& activation, std::size_t number, Thread 
 
 /// `during`: the machine runs inside a during action, so other threads and transitions may act between any two of its
 /// steps.
-void collect(const std::shared_ptr<const RunningMachine>& machine, bool during, View& view) {
+void collect_running(const std::shared_ptr<const RunningMachine>& machine, bool during, View& view) {
     view.machines.push_back(*machine);
     for (std::size_t number = 0; number <= machine->activation->durings.size(); ++number) {
         const RunningThread running{machine, number, during || number != control_thread};
         const Thread& thread = running.thread();
-        if (thread.done()) continue;
+        if (thread.is_done()) continue;
         (thread.callee ? view.calls : view.threads).push_back(running);
         if (thread.callee)
-            collect(std::make_shared<const RunningMachine>(RunningMachine{thread.callee.get(), machine, number}),
-                    running.during, view);
+            collect_running(
+                std::make_shared<const RunningMachine>(RunningMachine{thread.callee.get(), machine, number}),
+                running.during, view);
     }
 }
 
 }  // namespace
 
-Program push(Item head, Program tail) {
+Program push_item(Item head, Program tail) {
     return std::make_shared<const Link>(Link{std::move(head), std::move(tail)});
 }
 
 Program program_of(const std::vector<Item>& items) {
     Program program;
-    for (auto item = items.rbegin(); item != items.rend(); ++item) program = push(*item, program);
+    for (auto item = items.rbegin(); item != items.rend(); ++item) program = push_item(*item, program);
     return program;
 }
 
-bool settled(const Activation& activation) {
-    return activation.control.done() && activation.at.valid();
+bool is_settled(const Activation& activation) {
+    return activation.control.is_done() && activation.at.is_valid();
 }
 
-std::string key(const Activation& activation) {
+std::string activation_key(const Activation& activation) {
     std::string result;
     add_key(activation, result);
     return result;
@@ -108,19 +109,19 @@ Activation RunningThread::replace(Thread changed) const {
     return machine->replace(with_thread(owner(), number, std::move(changed)));
 }
 
-View view(const Activation& config) {
+View view_of(const Activation& config) {
     View result;
-    collect(std::make_shared<const RunningMachine>(RunningMachine{&config, nullptr, 0}), false, result);
+    collect_running(std::make_shared<const RunningMachine>(RunningMachine{&config, nullptr, 0}), false, result);
     return result;
 }
 
 const Item* running_item(const Activation& activation) {
-    const Thread& thread = innermost(activation).control;
+    const Thread& thread = innermost_activation(activation).control;
     return thread.rest ? &thread.rest->head : nullptr;
 }
 
-const Activation& innermost(const Activation& activation) {
-    return activation.control.callee ? innermost(*activation.control.callee) : activation;
+const Activation& innermost_activation(const Activation& activation) {
+    return activation.control.callee ? innermost_activation(*activation.control.callee) : activation;
 }
 
 }  // namespace robochart::csp_emit

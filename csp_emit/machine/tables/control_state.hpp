@@ -45,7 +45,7 @@ struct Link {
     Item head;
     Program tail;
 };
-[[nodiscard]] Program push(Item head, Program tail);
+[[nodiscard]] Program push_item(Item head, Program tail);
 [[nodiscard]] Program program_of(const std::vector<Item>& items);
 
 struct Activation;
@@ -54,7 +54,7 @@ struct Activation;
 struct Thread {
     Program rest;
     std::shared_ptr<const Activation> callee;
-    [[nodiscard]] bool done() const { return !rest && !callee; }
+    [[nodiscard]] bool is_done() const { return !rest && !callee; }
 };
 
 struct During {
@@ -75,9 +75,9 @@ struct Activation {
 };
 
 /// Whether a running machine is in a node and runs no transition.
-[[nodiscard]] bool settled(const Activation&);
+[[nodiscard]] bool is_settled(const Activation&);
 /// Equal keys mean equal configurations.
-[[nodiscard]] std::string key(const Activation&);
+[[nodiscard]] std::string activation_key(const Activation&);
 
 /// A running machine or operation within a configuration, reached by a path of calls.
 struct RunningMachine {
@@ -110,11 +110,11 @@ struct View {
     std::vector<RunningThread> calls;  ///< threads that wait for an operation
 };
 /// `config` must outlive the view.
-[[nodiscard]] View view(const Activation& config);
+[[nodiscard]] View view_of(const Activation& config);
 
 /// The first item of the innermost control thread, which names and describes the configuration; null if there is none.
 [[nodiscard]] const Item* running_item(const Activation&);
 /// The machine or operation in which the control thread is.
-[[nodiscard]] const Activation& innermost(const Activation&);
+[[nodiscard]] const Activation& innermost_activation(const Activation&);
 
 }  // namespace robochart::csp_emit

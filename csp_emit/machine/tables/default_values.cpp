@@ -23,7 +23,7 @@ bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
 
 }  // namespace
 
-cspm::ExprPtr DefaultValues::of(ir::TypeId type) {
+cspm::ExprPtr DefaultValues::value_of(ir::TypeId type) {
     const auto [found, added] = known_.try_emplace(type.index);
     if (!added) return found->second;
     cspm::ExprPtr& value = found->second = default_literal(project_, type);

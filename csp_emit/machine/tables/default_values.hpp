@@ -15,7 +15,7 @@ class DefaultValues {
 public:
     explicit DefaultValues(const Project& project) : project_(project) {}
 
-    [[nodiscard]] cspm::ExprPtr of(ir::TypeId);
+    [[nodiscard]] cspm::ExprPtr value_of(ir::TypeId);
     /// The definitions of the large default values.
     [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
 

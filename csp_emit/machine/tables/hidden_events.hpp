@@ -20,17 +20,17 @@ public:
         : context_(context), frames_(frames), cells_(cells), provenance_(provenance) {}
 
     /// The event `step__.n`. Equal keys get the same n.
-    [[nodiscard]] cspm::ExprPtr step(const std::string& key, const EventMeaning&);
+    [[nodiscard]] cspm::ExprPtr step_event(const std::string& key, const EventMeaning&);
     /// `internal__.TID_t`, for a transition without trigger.
-    [[nodiscard]] cspm::ExprPtr transition(std::uint32_t frame, ir::TransitionId);
+    [[nodiscard]] cspm::ExprPtr transition_event(std::uint32_t frame, ir::TransitionId);
 
     /// Declares the datatype of the transitions and the channels of the hidden events.
-    void declare(std::vector<cspm::DeclPtr>& decls) const;
+    void declare_channels(std::vector<cspm::DeclPtr>& decls) const;
     /// The channels of hidden events that the machine uses.
-    [[nodiscard]] std::vector<cspm::ExprPtr> channels() const;
+    [[nodiscard]] std::vector<cspm::ExprPtr> declared_channels() const;
 
 private:
-    [[nodiscard]] std::shared_ptr<const Draw> draw(std::uint32_t frame, ir::TransitionId) const;
+    [[nodiscard]] std::shared_ptr<const Draw> make_draw(std::uint32_t frame, ir::TransitionId) const;
 
     MachineContext& context_;
     const ActivationRecords& frames_;

@@ -30,7 +30,7 @@ struct MachineContext {
     std::optional<ir::NodeId> within = {};  ///< a state; no value: everywhere except at the end
 
     /// Whether this is a copy of a machine for one assertion.
-    [[nodiscard]] bool copied() const { return !offered.empty() || !watched.empty(); }
+    [[nodiscard]] bool is_copy() const { return !offered.empty() || !watched.empty(); }
 };
 
 }  // namespace robochart::csp_emit

@@ -23,9 +23,9 @@ struct MachineTables {
 
     [[nodiscard]] const ir::Machine& machine() const { return *context.machine; }
     [[nodiscard]] const Project& project() const { return *context.project; }
-    [[nodiscard]] bool timed() const { return project().timed(); }
+    [[nodiscard]] bool timed() const { return project().is_timed(); }
     /// Records the meaning of an event of the machine.
-    void mean(const std::string& event, EventMeaning meaning) {
+    void record_meaning(const std::string& event, EventMeaning meaning) {
         csp_emit::mean(provenance, context.path, event, std::move(meaning));
     }
 

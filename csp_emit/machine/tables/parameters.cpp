@@ -9,8 +9,8 @@ namespace robochart::csp_emit {
 namespace b = cspm::build;
 using cspm::ExprPtr;
 
-CellId ParameterTable::add(Cell cell) {
-    cell.name = names_.unique(cell.name);
+CellId ParameterTable::add_cell(Cell cell) {
+    cell.name = names_.unique_name(cell.name);
     by_name_[cell.name] = static_cast<CellId>(cells_.size());
     cells_.push_back(std::move(cell));
     return static_cast<CellId>(cells_.size() - 1);
@@ -27,7 +27,7 @@ CellId ParameterTable::of_statement(std::uint32_t frame, const ir::Stmt& stmt, s
                    : kind == CellKind::deadline ? "deadline left"
                                                 : "value read";
     if (kind == CellKind::deadline) cell.deadline = stmt.origin;
-    return of_statements_[key] = add(std::move(cell));
+    return of_statements_[key] = add_cell(std::move(cell));
 }
 
 CellId ParameterTable::of_trigger(std::uint32_t frame, ir::TransitionId id) {
@@ -37,27 +37,27 @@ CellId ParameterTable::of_trigger(std::uint32_t frame, ir::TransitionId id) {
         cell.kind = CellKind::frozen;
         cell.name = "x__";
         cell.meaning = "value received";
-        found->second = add(std::move(cell));
+        found->second = add_cell(std::move(cell));
     }
     return found->second;
 }
 
-std::optional<CellId> ParameterTable::named(const std::string& parameter) const {
+std::optional<CellId> ParameterTable::find_cell(const std::string& parameter) const {
     const auto found = by_name_.find(parameter);
     if (found == by_name_.end()) return std::nullopt;
     return found->second;
 }
 
-ExprPtr ParameterTable::parameter(CellId cell) const {
+ExprPtr ParameterTable::parameter_name(CellId cell) const {
     return b::name(cells_[cell].name);
 }
 
-ExprPtr ParameterTable::value(CellId cell, const Values& values) const {
+ExprPtr ParameterTable::current_value(CellId cell, const Values& values) const {
     const auto found = values.find(cell);
-    return found == values.end() ? parameter(cell) : found->second;
+    return found == values.end() ? parameter_name(cell) : found->second;
 }
 
-Arguments ParameterTable::arguments(const Values& values) const {
+Arguments ParameterTable::to_arguments(const Values& values) const {
     Arguments result;
     for (const auto& [cell, value] : values) result.emplace_back(cells_[cell].name, value);
     return result;

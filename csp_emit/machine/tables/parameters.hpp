@@ -42,7 +42,7 @@ public:
     explicit ParameterTable(NameManager& names) : names_(names) {}
 
     /// Adds a cell with a unique name.
-    CellId add(Cell cell);
+    CellId add_cell(Cell cell);
     /// The cell for value number `number` that a statement keeps during its execution.
     CellId of_statement(std::uint32_t frame, const ir::Stmt& stmt, std::size_t number, CellKind kind,
                         const std::string& name);
@@ -52,13 +52,13 @@ public:
     [[nodiscard]] const Cell& operator[](CellId cell) const { return cells_[cell]; }
     /// All cells in order of creation.
     [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
-    [[nodiscard]] std::optional<CellId> named(const std::string& parameter) const;
+    [[nodiscard]] std::optional<CellId> find_cell(const std::string& parameter) const;
     /// The parameter as an expression.
-    [[nodiscard]] cspm::ExprPtr parameter(CellId) const;
+    [[nodiscard]] cspm::ExprPtr parameter_name(CellId) const;
     /// The current value of the cell.
-    [[nodiscard]] cspm::ExprPtr value(CellId, const Values&) const;
+    [[nodiscard]] cspm::ExprPtr current_value(CellId, const Values&) const;
     /// The values as arguments, each with the name of its parameter.
-    [[nodiscard]] Arguments arguments(const Values&) const;
+    [[nodiscard]] Arguments to_arguments(const Values&) const;
 
 private:
     NameManager& names_;

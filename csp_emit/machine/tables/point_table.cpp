@@ -16,8 +16,8 @@ constexpr std::size_t max_passed = 4'000'000;
 
 }  // namespace
 
-const Point* PointTable::at(const Activation& config) {
-    const auto [found, added] = number_.try_emplace(key(config), points_.size());
+const Point* PointTable::point_of(const Activation& config) {
+    const auto [found, added] = number_.try_emplace(activation_key(config), points_.size());
     if (!added) return &points_[found->second];
     if (points_.size() == max_points) {
         too_large(std::to_string(max_points) + " program points");
@@ -34,23 +34,23 @@ const Point& PointTable::end_of(std::uint32_t frame) {
         Activation end;
         end.frame = frame;
         const auto& nodes = frames_[frame].machine->nodes;
-        const auto is_end = [](const ir::Node& n) { return n.kind == ir::NodeKind::final && !n.parent.valid(); };
+        const auto is_end = [](const ir::Node& n) { return n.kind == ir::NodeKind::final && !n.parent.is_valid(); };
         const auto final = std::ranges::find_if(nodes, is_end);
         end.at = ir::NodeId{static_cast<std::uint32_t>(final - nodes.begin())};
-        points_.push_back({end, context_.names.unique(frames_[frame].prefix + "return__"), true});
+        points_.push_back({end, context_.names.unique_name(frames_[frame].prefix + "return__"), true});
     }
     return points_[found->second];
 }
 
 std::string PointTable::name_of(const Activation& config) {
-    const Activation& inner = innermost(config);
+    const Activation& inner = innermost_activation(config);
     std::string base = frames_[inner.frame].prefix;
     if (const Item* item = running_item(config))
-        base += flatten(item->label);
-    else if (inner.at.valid())
-        base += flatten(frames_[inner.frame].machine->nodes[inner.at.index].path);
+        base += flatten_name(item->label);
+    else if (inner.at.is_valid())
+        base += flatten_name(frames_[inner.frame].machine->nodes[inner.at.index].path);
     if (!config.durings.empty()) base += "_during";
-    return context_.names.unique(base + "__");
+    return context_.names.unique_name(base + "__");
 }
 
 void PointTable::count_call(std::size_t arguments) {
@@ -65,7 +65,7 @@ void PointTable::too_large(const std::string& what) {
     overflow_ = true;
 }
 
-void PointTable::erase(const std::function<bool(const std::string& name)>& unwanted) {
+void PointTable::erase_points(const std::function<bool(const std::string& name)>& unwanted) {
     std::erase_if(points_, [&](const Point& point) { return unwanted(point.name); });
 }
 

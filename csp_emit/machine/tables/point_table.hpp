@@ -25,16 +25,16 @@ public:
     PointTable(MachineContext& context, const ActivationRecords& frames) : context_(context), frames_(frames) {}
 
     /// The point of a configuration; null if there would be too many points. Valid until the next point is added.
-    [[nodiscard]] const Point* at(const Activation& config);
+    [[nodiscard]] const Point* point_of(const Activation& config);
     /// The point at which the operation of a frame has ended and returns to its caller.
     [[nodiscard]] const Point& end_of(std::uint32_t frame);
     /// Counts a call of a point with this number of arguments.
     void count_call(std::size_t arguments);
-    [[nodiscard]] bool overflow() const { return overflow_; }
+    [[nodiscard]] bool has_overflowed() const { return overflow_; }
 
     [[nodiscard]] const std::vector<Point>& all() const { return points_; }
     /// Removes the points whose functions are not called.
-    void erase(const std::function<bool(const std::string& name)>& unwanted);
+    void erase_points(const std::function<bool(const std::string& name)>& unwanted);
 
 private:
     std::string name_of(const Activation& config);

@@ -23,9 +23,9 @@ std::string_view uri_in(View params) {
 // ---------------------------------------------------------------- findings
 
 Json script_location(const Session& session, const Scripts& scripts, const ScriptReading& reading, Span span) {
-    if (!span.known()) return {};
+    if (!span.is_known()) return {};
     return Json::object({{"uri", scripts.uri_of(reading, span.source)},
-                         {"range", range(reading.sources, span, session.client.encoding)}});
+                         {"range", lsp_range(reading.sources, span, session.client.encoding)}});
 }
 
 /// Adds a finding unless the list contains it. A file may be included by several scripts, or several times by one.
@@ -36,13 +36,13 @@ void add_new(Json& list, Json finding) {
 /// The findings of all scripts by URI; every open document has a list, which may be empty.
 std::map<std::string, Json> script_findings(const Session& session, Scripts& scripts) {
     std::map<std::string, Json> result;
-    for (const ScriptReading* reading : scripts.readings()) {
+    for (const ScriptReading* reading : scripts.current_readings()) {
         const Locate locate = [&](Span span) { return script_location(session, scripts, *reading, span); };
         for (const auto& [source, file] : reading->in) result.emplace(scripts.uri_of(*reading, source), Json::array());
-        for (const Diagnostic& each : reading->findings.sorted())
-            if (each.span.known())
+        for (const Diagnostic& each : reading->findings.sorted_findings())
+            if (each.span.is_known())
                 add_new(result[scripts.uri_of(*reading, each.span.source)],
-                        diagnostic(reading->sources, each, session.client.encoding, locate));
+                        lsp_diagnostic(reading->sources, each, session.client.encoding, locate));
     }
     return result;
 }
@@ -70,9 +70,9 @@ Json script_hover(const Session& session, Scripts& scripts, ScriptDocument& docu
     if (name && !name->known->type.empty())
         text = fmt::format(fmt::runtime(markdown ? "```cspm\n{} :: {}\n```" : "{} :: {}"), name->known->name,
                            name->known->type);
-    std::vector<Diagnostic> findings = at.reading.findings.sorted();
+    std::vector<Diagnostic> findings = at.reading.findings.sorted_findings();
     std::erase_if(findings, [&](const Diagnostic& each) { return each.span.source != at.source; });
-    const std::string rules = explanations(findings, at.offset, markdown);
+    const std::string rules = explain_findings(findings, at.offset, markdown);
     if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += rules;
     return hover_answer(at.reading.sources, std::move(text), name ? name->span : Span(), session.client.encoding,
@@ -82,7 +82,7 @@ Json script_hover(const Session& session, Scripts& scripts, ScriptDocument& docu
 Json script_definition(const Session& session, Scripts& scripts, ScriptDocument& document, View params) {
     const ScriptPlace at = place_in(session, scripts, document, params);
     const std::optional<NameAt> name = name_at(at.reading, at.source, at.offset);
-    if (!name || !name->known->span.known()) return {};
+    if (!name || !name->known->span.is_known()) return {};
     const Span place = name_place(at.reading.sources, name->known->span, name->known->name);
     return Json::array({script_location(session, scripts, at.reading, place)});
 }
@@ -98,7 +98,7 @@ Json script_outline(const Session& session, Scripts& scripts, ScriptDocument& do
 bool notify_script(const Session& session, Scripts& scripts, std::string_view method, View params) {
     if (method == "workspace/didChangeWatchedFiles") {
         for (const View change : params["changes"].items())
-            if (is_script(change["uri"].text())) scripts.refresh(change["uri"].text());
+            if (is_script(change["uri"].text())) scripts.refresh_file(change["uri"].text());
         return false;
     }
     const View document = params["textDocument"];
@@ -107,7 +107,7 @@ bool notify_script(const Session& session, Scripts& scripts, std::string_view me
     if (method == "textDocument/didOpen") {
         if (uri.empty() || !is_script(uri, document["languageId"].text())) return false;
         take_opened(params, [&](const std::string& at, std::string text) -> OpenText& {
-            return scripts.open(at, std::move(text));
+            return scripts.open_document(at, std::move(text));
         });
         return true;
     }
@@ -138,8 +138,8 @@ Json answer_for_script(const Session& session, Scripts& scripts, std::string_vie
 
 void publish_scripts(Session& session, Scripts& scripts) {
     if (!scripts.has_news()) return;
-    scripts.published.send(session, script_findings(session, scripts),
-                           [&](const std::string& uri) { return scripts.find(uri); });
+    scripts.published.send_findings(session, script_findings(session, scripts),
+                                    [&](const std::string& uri) { return scripts.find(uri); });
     scripts.settle_news();
 }
 

@@ -10,11 +10,11 @@ namespace robochart::lsp {
 
 namespace {
 
-bool covers(Span span, SourceId source, std::uint32_t offset) {
+bool covers_offset(Span span, SourceId source, std::uint32_t offset) {
     return span.source == source && span.begin <= offset && offset <= span.end;
 }
 
-std::uint32_t length(Span span) {
+std::uint32_t span_length(Span span) {
     return span.end - span.begin;
 }
 
@@ -29,7 +29,8 @@ std::optional<NameAt> use_at(const ScriptReading& reading, SourceId source, std:
     constexpr std::ptrdiff_t looked_at = 4;
     for (auto use = behind; use != uses.begin() && behind - use < looked_at;) {
         --use;
-        if (!covers(use->span, source, offset) || (best && length(best->span) <= length(use->span))) continue;
+        if (!covers_offset(use->span, source, offset) || (best && span_length(best->span) <= span_length(use->span)))
+            continue;
         best = NameAt{&reading.names.names[use->name], use->span};
     }
     return best;
@@ -48,16 +49,16 @@ std::string_view word_at(std::string_view text, std::size_t offset) {
 }
 
 std::optional<NameAt> declaration_at(const ScriptReading& reading, SourceId source, std::uint32_t offset) {
-    const std::string_view word = word_at(reading.sources.text(source), offset);
+    const std::string_view word = word_at(reading.sources.source_text(source), offset);
     std::optional<NameAt> best;
     std::uint32_t shortest = 0;
     for (const cspm::KnownName& each : reading.names.names) {
-        if (!covers(each.span, source, offset) || short_name(each.name) != word) continue;
-        if (best && shortest <= length(each.span)) continue;
+        if (!covers_offset(each.span, source, offset) || short_name(each.name) != word) continue;
+        if (best && shortest <= span_length(each.span)) continue;
         const Span place = name_place(reading.sources, each.span, each.name);
-        if (!covers(place, source, offset) || place.begin == place.end) continue;
+        if (!covers_offset(place, source, offset) || place.begin == place.end) continue;
         best = NameAt{&each, place};
-        shortest = length(each.span);
+        shortest = span_length(each.span);
     }
     return best;
 }
@@ -70,7 +71,8 @@ std::string_view short_name(std::string_view qualified) {
 }
 
 Span name_place(const SourceManager& sources, Span declaration, std::string_view name) {
-    const std::string_view text = sources.text(declaration.source).substr(declaration.begin, length(declaration));
+    const std::string_view text =
+        sources.source_text(declaration.source).substr(declaration.begin, span_length(declaration));
     const std::string_view wanted = short_name(name);
     diagnostics::Diagnostics ignored;
     for (const cspm::Token& token : cspm::lex(text, declaration.source, ignored))

@@ -35,21 +35,21 @@ ScriptDocument* Scripts::find(std::string_view uri) {
     return found != documents_.end() ? found->second.get() : nullptr;
 }
 
-ScriptDocument& Scripts::open(const std::string& uri, std::string text) {
+ScriptDocument& Scripts::open_document(const std::string& uri, std::string text) {
     std::unique_ptr<ScriptDocument>& document = documents_[uri];
     document = std::make_unique<ScriptDocument>();
     document->uri = uri;
     document->path = path_of_uri(uri);
     document->file = file_at(document->path);
     document->source = document->texts.add(document->path, std::move(text));
-    forget(document->file);
+    forget_readings(document->file);
     return *document;
 }
 
 void Scripts::change(ScriptDocument& document, std::string text) {
-    if (document.texts.text(document.source) == text) return;
+    if (document.texts.source_text(document.source) == text) return;
     document.texts.replace(document.source, std::move(text));
-    forget(document.file);
+    forget_readings(document.file);
 }
 
 void Scripts::close(const std::string& uri) {
@@ -57,23 +57,23 @@ void Scripts::close(const std::string& uri) {
     if (found == documents_.end()) return;
     const std::string file = found->second->file;
     documents_.erase(found);
-    forget(file);
+    forget_readings(file);
 }
 
-void Scripts::refresh(const std::string& uri) {
+void Scripts::refresh_file(const std::string& uri) {
     const std::string file = file_of(path_of_uri(uri));
-    if (opened(file) == nullptr) forget(file);
+    if (find_open(file) == nullptr) forget_readings(file);
 }
 
 /// Discards readings that used this file.
-void Scripts::forget(const std::string& file) {
+void Scripts::forget_readings(const std::string& file) {
     news_ = true;
     for (const auto& [uri, document] : documents_)
         if (document->file == file || (document->reading && document->reading->asked.contains(file)))
             document->reading.reset();
 }
 
-const ScriptDocument* Scripts::opened(const std::string& file) const {
+const ScriptDocument* Scripts::find_open(const std::string& file) const {
     for (const auto& [uri, document] : documents_)
         if (document->file == file) return document.get();
     return nullptr;
@@ -86,15 +86,15 @@ std::string Scripts::file_of(const std::string& path) const {
     return file_at(path);
 }
 
-std::optional<SourceId> Scripts::load(ScriptReading& reading, const std::string& path, std::string& error) {
+std::optional<SourceId> Scripts::load_text(ScriptReading& reading, const std::string& path, std::string& error) {
     const std::string file = file_of(path);
     reading.asked.insert(file);
-    const ScriptDocument* document = opened(file);
+    const ScriptDocument* document = find_open(file);
     std::optional<SourceId> source;
     if (document != nullptr)
-        source = reading.sources.add(path, std::string(document->texts.text(document->source)));
+        source = reading.sources.add(path, std::string(document->texts.source_text(document->source)));
     else if (path.starts_with('/'))
-        source = reading.sources.load(path, error);
+        source = reading.sources.load_file(path, error);
     else
         error = "the text that includes it lies in no folder";
     if (!source) return std::nullopt;
@@ -105,10 +105,10 @@ std::optional<SourceId> Scripts::load(ScriptReading& reading, const std::string&
 
 void Scripts::read(ScriptDocument& document) {
     auto reading = std::make_unique<ScriptReading>();
-    reading->findings.within(budget_);
+    reading->findings.set_budget(budget_);
     reading->script =
         cspm::read_file(reading->sources, document.path, reading->findings,
-                        [&](const std::string& path, std::string& error) { return load(*reading, path, error); });
+                        [&](const std::string& path, std::string& error) { return load_text(*reading, path, error); });
     document.reading = std::move(reading);
 }
 
@@ -121,7 +121,7 @@ bool Scripts::is_part_of_another(const ScriptDocument& document) const {
     });
 }
 
-std::vector<const ScriptReading*> Scripts::readings() {
+std::vector<const ScriptReading*> Scripts::current_readings() {
     for (const auto& [uri, document] : documents_)
         if (!document->reading) read(*document);
     std::vector<const ScriptReading*> result;
@@ -130,7 +130,7 @@ std::vector<const ScriptReading*> Scripts::readings() {
         ScriptReading& reading = *document->reading;
         if (!reading.typed && reading.findings.ok()) {
             diagnostics::Diagnostics of_types;
-            of_types.within(budget_);
+            of_types.set_budget(budget_);
             (void)cspm::check_types(reading.script, of_types, &reading.names);
             reading.findings.add(of_types);
         }
@@ -141,7 +141,7 @@ std::vector<const ScriptReading*> Scripts::readings() {
 }
 
 const ScriptReading& Scripts::reading_of(const ScriptDocument& document) {
-    for (const ScriptReading* each : readings())
+    for (const ScriptReading* each : current_readings())
         if (each->at.contains(document.file)) return *each;
     return *document.reading;
 }
@@ -149,7 +149,7 @@ const ScriptReading& Scripts::reading_of(const ScriptDocument& document) {
 std::string Scripts::uri_of(const ScriptReading& reading, SourceId source) const {
     const auto file = reading.in.find(source);
     if (file == reading.in.end()) return {};
-    const ScriptDocument* document = opened(file->second);
+    const ScriptDocument* document = find_open(file->second);
     const std::string& path = reading.sources.path(source);
     return document != nullptr ? document->uri : uri_of_path(fs::path(path).lexically_normal().string());
 }

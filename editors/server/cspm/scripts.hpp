@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "checker/cspm/types/type_check.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "editors/server/protocol/positions.hpp"
 #include "editors/server/workspace/open_text.hpp"
 
@@ -46,14 +46,14 @@ public:
     explicit Scripts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] ScriptDocument* find(std::string_view uri);
-    ScriptDocument& open(const std::string& uri, std::string text);
+    ScriptDocument& open_document(const std::string& uri, std::string text);
     void change(ScriptDocument& document, std::string text);
     void close(const std::string& uri);
     /// Must be called when a file has changed on disk.
-    void refresh(const std::string& uri);
+    void refresh_file(const std::string& uri);
 
     /// The scripts that contain the open documents, with types.
-    [[nodiscard]] std::vector<const ScriptReading*> readings();
+    [[nodiscard]] std::vector<const ScriptReading*> current_readings();
     /// The first of these scripts that contains the document.
     [[nodiscard]] const ScriptReading& reading_of(const ScriptDocument& document);
     /// The URI that the editor uses for a file.
@@ -66,11 +66,12 @@ public:
     Published published;
 
 private:
-    void forget(const std::string& file);
+    void forget_readings(const std::string& file);
     void read(ScriptDocument& document);
-    [[nodiscard]] std::optional<SourceId> load(ScriptReading& reading, const std::string& path, std::string& error);
+    [[nodiscard]] std::optional<SourceId> load_text(ScriptReading& reading, const std::string& path,
+                                                    std::string& error);
     [[nodiscard]] std::string file_of(const std::string& path) const;
-    [[nodiscard]] const ScriptDocument* opened(const std::string& file) const;
+    [[nodiscard]] const ScriptDocument* find_open(const std::string& file) const;
     [[nodiscard]] bool is_part_of_another(const ScriptDocument& document) const;
 
     diagnostics::Budget* budget_;

@@ -43,7 +43,7 @@ public:
             if (each.span.source == source) types_.emplace(std::pair(each.span.begin, each.name), &each.type);
     }
 
-    std::vector<Entry> list(const std::vector<DeclPtr>& decls, const std::string& prefix) {
+    std::vector<Entry> list_entries(const std::vector<DeclPtr>& decls, const std::string& prefix) {
         std::vector<Entry> result;
         for (const DeclPtr& each : decls)
             if (each->span.source == source_) add(*each, prefix, result);
@@ -51,7 +51,8 @@ public:
     }
 
 private:
-    Entry entry(const std::string& name, const std::string& prefix, int kind, Span whole, std::string detail = {}) {
+    Entry make_entry(const std::string& name, const std::string& prefix, int kind, Span whole,
+                     std::string detail = {}) {
         Entry made{name, std::move(detail), kind, whole, name_place(reading_.sources, whole, name), {}};
         const auto type = types_.find({whole.begin, prefix + name});
         if (type != types_.end() && !type->second->empty()) made.detail = *type->second;
@@ -62,69 +63,70 @@ private:
         switch (decl.kind) {
             case DeclKind::function:
                 if (!out.empty() && out.back().kind == kinds::function && out.back().name == decl.names.at(0))
-                    out.back().whole = diagnostics::join(out.back().whole, decl.span);
+                    out.back().whole = diagnostics::join_spans(out.back().whole, decl.span);
                 else
-                    out.push_back(entry(decl.names.at(0), prefix, kinds::function, decl.span));
+                    out.push_back(make_entry(decl.names.at(0), prefix, kinds::function, decl.span));
                 break;
             case DeclKind::value:
-                pattern(*decl.patterns.at(0).at(0), decl.span, prefix, out);
+                add_pattern(*decl.patterns.at(0).at(0), decl.span, prefix, out);
                 break;
             case DeclKind::channel:
                 for (const std::string& name : decl.names)
-                    out.push_back(entry(name, prefix, kinds::event, decl.span, "channel"));
+                    out.push_back(make_entry(name, prefix, kinds::event, decl.span, "channel"));
                 break;
             case DeclKind::datatype:
             case DeclKind::subtype:
-                datatype(decl, prefix, out);
+                add_datatype(decl, prefix, out);
                 break;
             case DeclKind::nametype:
-                out.push_back(entry(decl.names.at(0), prefix, kinds::type, decl.span));
+                out.push_back(make_entry(decl.names.at(0), prefix, kinds::type, decl.span));
                 break;
             case DeclKind::module:
-                module(decl, prefix, out);
+                add_module(decl, prefix, out);
                 break;
             case DeclKind::instance:
-                out.push_back(entry(decl.names.at(0), prefix, kinds::module, decl.span, "instance of " + decl.text));
+                out.push_back(
+                    make_entry(decl.names.at(0), prefix, kinds::module, decl.span, "instance of " + decl.text));
                 break;
             case DeclKind::timed:
-                for (Entry& each : list(decl.decls, prefix)) out.push_back(std::move(each));
+                for (Entry& each : list_entries(decl.decls, prefix)) out.push_back(std::move(each));
                 break;
             case DeclKind::assertion:
-                assertion(decl, out);
+                add_assertion(decl, out);
                 break;
             default:
                 break;
         }
     }
 
-    void pattern(const cspm::Pattern& pattern, Span whole, const std::string& prefix, std::vector<Entry>& out) {
+    void add_pattern(const cspm::Pattern& pattern, Span whole, const std::string& prefix, std::vector<Entry>& out) {
         if (pattern.kind == cspm::PatternKind::name) {
             Entry made{pattern.text, {}, kinds::variable, whole, pattern.span, {}};
             const auto type = types_.find({pattern.span.begin, prefix + pattern.text});
             if (type != types_.end()) made.detail = *type->second;
             out.push_back(std::move(made));
         }
-        for (const cspm::PatternPtr& each : pattern.args) this->pattern(*each, whole, prefix, out);
+        for (const cspm::PatternPtr& each : pattern.args) this->add_pattern(*each, whole, prefix, out);
     }
 
-    void datatype(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
-        Entry made = entry(decl.names.at(0), prefix, kinds::enumeration, decl.span);
+    void add_datatype(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
+        Entry made = make_entry(decl.names.at(0), prefix, kinds::enumeration, decl.span);
         for (const cspm::Constructor& each : decl.constructors)
-            made.inside.push_back(entry(each.name, prefix, kinds::member, each.span));
+            made.inside.push_back(make_entry(each.name, prefix, kinds::member, each.span));
         out.push_back(std::move(made));
     }
 
-    void module(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
-        Entry made = entry(decl.names.at(0), prefix, kinds::module, decl.span, "module");
+    void add_module(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
+        Entry made = make_entry(decl.names.at(0), prefix, kinds::module, decl.span, "module");
         const std::string inside = prefix + decl.names.at(0) + "::";
-        made.inside = list(decl.decls, inside);
-        for (Entry& each : list(decl.exports, inside)) made.inside.push_back(std::move(each));
+        made.inside = list_entries(decl.decls, inside);
+        for (Entry& each : list_entries(decl.exports, inside)) made.inside.push_back(std::move(each));
         out.push_back(std::move(made));
     }
 
-    void assertion(const Decl& decl, std::vector<Entry>& out) {
+    void add_assertion(const Decl& decl, std::vector<Entry>& out) {
         constexpr std::size_t longest = 120;
-        const std::string_view text = reading_.sources.text(source_);
+        const std::string_view text = reading_.sources.source_text(source_);
         std::string name(text.substr(decl.span.begin, decl.span.end - decl.span.begin));
         name = name.substr(0, name.find('\n'));
         if (name.size() > longest) name = name.substr(0, longest);
@@ -136,14 +138,14 @@ private:
     std::map<std::pair<std::uint32_t, std::string>, const std::string*> types_;
 };
 
-Json symbol(const SourceManager& sources, const Entry& entry, Encoding encoding) {
+Json symbol_of_entry(const SourceManager& sources, const Entry& entry, Encoding encoding) {
     Json result = Json::object({{"name", entry.name},
                                 {"detail", entry.detail},
                                 {"kind", entry.kind},
-                                {"range", range(sources, entry.whole, encoding)},
-                                {"selectionRange", range(sources, entry.place, encoding)}});
+                                {"range", lsp_range(sources, entry.whole, encoding)},
+                                {"selectionRange", lsp_range(sources, entry.place, encoding)}});
     Json children = Json::array();
-    for (const Entry& each : entry.inside) children.push_back(symbol(sources, each, encoding));
+    for (const Entry& each : entry.inside) children.push_back(symbol_of_entry(sources, each, encoding));
     if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
@@ -154,7 +156,7 @@ void add_flat(const SourceManager& sources, const Entry& entry, const std::strin
     out.push_back(
         Json::object({{"name", entry.name},
                       {"kind", entry.kind},
-                      {"location", Json::object({{"uri", uri}, {"range", range(sources, entry.place, encoding)}})},
+                      {"location", Json::object({{"uri", uri}, {"range", lsp_range(sources, entry.place, encoding)}})},
                       {"containerName", container}}));
     for (const Entry& each : entry.inside) add_flat(sources, each, entry.name, uri, encoding, out);
 }
@@ -164,9 +166,9 @@ void add_flat(const SourceManager& sources, const Entry& entry, const std::strin
 Json script_symbols(const ScriptReading& reading, SourceId source, const std::string& uri, Encoding encoding,
                     bool hierarchical) {
     Json result = Json::array();
-    for (const Entry& each : Outline(reading, source).list(reading.script.decls, {})) {
+    for (const Entry& each : Outline(reading, source).list_entries(reading.script.decls, {})) {
         if (hierarchical)
-            result.push_back(symbol(reading.sources, each, encoding));
+            result.push_back(symbol_of_entry(reading.sources, each, encoding));
         else
             add_flat(reading.sources, each, {}, uri, encoding, result);
     }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "frontend/syntax/file_visitor.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/workspace/describe.hpp"
+#include "frontend/syntax/file_visitor.hpp"
 
 namespace robochart::lsp {
 
@@ -37,7 +37,7 @@ struct CallGraph {
     void visit(const Node&) {}
 
     /// The operations that a call may run; the signature if none is defined.
-    [[nodiscard]] std::vector<const Declaration*> definitions(const Declaration& callee) const {
+    [[nodiscard]] std::vector<const Declaration*> definitions_of(const Declaration& callee) const {
         std::vector<const Declaration*> result;
         for (const Machine* each : operations)
             if (each->name == callee.name) result.push_back(each);
@@ -51,20 +51,21 @@ private:
 
 CallGraph call_graph(Project& project) {
     CallGraph graph;
-    for (const auto& file : project.model().files)
-        if (!file->is_library) Traversal(graph).file(*file);
+    for (const auto& file : project.current_model().files)
+        if (!file->is_library) Traversal(graph).visit_file(*file);
     return graph;
 }
 
-Json item(const Session& session, Project& project, const Declaration& declaration) {
-    Json place = location(session, project, join(declaration.span, declaration.name_span));
+Json hierarchy_item(const Session& session, Project& project, const Declaration& declaration) {
+    Json place = lsp_location(session, project, join_spans(declaration.span, declaration.name_span));
     if (place.is_null()) return {};
-    return Json::object({{"name", declaration.name},
-                         {"kind", symbol_kind(declaration)},
-                         {"detail", signature(declaration)},
-                         {"uri", std::move(place["uri"])},
-                         {"range", std::move(place["range"])},
-                         {"selectionRange", range(project.sources(), declaration.name_span, session.client.encoding)}});
+    return Json::object(
+        {{"name", declaration.name},
+         {"kind", symbol_kind(declaration)},
+         {"detail", signature_text(declaration)},
+         {"uri", std::move(place["uri"])},
+         {"range", std::move(place["range"])},
+         {"selectionRange", lsp_range(project.sources(), declaration.name_span, session.client.encoding)}});
 }
 
 /// The operation, signature or machine whose name is at the place; null if there is none.
@@ -92,12 +93,12 @@ public:
     void add(const Declaration& end, Span call) {
         auto found = std::ranges::find(ends_, &end, &std::pair<const Declaration*, Json>::first);
         if (found == ends_.end()) found = ends_.insert(found, {&end, Json::array()});
-        found->second.push_back(range(project_.sources(), call, session_.client.encoding));
+        found->second.push_back(lsp_range(project_.sources(), call, session_.client.encoding));
     }
-    [[nodiscard]] Json take() {
+    [[nodiscard]] Json take_calls() {
         Json result = Json::array();
         for (auto& [end, ranges] : ends_) {
-            Json shown = item(session_, project_, *end);
+            Json shown = hierarchy_item(session_, project_, *end);
             if (!shown.is_null())
                 result.push_back(Json::object({{key_, std::move(shown)}, {"fromRanges", std::move(ranges)}}));
         }
@@ -118,10 +119,11 @@ Json prepare_call_hierarchy(Session& session, View params) {
     const Declaration* found = callable_at(target);
     if (found == nullptr) return {};
     std::vector<const Declaration*> shown = {found};
-    if (found->kind == DeclKind::operation_signature) shown = call_graph(target.project).definitions(*found);
+    if (found->kind == DeclKind::operation_signature) shown = call_graph(target.project).definitions_of(*found);
     Json result = Json::array();
     for (const Declaration* each : shown)
-        if (Json made = item(session, target.project, *each); !made.is_null()) result.push_back(std::move(made));
+        if (Json made = hierarchy_item(session, target.project, *each); !made.is_null())
+            result.push_back(std::move(made));
     return result;
 }
 
@@ -132,7 +134,7 @@ Json incoming_calls(Session& session, View params) {
     if (callee != nullptr && callee->kind != DeclKind::state_machine)
         for (const CallSite& call : call_graph(target.project).calls)
             if (call.callee->name == callee->name) callers.add(*call.caller, call.span);
-    return callers.take();
+    return callers.take_calls();
 }
 
 Json outgoing_calls(Session& session, View params) {
@@ -142,8 +144,8 @@ Json outgoing_calls(Session& session, View params) {
     Ends callees(session, target.project, "to");
     for (const CallSite& call : graph.calls)
         if (call.caller == caller)
-            for (const Declaration* each : graph.definitions(*call.callee)) callees.add(*each, call.span);
-    return callees.take();
+            for (const Declaration* each : graph.definitions_of(*call.callee)) callees.add(*each, call.span);
+    return callees.take_calls();
 }
 
 }  // namespace robochart::lsp

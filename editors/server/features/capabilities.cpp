@@ -11,7 +11,7 @@ namespace robochart::lsp {
 
 namespace {
 
-bool lists(View items, std::string_view word) {
+bool lists_word(View items, std::string_view word) {
     return std::ranges::any_of(items.items(), [&](View item) { return item.text() == word; });
 }
 
@@ -27,19 +27,19 @@ Client client_of(View params) {
     const View offered = capabilities["general"]["positionEncodings"];
     Client client;
     // Texts are stored in UTF-8, so this encoding is the cheapest.
-    if (lists(offered, "utf-8"))
+    if (lists_word(offered, "utf-8"))
         client.encoding = Encoding::utf8;
-    else if (!lists(offered, "utf-16") && lists(offered, "utf-32"))
+    else if (!lists_word(offered, "utf-16") && lists_word(offered, "utf-32"))
         client.encoding = Encoding::utf32;
-    client.hierarchical_symbols = document["documentSymbol"]["hierarchicalDocumentSymbolSupport"].truth();
-    client.snippets = document["completion"]["completionItem"]["snippetSupport"].truth();
-    client.markdown = lists(document["hover"]["contentFormat"], "markdown");
+    client.hierarchical_symbols = document["documentSymbol"]["hierarchicalDocumentSymbolSupport"].truth_or();
+    client.snippets = document["completion"]["completionItem"]["snippetSupport"].truth_or();
+    client.markdown = lists_word(document["hover"]["contentFormat"], "markdown");
     client.pulls_diagnostics = document["diagnostic"].is_object();
-    client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth();
-    client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth();
-    client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth();
+    client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth_or();
+    client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth_or();
+    client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth_or();
     for (const char* command : {check_command, draw_command, step_command})
-        if (lists(params["initializationOptions"]["commands"], command)) client.commands.insert(command);
+        if (lists_word(params["initializationOptions"]["commands"], command)) client.commands.insert(command);
     return client;
 }
 

@@ -12,7 +12,7 @@ namespace {
 using diagnostics::Diagnostic;
 using diagnostics::FixIt;
 
-bool overlaps(Span a, Span b) {
+bool spans_overlap(Span a, Span b) {
     return a.source == b.source && a.begin <= b.end && b.begin <= a.end;
 }
 
@@ -23,19 +23,20 @@ std::string title_of(const FixIt& fix, std::string_view replaced) {
 }
 
 /// The editor's diagnostic that the fix belongs to, so that it can show both together.
-Json matching(View context, const Diagnostic& finding, const Json& place) {
+Json matching_diagnostic(View context, const Diagnostic& finding, const Json& place) {
     for (const View shown : context["diagnostics"].items())
         if (shown["code"].text() == finding.rule->code && shown["range"].json() == place)
             return Json::array({shown.json()});
     return {};
 }
 
-Json action(const Session& session, const Target& target, const Diagnostic& finding, const FixIt& fix, View context) {
+Json code_action(const Session& session, const Target& target, const Diagnostic& finding, const FixIt& fix,
+                 View context) {
     const SourceManager& sources = target.project.sources();
     const Encoding encoding = session.client.encoding;
     const std::string_view replaced =
-        sources.text(fix.span.source).substr(fix.span.begin, fix.span.end - fix.span.begin);
-    const Json edit = Json::object({{"range", range(sources, fix.span, encoding)}, {"newText", fix.replacement}});
+        sources.source_text(fix.span.source).substr(fix.span.begin, fix.span.end - fix.span.begin);
+    const Json edit = Json::object({{"range", lsp_range(sources, fix.span, encoding)}, {"newText", fix.replacement}});
     const Document* edited = target.project.find(fix.span.source);
     Json changes;
     changes[edited != nullptr ? edited->uri : target.document.uri] = Json::array({edit});
@@ -43,7 +44,7 @@ Json action(const Session& session, const Target& target, const Diagnostic& find
                                 {"kind", "quickfix"},
                                 {"isPreferred", &fix == &finding.fixes.front() && diagnostics::is_certain(fix)},
                                 {"edit", Json::object({{"changes", std::move(changes)}})}});
-    Json shown = matching(context, finding, range(sources, finding.span, encoding));
+    Json shown = matching_diagnostic(context, finding, lsp_range(sources, finding.span, encoding));
     if (!shown.is_null()) result["diagnostics"] = std::move(shown);
     return result;
 }
@@ -59,9 +60,9 @@ Json code_actions(Session& session, View params) {
     for (const View kind : only.items())
         if (kind.text() != "quickfix" && kind.text() != "" && only.items().size() == 1) return list;
     for (const Diagnostic& finding : findings_about(target)) {
-        if (!overlaps(finding.span, asked)) continue;
+        if (!spans_overlap(finding.span, asked)) continue;
         for (const FixIt& fix : finding.fixes)
-            if (fix.span.known()) list.push_back(action(session, target, finding, fix, params["context"]));
+            if (fix.span.is_known()) list.push_back(code_action(session, target, finding, fix, params["context"]));
     }
     return list;
 }

@@ -2,9 +2,9 @@
 // Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
 // editor runs them, because they may take long and need its windows.
 
-#include "frontend/diagrams/notation/subjects.hpp"
 #include "editors/server/features/capabilities.hpp"
 #include "editors/server/features/features.hpp"
+#include "frontend/diagrams/notation/subjects.hpp"
 
 namespace robochart::lsp {
 
@@ -17,12 +17,13 @@ public:
     Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}
 
     Json find() {
-        for (const frontend::Assertion& each : target_.project.tree(target_.document).assertions)
+        for (const frontend::Assertion& each : target_.project.tree_of(target_.document).assertions)
             // The parser makes up a name, with an empty span, for an assertion without one.
             if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
-        for (const auto& each : target_.project.tree(target_.document).probabilistic_assertions)
+        for (const auto& each : target_.project.tree_of(target_.document).probabilistic_assertions)
             if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
-        for (const diagrams::Subject& each : diagrams::subjects(target_.project.model(), target_.project.sources())) {
+        for (const diagrams::Subject& each :
+             diagrams::find_subjects(target_.project.current_model(), target_.project.sources())) {
             if (!is_component(each)) continue;
             add("draw", draw_command, each.component->name_span, each.name);
             add("step", step_command, each.component->name_span, each.name);
@@ -45,7 +46,7 @@ private:
         const Json run = Json::object(
             {{"title", title}, {"command", command}, {"arguments", Json::array({target_.document.uri, name})}});
         result_.push_back(Json::object(
-            {{"range", range(target_.project.sources(), place, session_.client.encoding)}, {"command", run}}));
+            {{"range", lsp_range(target_.project.sources(), place, session_.client.encoding)}, {"command", run}}));
     }
 
     Session& session_;

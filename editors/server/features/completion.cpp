@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <set>
 
-#include "frontend/types/types.hpp"
 #include "editors/server/features/completion_context.hpp"
 #include "editors/server/features/completion_words.hpp"
 #include "editors/server/features/csp_blocks.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "editors/server/workspace/visible.hpp"
+#include "frontend/types/types.hpp"
 
 namespace robochart::lsp {
 
@@ -41,12 +41,12 @@ class Completer {
 public:
     Completer(const Session& session, const Target& target)
         : session_(session),
-          model_(target.project.model()),
-          file_(target.project.tree(target.document)),
+          model_(target.project.current_model()),
+          file_(target.project.tree_of(target.document)),
           sources_(target.project.sources()),
           source_(target.document.source),
           context_(context_at(sources_, target.document.source, target.document.is_assertions, target.offset)) {
-        edit_range_ = range(sources_, context_.prefix, session.client.encoding);
+        edit_range_ = lsp_range(sources_, context_.prefix, session.client.encoding);
         for (const Enclosing& each : context_.enclosing) {
             const Declaration* found = declared_at(file_, each.name);
             if (found == nullptr) continue;
@@ -60,11 +60,11 @@ public:
 
     Json run() {
         if (!context_.qualifier.empty())
-            qualified();
+            add_qualified();
         else if (!context_.value.empty())
-            fields();
+            add_fields();
         else
-            plain();
+            add_unqualified();
         return Json::object({{"isIncomplete", false}, {"items", std::move(items_)}});
     }
 
@@ -85,13 +85,13 @@ private:
     void add(const Declaration& declaration, Rank rank) {
         if (declaration.name.empty()) return;
         const std::string text = is_reserved(declaration.name) ? "^" + declaration.name : declaration.name;
-        add(declaration.name, completion_kind(declaration), rank, detail(declaration), text);
+        add(declaration.name, completion_kind(declaration), rank, detail_of(declaration), text);
     }
-    void words(const std::vector<std::string_view>& list) {
+    void add_words(const std::vector<std::string_view>& list) {
         constexpr int keyword = 14;
         for (const std::string_view word : list) add(std::string(word), keyword, Rank::word, "", std::string(word));
     }
-    void package(const std::string& name) {
+    void add_package(const std::string& name) {
         constexpr int module_kind = 9;
         add(name, module_kind, Rank::project, "package", name);
     }
@@ -118,84 +118,84 @@ private:
                 for (const Declaration* part : component->order)
                     if (filter(part->kind)) add(*part, Rank::scope);
     }
-    void packages() {
-        for (const std::string& name : packages_behind(model_, {})) package(name);
+    void add_packages() {
+        for (const std::string& name : packages_behind(model_, {})) add_package(name);
     }
 
     // The expected construct
 
-    void plain() {
+    void add_unqualified() {
         switch (context_.wanted) {
             case Wanted::nothing:
                 return;
             case Wanted::member:
-                return member();
+                return add_member_words();
             case Wanted::continuation:
-                words(infix_words(context_.enclosing.back().block, file_.is_assertions));
-                return member();
+                add_words(infix_words(context_.enclosing.back().block, file_.is_assertions));
+                return add_member_words();
             case Wanted::source:
-                return nodes(DeclKind::final);
+                return add_nodes(DeclKind::final);
             case Wanted::target:
-                return nodes(DeclKind::initial);
+                return add_nodes(DeclKind::initial);
             case Wanted::event:
                 return from_scope([](DeclKind kind) { return kind == DeclKind::event; });
             case Wanted::interface:
                 from_project([](DeclKind kind) { return kind == DeclKind::interface; });
-                return packages();
+                return add_packages();
             case Wanted::type:
                 from_project(is_type);
-                words(type_words());
-                return packages();
+                add_words(type_words());
+                return add_packages();
             case Wanted::reference:
-                return referred();
+                return add_reference_targets();
             case Wanted::clock:
                 return from_scope([](DeclKind kind) { return kind == DeclKind::clock; });
             case Wanted::state:
-                return states();
+                return add_states();
             case Wanted::variable:
                 return from_scope([](DeclKind kind) { return kind == DeclKind::variable; });
             case Wanted::expression:
-                return expression();
+                return add_expression_names();
             case Wanted::statement:
-                return statement();
+                return add_statement_names();
             case Wanted::branch:
-                statement();
-                return expression();
+                add_statement_names();
+                return add_expression_names();
             case Wanted::connection_node:
                 return connection_nodes();
             case Wanted::connection_event:
                 return connection_events();
             case Wanted::import:
-                return imports();
+                return add_imports();
             case Wanted::component:
                 from_project(is_component);
-                blocks();
-                return packages();
+                add_blocks();
+                return add_packages();
             case Wanted::property:
-                return words(property_words());
+                return add_words(property_words());
             case Wanted::rule:
-                return rules();
+                return add_rules();
         }
     }
 
     /// Adds the rules in the files of the assertion file's folder.
-    void rules() {
+    void add_rules() {
         constexpr int function = 3;
         const std::string& path = sources_.path(source_);
         const std::string folder = path.substr(0, std::min(path.rfind('/'), path.size()));
         for (const auto& [rule, file] : session_.rule_names(folder)) add(rule, function, Rank::scope, file, rule);
     }
 
-    void member() {
+    void add_member_words() {
         const Block block = context_.enclosing.back().block;
-        words(file_.is_assertions ? assertion_member_words() : member_words(block, context_.word));
+        add_words(file_.is_assertions ? assertion_member_words() : member_words(block, context_.word));
         if (!session_.client.snippets || file_.is_assertions) return;
         constexpr int snippet = 15;
-        for (const Snippet& each : snippets(block))
+        for (const Snippet& each : snippets_for(block))
             add(std::string(each.label), snippet, Rank::snippet, "snippet", std::string(each.text), true);
     }
 
-    void nodes(DeclKind except) {
+    void add_nodes(DeclKind except) {
         const auto* container = dynamic_cast<const NodeContainer*>(container_);
         if (container == nullptr) return;
         for (const auto& node : container->nodes)
@@ -203,7 +203,7 @@ private:
     }
 
     /// Adds states at any depth, outer ones first.
-    void states() {
+    void add_states() {
         const auto* machine = dynamic_cast<const Machine*>(scope_);
         std::vector<const NodeContainer*> level;
         if (machine != nullptr) level.push_back(machine);
@@ -214,53 +214,53 @@ private:
             }
     }
 
-    void referred() {
+    void add_reference_targets() {
         const DeclKind kind = context_.word == "sref"   ? DeclKind::state_machine
                               : context_.word == "cref" ? DeclKind::controller
                               : context_.word == "rref" ? DeclKind::platform
                                                         : DeclKind::operation;
         from_parts([&](DeclKind each) { return each == kind; });
         from_project([&](DeclKind each) { return each == kind; });
-        packages();
+        add_packages();
     }
 
-    void bound() {
+    void add_bound_names() {
         constexpr int variable = 6;
         for (const std::string& name : context_.bound) add(name, variable, Rank::scope, "", name);
     }
 
-    void expression() {
-        bound();
+    void add_expression_names() {
+        add_bound_names();
         from_scope(is_value);
         from_project([](DeclKind kind) {
             return kind == DeclKind::function || kind == DeclKind::enum_literal || kind == DeclKind::enumeration ||
                    kind == DeclKind::record_type;
         });
-        words(expression_words());
+        add_words(expression_words());
     }
 
-    void statement() {
+    void add_statement_names() {
         from_scope([](DeclKind kind) {
             return kind == DeclKind::operation_signature || kind == DeclKind::event || kind == DeclKind::variable;
         });
-        words(statement_words());
+        add_words(statement_words());
     }
 
-    const Component* component() const {
+    const Component* enclosing_component() const {
         for (auto each = context_.enclosing.rbegin(); each != context_.enclosing.rend(); ++each)
             if (const auto* found = dynamic_cast<const Component*>(declared_at(file_, each->name))) return found;
         return nullptr;
     }
 
     void connection_nodes() {
-        const Component* around = component();
+        const Component* around = enclosing_component();
         if (around == nullptr) return;
         for (const Declaration* part : around->order) add(*part, Rank::scope);
         if (around->kind == DeclKind::controller) add(*around, Rank::scope);
     }
 
     void connection_events() {
-        const Component* around = component();
+        const Component* around = enclosing_component();
         if (around == nullptr || context_.path.empty()) return;
         const Declaration* node = around->name == context_.path.front() ? around : nullptr;
         for (const Declaration* part : around->order)
@@ -270,19 +270,19 @@ private:
             if (each->kind == DeclKind::event) add(*each, Rank::scope);
     }
 
-    void imports() {
-        packages();
-        for (const std::string_view name : toolkit_packages()) package(std::string(name));
+    void add_imports() {
+        add_packages();
+        for (const std::string_view name : toolkit_packages()) add_package(std::string(name));
     }
 
-    void blocks() {
+    void add_blocks() {
         constexpr int function = 3;
         for (const auto& file : model_.files)
             for (const CspBlock& block : file->csp_blocks) add(block.name, function, Rank::project, "csp", block.name);
     }
 
     /// Adds the names of suitable kinds after `A::B::`.
-    void qualified() {
+    void add_qualified() {
         const auto fits = [&](DeclKind kind) {
             switch (context_.wanted) {
                 case Wanted::interface:
@@ -300,20 +300,20 @@ private:
                     return kind != DeclKind::transition && kind != DeclKind::field;
             }
         };
-        for (const Declaration* each : behind(model_, file_, context_.qualifier))
+        for (const Declaration* each : declarations_after(model_, file_, context_.qualifier))
             if (fits(each->kind)) add(*each, Rank::scope);
-        for (const std::string& name : packages_behind(model_, context_.qualifier)) package(name);
+        for (const std::string& name : packages_behind(model_, context_.qualifier)) add_package(name);
         if (context_.wanted == Wanted::import) add("*", 14, Rank::word, "everything", "*");
     }
 
     /// Adds the fields after `a[1].f.`. After an event and `.`, a value is expected instead.
-    void fields() {
+    void add_fields() {
         const auto first = [&](const Declaration* each) { return each->name == context_.value.front(); };
         if (scope_ == nullptr) return;
         const auto members = members_of(*scope_);
         const auto found = std::ranges::find_if(members, first);
         if (found == members.end()) return;
-        if ((*found)->kind == DeclKind::event) return expression();
+        if ((*found)->kind == DeclKind::event) return add_expression_names();
         const auto* variable = dynamic_cast<const Variable*>(*found);
         TypePtr type = variable != nullptr ? variable->type : nullptr;
         for (std::size_t i = 1; i < context_.value.size() && type; ++i) type = part_of(*type, context_.value[i]);
@@ -345,7 +345,7 @@ private:
 
 }  // namespace
 
-Json completion(Session& session, View params) {
+Json completion_items(Session& session, View params) {
     const Target target = target_of(session, params);
     if (std::optional<Json> in_block = completion_in_block(session, target)) return std::move(*in_block);
     return Completer(session, target).run();

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "frontend/syntax/lexer.hpp"
 #include "editors/server/protocol/positions.hpp"
+#include "frontend/syntax/lexer.hpp"
 
 namespace robochart::lsp {
 

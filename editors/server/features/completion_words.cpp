@@ -23,7 +23,7 @@ const Words contract_words = {"precondition", "postcondition"};
 /// The clauses in the order of the grammar; `#C` and `<{ e }` are between `trigger` and `condition`.
 const Words clause_words = {"from", "to", "trigger", "probability", "condition", "action"};
 
-Words joined(std::initializer_list<Words> lists) {
+Words join_lists(std::initializer_list<Words> lists) {
     Words result;
     for (const Words& list : lists) result.insert(result.end(), list.begin(), list.end());
     return result;
@@ -49,17 +49,17 @@ Words member_words(Block block, std::string_view last_clause) {
         case Block::platform:
             return context_words;
         case Block::controller:
-            return joined({context_words, part_words});
+            return join_lists({context_words, part_words});
         case Block::module:
             return module_words;
         case Block::machine:
-            return joined({context_words, node_words});
+            return join_lists({context_words, node_words});
         case Block::operation:
-            return joined({context_words, node_words, contract_words, {"terminates"}});
+            return join_lists({context_words, node_words, contract_words, {"terminates"}});
         case Block::function:
             return contract_words;
         case Block::state:
-            return joined({action_words, node_words});
+            return join_lists({action_words, node_words});
         case Block::transition:
             return clauses_after(last_clause);
         case Block::type:
@@ -135,7 +135,7 @@ const Words& toolkit_packages() {
     return words;
 }
 
-const std::vector<Snippet>& snippets(Block block) {
+const std::vector<Snippet>& snippets_for(Block block) {
     static const Snippet state{"state … {}", "state ${1:S} {\n\t$0\n}"};
     static const Snippet transition{"transition … {}",
                                     "transition ${1:t} {\n\tfrom ${2:source}\n\tto ${3:target}\n\t$0\n}"};

@@ -25,6 +25,6 @@ struct Snippet {
 [[nodiscard]] const std::vector<std::string_view>& statement_words();
 [[nodiscard]] const std::vector<std::string_view>& property_words();
 [[nodiscard]] const std::vector<std::string_view>& toolkit_packages();
-[[nodiscard]] const std::vector<Snippet>& snippets(Block block);
+[[nodiscard]] const std::vector<Snippet>& snippets_for(Block block);
 
 }  // namespace robochart::lsp

@@ -18,7 +18,7 @@ using csp_emit::ScriptName;
 using csp_emit::ScriptNames;
 
 const frontend::CspBlock* block_at(const Target& target) {
-    for (const frontend::CspBlock& block : target.project.tree(target.document).csp_blocks)
+    for (const frontend::CspBlock& block : target.project.tree_of(target.document).csp_blocks)
         if (block.text_span.begin <= target.offset && target.offset <= block.text_span.end) return &block;
     return nullptr;
 }
@@ -26,8 +26,8 @@ const frontend::CspBlock* block_at(const Target& target) {
 std::optional<csp_emit::Emission> emission_for(const Session& session, const Target& target,
                                                const frontend::CspBlock& block) {
     const auto time = block.time == frontend::AssertionTime::untimed ? csp_emit::Time::untimed : csp_emit::Time::timed;
-    return csp_emit::emission_without_blocks(target.project.model(), target.project.sources(), target.document.source,
-                                             time, session.budget);
+    return csp_emit::emission_without_blocks(target.project.current_model(), target.project.sources(),
+                                             target.document.source, time, session.budget);
 }
 
 bool is_word(char c) {
@@ -82,14 +82,14 @@ std::string_view kind_text(cspm::DeclKind kind) {
 std::optional<Json> completion_in_block(const Session& session, const Target& target) {
     const frontend::CspBlock* const block = block_at(target);
     if (block == nullptr) return std::nullopt;
-    const std::string_view text = target.project.sources().text(target.document.source);
+    const std::string_view text = target.project.sources().source_text(target.document.source);
     const std::uint32_t begin = begin_of_name(text, target.offset);
     const std::string_view written = text.substr(begin, target.offset - begin);
     const std::size_t cut = written.rfind("::");
     const std::string qualifier(cut == std::string_view::npos ? "" : written.substr(0, cut));
     const auto prefix = static_cast<std::uint32_t>(begin + (cut == std::string_view::npos ? 0 : cut + 2));
     const Json edited =
-        range(target.project.sources(), {target.document.source, prefix, target.offset}, session.client.encoding);
+        lsp_range(target.project.sources(), {target.document.source, prefix, target.offset}, session.client.encoding);
     Json items = Json::array();
     std::set<std::string> seen;
     const auto add = [&](const std::string& label, int kind, const std::string& detail) {
@@ -111,7 +111,7 @@ std::optional<Json> completion_in_block(const Session& session, const Target& ta
                     for (const char* direction : {"in", "out"}) add(direction, 20, "direction of an event");
             }
         } else {
-            for (const ScriptName* name : names.behind(qualifier))
+            for (const ScriptName* name : names.names_after(qualifier))
                 if (!is_inner(name->name)) add(name->name, item_kind(*name), std::string(kind_text(name->kind)));
         }
     }
@@ -122,7 +122,7 @@ std::optional<Json> hover_in_block(const Session& session, const Target& target)
     const frontend::CspBlock* const block = block_at(target);
     if (block == nullptr) return std::nullopt;
     const SourceManager& sources = target.project.sources();
-    const std::string_view text = sources.text(target.document.source);
+    const std::string_view text = sources.source_text(target.document.source);
     std::uint32_t end = target.offset;
     while (end < text.size() && (is_word(text[end]) || (text[end] == ':' && end + 1 < text.size() &&
                                                         (text[end + 1] == ':' || text[end - 1] == ':'))))
@@ -144,7 +144,7 @@ std::optional<Json> hover_in_block(const Session& session, const Target& target)
                 out += fmt::format("\n\n{}{}: {}", full, direction, meaning->second.text);
     }
     std::vector<diagnostics::Diagnostic> findings = findings_about(target);
-    const std::string why = explanations(findings, target.offset, markdown);
+    const std::string why = explain_findings(findings, target.offset, markdown);
     if (!out.empty() && !why.empty()) out += markdown ? "\n\n---\n" : "\n\n";
     out += why;
     return hover_answer(sources, std::move(out), {target.document.source, begin, end}, session.client.encoding,

@@ -15,15 +15,15 @@ using diagnostics::Diagnostic;
 /// The findings of a project, by text.
 std::map<SourceId, Json> by_source(const Session& session, Project& project) {
     std::map<SourceId, Json> result;
-    const Locate locate = [&](Span span) { return location(session, project, span); };
+    const Locate locate = [&](Span span) { return lsp_location(session, project, span); };
     const auto add = [&](const diagnostics::Diagnostics& findings) {
-        for (const Diagnostic& finding : findings.sorted())
-            if (finding.span.known())
+        for (const Diagnostic& finding : findings.sorted_findings())
+            if (finding.span.is_known())
                 result[finding.span.source].push_back(
-                    diagnostic(project.sources(), finding, session.client.encoding, locate));
+                    lsp_diagnostic(project.sources(), finding, session.client.encoding, locate));
     };
     for (const auto& [path, document] : project.documents()) add(document->findings);
-    add(project.findings());
+    add(project.current_findings());
     add(project.block_findings());
     return result;
 }
@@ -41,7 +41,7 @@ Json document_diagnostic(Session& session, View params) {
 
 /// If the editor requests the diagnostics of open documents, the server does not send them as well, because the editor
 /// would show them twice.
-void publish(Session& session) {
+void publish_diagnostics(Session& session) {
     bool refresh = false;
     for (const auto& project : session.workspace.projects()) {
         if (!project->take_news()) continue;
@@ -56,14 +56,14 @@ void publish(Session& session) {
             }
             if (text == document->published) continue;
             document->published = std::move(text);
-            session.send(publication(document->uri, document->version, std::move(list)));
+            session.send(publication_message(document->uri, document->version, std::move(list)));
         }
         announce_diagrams(session, *project);
     }
     if (refresh && session.client.refreshes_diagnostics) session.send(refresh_request(++session.refreshes));
     for (const std::string& uri : session.workspace.take_orphans())
         if (const auto place = session.workspace.find(uri); !place || place.document->published.empty())
-            session.send(publication(uri, {}, Json::array()));
+            session.send(publication_message(uri, {}, Json::array()));
 }
 
 }  // namespace robochart::lsp

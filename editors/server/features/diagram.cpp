@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "editors/server/features/features.hpp"
 #include "frontend/diagrams/layout/arrange.hpp"
 #include "frontend/diagrams/stored/stored_diagrams.hpp"
 #include "frontend/diagrams/svg/svg.hpp"
 #include "frontend/syntax/print.hpp"
-#include "editors/server/features/features.hpp"
 
 namespace robochart::lsp {
 
@@ -25,7 +25,7 @@ struct DiagramParameters {
     diagrams::Theme theme = diagrams::Theme::automatic;
 };
 
-[[noreturn]] void refuse(const char* why) {
+[[noreturn]] void refuse_diagram(const char* why) {
     throw Refusal(ErrorCode::invalid_params, why);
 }
 
@@ -33,33 +33,33 @@ diagrams::Theme theme_of(View theme) {
     if (theme.is_null() || theme.text() == "auto") return diagrams::Theme::automatic;
     if (theme.text() == "light") return diagrams::Theme::light;
     if (theme.text() == "dark") return diagrams::Theme::dark;
-    refuse("theme must be `auto`, `light` or `dark`");
+    refuse_diagram("theme must be `auto`, `light` or `dark`");
 }
 
 DiagramParameters diagram_parameters(View params) {
     const View position = params["position"];
     const View component = params["component"];
     if (!position.is_null() && !(position["line"].is_number() && position["character"].is_number()))
-        refuse("position must have a line and a character");
-    if (!component.is_null() && !component.is_text()) refuse("component must be a text");
+        refuse_diagram("position must have a line and a character");
+    if (!component.is_null() && !component.is_text()) refuse_diagram("component must be a text");
     return {!position.is_null(), component.text(), theme_of(params["theme"])};
 }
 
 // ---------------------------------------------------------------- the requested component
 
 Span span_of_declaration(const frontend::Declaration& declaration) {
-    return diagnostics::join(declaration.span, declaration.name_span);
+    return diagnostics::join_spans(declaration.span, declaration.name_span);
 }
 
-bool holds(Span span, const Target& target) {
+bool contains_cursor(Span span, const Target& target) {
     return span.source == target.document.source && span.begin <= target.offset && target.offset <= span.end;
 }
 
 /// True if the place is in a type, function or interface, which the diagram of a package shows.
 bool is_in_package(const Subject& subject, const Target& target) {
     const auto has_place = [&](const frontend::File* file) {
-        return std::ranges::any_of(file->declarations,
-                                   [&](const auto& each) { return holds(span_of_declaration(*each), target); });
+        return std::ranges::any_of(
+            file->declarations, [&](const auto& each) { return contains_cursor(span_of_declaration(*each), target); });
     };
     return std::ranges::any_of(subject.files, has_place);
 }
@@ -71,7 +71,7 @@ const Subject* subject_at(const std::vector<Subject>& subjects, const Target& ta
     for (const Subject& each : subjects) {
         if (each.component == nullptr) continue;
         const Span span = span_of_declaration(*each.component);
-        if (!holds(span, target) || (best != nullptr && span.end - span.begin >= least)) continue;
+        if (!contains_cursor(span, target) || (best != nullptr && span.end - span.begin >= least)) continue;
         best = &each;
         least = span.end - span.begin;
     }
@@ -112,7 +112,7 @@ struct Choice {
     bool certain = false;  ///< selected by place or name; otherwise the first component of the file
 };
 
-Choice choose(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& wanted) {
+Choice choose_subject(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& wanted) {
     const SourceId source = target.document.source;
     if (wanted.at_position)
         if (const Subject* found = subject_at(subjects, target)) return {found, true};
@@ -155,16 +155,17 @@ Json places_of(const Session& session, Project& project, const diagrams::Picture
                const diagrams::Elements& elements) {
     Json result = Json::array();
     for (const std::size_t index : shown_in(picture)) {
-        const diagrams::Element& element = elements.all()[index];
-        Json place = location(session, project, element.span);
+        const diagrams::Element& element = elements.all_elements()[index];
+        Json place = lsp_location(session, project, element.span);
         if (place.is_null()) continue;
-        const Span name = element.name_span.known() ? element.name_span : element.span;
-        result.push_back(Json::object({{"id", element.id},
-                                       {"kind", element.kind},
-                                       {"name", element.name},
-                                       {"uri", std::move(place["uri"])},
-                                       {"range", std::move(place["range"])},
-                                       {"selectionRange", range(project.sources(), name, session.client.encoding)}}));
+        const Span name = element.name_span.is_known() ? element.name_span : element.span;
+        result.push_back(
+            Json::object({{"id", element.id},
+                          {"kind", element.kind},
+                          {"name", element.name},
+                          {"uri", std::move(place["uri"])},
+                          {"range", std::move(place["range"])},
+                          {"selectionRange", lsp_range(project.sources(), name, session.client.encoding)}}));
     }
     return result;
 }
@@ -176,19 +177,19 @@ Json version_of(const std::optional<std::int64_t>& version) {
 Json answer_of(const DrawnDiagram& drawn, const std::string& component, diagrams::Theme theme, bool stale) {
     return Json::object({{"version", version_of(drawn.version)},
                          {"component", component},
-                         {"svg", diagrams::svg(drawn.picture, drawn.elements, {theme, ""})},
+                         {"svg", diagrams::render_svg(drawn.picture, drawn.elements, {theme, ""})},
                          {"elements", drawn.places},
                          {"stale", stale}});
 }
 
 /// Draws a component from its current text.
 DrawnDiagram draw_now(Session& session, const Target& target, const Subject& subject, diagrams::Memory& memory) {
-    DrawnDiagram result{diagrams::Elements(target.project.model()), {}, nullptr, target.document.version};
-    const diagrams::StoredDiagrams stored(target.project.model(), target.project.sources(), session.diagrams->files,
-                                          session.budget);
+    DrawnDiagram result{diagrams::Elements(target.project.current_model()), {}, nullptr, target.document.version};
+    const diagrams::StoredDiagrams stored(target.project.current_model(), target.project.sources(),
+                                          session.diagrams->files, session.budget);
     try {
         result.picture =
-            diagrams::draw(subject, {result.elements, &memory, session.budget, stored.find(subject.component)});
+            diagrams::draw_subject(subject, {result.elements, &memory, session.budget, stored.find(subject.component)});
     } catch (const diagrams::layout::TooLarge& large) {
         throw Refusal(ErrorCode::request_failed, large.what());
     }
@@ -200,15 +201,15 @@ DrawnDiagram draw_now(Session& session, const Target& target, const Subject& sub
 /// document; null if there is none.
 const KeptDiagram* stand_in(const KeptDiagrams& kept, const std::string& uri, const Choice& choice,
                             const std::string& component) {
-    const KeptDiagram* found = choice.certain ? kept.last(uri, choice.subject->name) : nullptr;
-    if (found == nullptr && !component.empty()) found = kept.last(uri, component);
-    if (found == nullptr && !choice.certain) found = kept.last(uri, "");
+    const KeptDiagram* found = choice.certain ? kept.find_last(uri, choice.subject->name) : nullptr;
+    if (found == nullptr && !component.empty()) found = kept.find_last(uri, component);
+    if (found == nullptr && !choice.certain) found = kept.find_last(uri, "");
     return found;
 }
 
 }  // namespace
 
-KeptDiagram& KeptDiagrams::use(const std::string& uri, const std::string& kind, const std::string& name) {
+KeptDiagram& KeptDiagrams::find_or_add(const std::string& uri, const std::string& kind, const std::string& name) {
     const auto found = std::ranges::find_if(
         entries_, [&](const KeptDiagram& each) { return each.uri == uri && each.kind == kind && each.name == name; });
     if (found != entries_.end()) {
@@ -220,21 +221,22 @@ KeptDiagram& KeptDiagrams::use(const std::string& uri, const std::string& kind, 
     return entries_.front();
 }
 
-const KeptDiagram* KeptDiagrams::last(std::string_view uri, std::string_view name) const {
+const KeptDiagram* KeptDiagrams::find_last(std::string_view uri, std::string_view name) const {
     const auto found = std::ranges::find_if(entries_, [&](const KeptDiagram& each) {
         return each.drawn && each.uri == uri && (name.empty() || each.name == name);
     });
     return found != entries_.end() ? &*found : nullptr;
 }
 
-Json diagram(Session& session, View params) {
+Json component_diagram(Session& session, View params) {
     const Target target = target_of(session, params);
     const DiagramParameters wanted = diagram_parameters(params);
     if (!session.diagrams) session.diagrams = std::make_shared<KeptDiagrams>();
     KeptDiagrams& kept = *session.diagrams;
     kept.asked.insert(target.document.uri);
-    const std::vector<Subject> subjects = diagrams::subjects(target.project.model(), target.project.sources());
-    const Choice choice = choose(subjects, target, wanted);
+    const std::vector<Subject> subjects =
+        diagrams::find_subjects(target.project.current_model(), target.project.sources());
+    const Choice choice = choose_subject(subjects, target, wanted);
     std::vector<const Document*> documents = {&target.document};
     if (choice.subject != nullptr) documents = documents_of(*choice.subject, target.project);
     const std::string uri = documents.empty() ? target.document.uri : documents.front()->uri;
@@ -243,7 +245,7 @@ Json diagram(Session& session, View params) {
         if (const KeptDiagram* old = stand_in(kept, uri, choice, wanted.component))
             return answer_of(*old->drawn, old->name, wanted.theme, true);
     if (choice.subject == nullptr) return nullptr;
-    KeptDiagram& entry = kept.use(uri, kind_of(*choice.subject), choice.subject->name);
+    KeptDiagram& entry = kept.find_or_add(uri, kind_of(*choice.subject), choice.subject->name);
     DrawnDiagram now = draw_now(session, target, *choice.subject, entry.memory);
     Json answer = answer_of(now, entry.name, wanted.theme, false);
     // A diagram of a text with errors may lack parts, so it is not kept.

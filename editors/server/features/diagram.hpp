@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
+#include "editors/server/workspace/session.hpp"
 #include "frontend/diagrams/notation/memory.hpp"
 #include "frontend/diagrams/notation/subjects.hpp"
 #include "frontend/diagrams/stored/aird_files.hpp"
-#include "editors/server/workspace/session.hpp"
 
 namespace robochart::lsp {
 
@@ -42,9 +42,9 @@ class KeptDiagrams {
 public:
     /// Returns the entry of a component as the most recent one; creates it if necessary. The oldest entry may be
     /// dropped.
-    KeptDiagram& use(const std::string& uri, const std::string& kind, const std::string& name);
+    KeptDiagram& find_or_add(const std::string& uri, const std::string& kind, const std::string& name);
     /// The latest entry of a document that has a picture and, unless `name` is "", this name; null if there is none.
-    [[nodiscard]] const KeptDiagram* last(std::string_view uri, std::string_view name) const;
+    [[nodiscard]] const KeptDiagram* find_last(std::string_view uri, std::string_view name) const;
 
     std::set<std::string> asked;  ///< URIs
     diagrams::AirdFiles files;    ///< RoboTool's files with diagrams

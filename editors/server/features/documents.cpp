@@ -22,8 +22,8 @@ void did_initialize(Session& session, View) {
 void did_open(Session& session, View params) {
     const View document = params["textDocument"];
     if (!document["uri"].is_text()) return;
-    const auto place = session.workspace.open(document["uri"].text(), document["text"].text());
-    if (document["version"].is_number()) place.document->version = document["version"].number();
+    const auto place = session.workspace.open_document(document["uri"].text(), document["text"].text());
+    if (document["version"].is_number()) place.document->version = document["version"].number_or();
 }
 
 void did_change(Session& session, View params) {
@@ -32,14 +32,15 @@ void did_change(Session& session, View params) {
     for (const View change : params["contentChanges"].items()) {
         if (!change["text"].is_text()) continue;
         std::string text = change["text"].text();
-        if (change.has("range")) {
+        if (change.has_key("range")) {
             const Span span = span_of(sources, target.document.source, change["range"], session.client.encoding);
-            text = std::string(sources.text(target.document.source)).replace(span.begin, span.end - span.begin, text);
+            text = std::string(sources.source_text(target.document.source))
+                       .replace(span.begin, span.end - span.begin, text);
         }
         target.project.change(target.document, std::move(text));
     }
     const View version = params["textDocument"]["version"];
-    if (version.is_number()) target.document.version = version.number();
+    if (version.is_number()) target.document.version = version.number_or();
 }
 
 void did_close(Session& session, View params) {
@@ -50,7 +51,7 @@ void did_close(Session& session, View params) {
 void did_save(Session&, View) {}
 
 void did_change_watched_files(Session& session, View params) {
-    for (const View change : params["changes"].items()) session.workspace.refresh(change["uri"].text());
+    for (const View change : params["changes"].items()) session.workspace.refresh_file(change["uri"].text());
 }
 
 void did_change_folders(Session& session, View params) {

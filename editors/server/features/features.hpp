@@ -9,7 +9,7 @@ namespace robochart::lsp {
 
 // diagnostics.cpp
 /// Sends the diagnostics of every document for which they changed.
-void publish(Session&);
+void publish_diagnostics(Session&);
 /// The findings of one document, for editors that request them.
 [[nodiscard]] Json document_diagnostic(Session&, View params);
 
@@ -17,9 +17,9 @@ void publish(Session&);
 [[nodiscard]] Json code_actions(Session&, View params);
 
 // navigation.cpp
-[[nodiscard]] Json definition(Session&, View params);
-[[nodiscard]] Json references(Session&, View params);
-[[nodiscard]] Json highlights(Session&, View params);
+[[nodiscard]] Json definition_locations(Session&, View params);
+[[nodiscard]] Json reference_locations(Session&, View params);
+[[nodiscard]] Json name_highlights(Session&, View params);
 
 // call_hierarchy.cpp
 [[nodiscard]] Json prepare_call_hierarchy(Session&, View params);
@@ -28,23 +28,23 @@ void publish(Session&);
 
 // rename.cpp
 [[nodiscard]] Json prepare_rename(Session&, View params);
-[[nodiscard]] Json rename(Session&, View params);
+[[nodiscard]] Json rename_edits(Session&, View params);
 
 // hover.cpp
-[[nodiscard]] Json hover(Session&, View params);
+[[nodiscard]] Json hover_text(Session&, View params);
 
 // symbols.cpp
 [[nodiscard]] Json document_symbols(Session&, View params);
 [[nodiscard]] Json workspace_symbols(Session&, View params);
 
 // completion.cpp
-[[nodiscard]] Json completion(Session&, View params);
+[[nodiscard]] Json completion_items(Session&, View params);
 
 // signature_help.cpp
 [[nodiscard]] Json signature_help(Session&, View params);
 
 // formatting.cpp
-[[nodiscard]] Json formatting(Session&, View params);
+[[nodiscard]] Json formatting_edits(Session&, View params);
 
 // inlay_hints.cpp
 [[nodiscard]] Json inlay_hints(Session&, View params);
@@ -54,7 +54,7 @@ void publish(Session&);
 
 // diagram.cpp
 /// `{version, component, svg, elements, stale}`, or null if there is no component to draw.
-[[nodiscard]] Json diagram(Session&, View params);
+[[nodiscard]] Json component_diagram(Session&, View params);
 
 // folding.cpp
 [[nodiscard]] Json folding_ranges(Session&, View params);

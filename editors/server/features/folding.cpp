@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Foldable ranges: braces over several lines, comments, runs of imports.
-#include "frontend/syntax/lexer.hpp"
 #include "editors/server/features/features.hpp"
+#include "frontend/syntax/lexer.hpp"
 
 namespace robochart::lsp {
 
@@ -15,18 +15,18 @@ public:
 
     /// The last line stays visible if it contains the closing brace.
     void add(std::uint32_t begin, std::uint32_t end, const char* kind, bool keep_last) {
-        const std::uint32_t first = line(begin);
-        const std::uint32_t last = line(end) - (keep_last ? 1 : 0);
+        const std::uint32_t first = line_at(begin);
+        const std::uint32_t last = line_at(end) - (keep_last ? 1 : 0);
         if (last <= first) return;
         Json fold = Json::object({{"startLine", first - 1}, {"endLine", last - 1}});
         if (*kind != '\0') fold["kind"] = kind;
         result_.push_back(std::move(fold));
     }
-    void braces(const frontend::TokenStream& stream) {
+    void fold_braces(const frontend::TokenStream& stream) {
         std::vector<std::uint32_t> open;
         for (const Token& token : stream.tokens) {
-            if (token.is("{") || token.is("<{")) open.push_back(token.span.begin);
-            if (token.is("}") && !open.empty()) {
+            if (token.is_word("{") || token.is_word("<{")) open.push_back(token.span.begin);
+            if (token.is_word("}") && !open.empty()) {
                 add(open.back(), token.span.begin, "", true);
                 open.pop_back();
             }
@@ -34,21 +34,21 @@ public:
         }
     }
     /// Comments on consecutive lines are folded together.
-    void comments(const std::vector<Span>& list) {
+    void fold_comments(const std::vector<Span>& list) {
         for (std::size_t i = 0; i < list.size();) {
             std::size_t last = i;
-            while (last + 1 < list.size() && line(list[last + 1].begin) == line(list[last].end) + 1) ++last;
+            while (last + 1 < list.size() && line_at(list[last + 1].begin) == line_at(list[last].end) + 1) ++last;
             add(list[i].begin, list[last].end, "comment", false);
             i = last + 1;
         }
     }
-    void imports(const frontend::File& file) {
+    void fold_imports(const frontend::File& file) {
         if (!file.imports.empty()) add(file.imports.front().span.begin, file.imports.back().span.end, "imports", false);
     }
-    [[nodiscard]] Json take() { return std::move(result_); }
+    [[nodiscard]] Json take_folds() { return std::move(result_); }
 
 private:
-    [[nodiscard]] std::uint32_t line(std::uint32_t offset) const { return sources_.position(source_, offset).line; }
+    [[nodiscard]] std::uint32_t line_at(std::uint32_t offset) const { return sources_.position(source_, offset).line; }
 
     const SourceManager& sources_;
     SourceId source_;
@@ -64,10 +64,10 @@ Json folding_ranges(Session& session, View params) {
     const frontend::TokenStream stream =
         frontend::tokenize(sources, target.document.source, target.document.is_assertions, ignored);
     Folds folds(sources, target.document.source);
-    folds.braces(stream);
-    folds.comments(stream.comments);
-    folds.imports(target.project.tree(target.document));
-    return folds.take();
+    folds.fold_braces(stream);
+    folds.fold_comments(stream.comments);
+    folds.fold_imports(target.project.tree_of(target.document));
+    return folds.take_folds();
 }
 
 }  // namespace robochart::lsp

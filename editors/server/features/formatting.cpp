@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Formatting in the standard layout (docs/format.md).
-#include "frontend/format/format.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/workspace/text_difference.hpp"
+#include "frontend/format/format.hpp"
 
 namespace robochart::lsp {
 
 /// A text with syntax errors is not changed; its diagnostics give the reason.
-Json formatting(Session& session, View params) {
+Json formatting_edits(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();
     const SourceId source = target.document.source;

@@ -5,12 +5,12 @@
 
 #include <optional>
 
-#include "frontend/syntax/lexer.hpp"
 #include "editors/server/features/csp_blocks.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/features/keywords.hpp"
 #include "editors/server/protocol/findings.hpp"
 #include "editors/server/workspace/describe.hpp"
+#include "frontend/syntax/lexer.hpp"
 
 namespace robochart::lsp {
 
@@ -21,7 +21,7 @@ using frontend::Occurrence;
 
 /// The file that contains a declaration; it may be a toolkit.
 const frontend::File* file_of(Project& project, SourceId source) {
-    for (const auto& file : project.model().files)
+    for (const auto& file : project.current_model().files)
         if (file->source == source) return file.get();
     return nullptr;
 }
@@ -31,8 +31,8 @@ std::string code_block(const std::string& text, bool markdown) {
 }
 
 std::string about_declaration(Project& project, const frontend::Declaration& declaration, bool markdown) {
-    std::string out = code_block(signature(declaration), markdown);
-    const std::string where = whereabouts(declaration);
+    std::string out = code_block(signature_text(declaration), markdown);
+    const std::string where = parent_text(declaration);
     if (!where.empty()) out += "\n" + where;
     const frontend::File* file = file_of(project, declaration.name_span.source);
     if (file == nullptr) return out;
@@ -41,7 +41,7 @@ std::string about_declaration(Project& project, const frontend::Declaration& dec
     return comment.empty() ? out : out + "\n\n" + comment;
 }
 
-std::string about(Project& project, const Occurrence& name, bool markdown) {
+std::string describe_name(Project& project, const Occurrence& name, bool markdown) {
     switch (name.kind) {
         case NameKind::declaration:
         case NameKind::core_type:
@@ -80,7 +80,7 @@ Span whole_word(std::string_view text, Span span) {
 
 std::optional<Word> reserved_word_at(const Target& target) {
     const SourceManager& sources = target.project.sources();
-    const std::string_view text = sources.text(target.document.source);
+    const std::string_view text = sources.source_text(target.document.source);
     const bool is_assertions = target.document.is_assertions;
     diagnostics::Diagnostics ignored;
     const frontend::TokenStream stream = frontend::tokenize(sources, target.document.source, is_assertions, ignored);
@@ -99,15 +99,15 @@ std::optional<Word> reserved_word_at(const Target& target) {
 
 }  // namespace
 
-Json hover(Session& session, View params) {
+Json hover_text(Session& session, View params) {
     const Target target = target_of(session, params);
     if (std::optional<Json> in_block = hover_in_block(session, target)) return std::move(*in_block);
     const bool markdown = session.client.markdown;
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     const std::optional<Word> word = name == nullptr ? reserved_word_at(target) : std::nullopt;
-    std::string text = name != nullptr ? about(target.project, *name, markdown) : std::string();
+    std::string text = name != nullptr ? describe_name(target.project, *name, markdown) : std::string();
     if (word) text = word->text;
-    const std::string rules = explanations(findings_about(target), target.offset, markdown);
+    const std::string rules = explain_findings(findings_about(target), target.offset, markdown);
     if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += rules;
     const Span span = name != nullptr ? name->span : word ? word->span : Span();

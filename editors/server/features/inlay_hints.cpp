@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 
+#include "editors/server/features/features.hpp"
 #include "frontend/syntax/file_visitor.hpp"
 #include "frontend/types/types.hpp"
-#include "editors/server/features/features.hpp"
 
 namespace robochart::lsp {
 
@@ -19,18 +19,19 @@ using Whole = std::optional<std::int64_t>;
 /// The values of constants as given in the model; an assertion may give others.
 class ConstantValues {
 public:
-    Whole of(const Expr& expr) {
+    Whole value_of(const Expr& expr) {
         switch (expr.kind) {
             case ExprKind::integer:
-                return literal(expr.text);
+                return read_literal(expr.text);
             case ExprKind::parenthesised:
-                return of(*expr.args[0]);
+                return value_of(*expr.args[0]);
             case ExprKind::name:
                 return of_name(expr.target);
             case ExprKind::unary:
-                return expr.unary == UnaryOp::negate ? combine(BinaryOp::minus, 0, of(*expr.args[0])) : std::nullopt;
+                return expr.unary == UnaryOp::negate ? combine_values(BinaryOp::minus, 0, value_of(*expr.args[0]))
+                                                     : std::nullopt;
             case ExprKind::binary:
-                return combine(*expr.binary, of(*expr.args[0]), of(*expr.args[1]));
+                return combine_values(*expr.binary, value_of(*expr.args[0]), value_of(*expr.args[1]));
             default:
                 return std::nullopt;
         }
@@ -39,14 +40,14 @@ public:
 private:
     static constexpr int max_depth = 16;
 
-    static Whole literal(std::string_view text) {
+    static Whole read_literal(std::string_view text) {
         std::int64_t value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         return error == std::errc() && end == text.data() + text.size() ? Whole(value) : std::nullopt;
     }
 
     /// Division and remainder are left out, because the finite instantiation clips and rounds them.
-    static Whole combine(BinaryOp op, Whole left, Whole right) {
+    static Whole combine_values(BinaryOp op, Whole left, Whole right) {
         std::int64_t value = 0;
         if (!left || !right) return std::nullopt;
         bool overflow = true;
@@ -65,7 +66,7 @@ private:
         if (depth_ == max_depth) return std::nullopt;
         values_[constant] = std::nullopt;
         ++depth_;
-        const Whole value = of(*constant->initial);
+        const Whole value = value_of(*constant->initial);
         --depth_;
         return values_[constant] = value;
     }
@@ -87,7 +88,7 @@ public:
     template <class Node>
     void visit(const Node&) {}
 
-    [[nodiscard]] Json take() { return std::move(result_); }
+    [[nodiscard]] Json take_hints() { return std::move(result_); }
 
 private:
     void type_of(const Variable& variable) {
@@ -103,14 +104,14 @@ private:
         const ExprKind form = variable.initial->kind;
         const TypeForm type = variable.type->form;
         if (form == ExprKind::integer || (type != TypeForm::nat && type != TypeForm::integer)) return;
-        const Whole value = values_.of(*variable.initial);
+        const Whole value = values_.value_of(*variable.initial);
         const bool is_literal = form == ExprKind::unary && variable.initial->args[0]->kind == ExprKind::integer;
         if (!value || is_literal || (type == TypeForm::nat && *value < 0)) return;
         add(variable.initial->span.end, "= " + std::to_string(*value), {});
     }
     void add(std::uint32_t offset, std::string label, std::optional<int> kind) {
         if (offset < wanted_.begin || wanted_.end < offset) return;
-        Json hint = Json::object({{"position", position(sources_, wanted_.source, offset, encoding_)},
+        Json hint = Json::object({{"position", lsp_position(sources_, wanted_.source, offset, encoding_)},
                                   {"label", std::move(label)},
                                   {"paddingLeft", true}});
         if (kind) hint["kind"] = *kind;
@@ -131,8 +132,8 @@ Json inlay_hints(Session& session, View params) {
     const SourceManager& sources = target.project.sources();
     const Span wanted = span_of(sources, target.document.source, params["range"], session.client.encoding);
     Hints hints(sources, session.client.encoding, wanted);
-    Traversal(hints).file(target.project.tree(target.document));
-    return hints.take();
+    Traversal(hints).visit_file(target.project.tree_of(target.document));
+    return hints.take_hints();
 }
 
 }  // namespace robochart::lsp

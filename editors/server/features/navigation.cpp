@@ -13,10 +13,10 @@ using frontend::Access;
 using frontend::NameKind;
 using frontend::Occurrence;
 
-Json locations(const Session& session, Project& project, const std::vector<const Occurrence*>& list) {
+Json locations_of(const Session& session, Project& project, const std::vector<const Occurrence*>& list) {
     Json result = Json::array();
     for (const Occurrence* each : list) {
-        Json place = location(session, project, each->span);
+        Json place = lsp_location(session, project, each->span);
         if (!place.is_null()) result.push_back(std::move(place));
     }
     return result;
@@ -26,7 +26,7 @@ Json locations(const Session& session, Project& project, const std::vector<const
 
 /// A declaration of a library is in its installed file. For a call, the definitions of the operation are results as
 /// well as the called signature.
-Json definition(Session& session, View params) {
+Json definition_locations(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return {};
@@ -34,28 +34,28 @@ Json definition(Session& session, View params) {
     for (const Occurrence* each : same_name(target.project, *name))
         if (each->declares) found.push_back(each);
     if (name->target != nullptr && name->target->kind == frontend::DeclKind::operation_signature)
-        for (const Occurrence& each : target.project.occurrences())
+        for (const Occurrence& each : target.project.current_occurrences())
             if (each.declares && each.target != nullptr && each.target->kind == frontend::DeclKind::operation &&
                 each.target->name == name->target->name)
                 found.push_back(&each);
-    Json result = locations(session, target.project, found);
+    Json result = locations_of(session, target.project, found);
     if (!found.empty() || name->target == nullptr) return result;
-    Json library = location(session, target.project, name->target->name_span);
+    Json library = lsp_location(session, target.project, name->target->name_span);
     if (!library.is_null()) result.push_back(std::move(library));
     return result;
 }
 
-Json references(Session& session, View params) {
+Json reference_locations(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return Json::array();
     std::vector<const Occurrence*> found = same_name(target.project, *name);
-    if (!params["context"]["includeDeclaration"].truth(true))
+    if (!params["context"]["includeDeclaration"].truth_or(true))
         std::erase_if(found, [](const Occurrence* each) { return each->declares; });
-    return locations(session, target.project, found);
+    return locations_of(session, target.project, found);
 }
 
-Json highlights(Session& session, View params) {
+Json name_highlights(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     Json result = Json::array();
@@ -69,7 +69,7 @@ Json highlights(Session& session, View params) {
                          : each->access == Access::read ? read_kind
                                                         : text_kind;
         result.push_back(Json::object(
-            {{"range", range(target.project.sources(), each->span, session.client.encoding)}, {"kind", kind}}));
+            {{"range", lsp_range(target.project.sources(), each->span, session.client.encoding)}, {"kind", kind}}));
     }
     return result;
 }

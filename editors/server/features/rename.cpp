@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <set>
 
-#include "frontend/syntax/lexer.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/renaming/rename_blocks.hpp"
 #include "editors/server/renaming/rename_check.hpp"
 #include "editors/server/workspace/names.hpp"
+#include "frontend/syntax/lexer.hpp"
 
 namespace robochart::lsp {
 
@@ -22,12 +22,12 @@ using frontend::DeclKind;
 using frontend::NameKind;
 using frontend::Occurrence;
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_rename(const std::string& why) {
     throw Refusal(ErrorCode::request_failed, why);
 }
 
 std::string_view text_of(Project& project, Span span) {
-    return project.sources().text(span.source).substr(span.begin, span.end - span.begin);
+    return project.sources().source_text(span.source).substr(span.begin, span.end - span.begin);
 }
 
 bool is_declared_here(Project& project, const Occurrence& name) {
@@ -36,32 +36,33 @@ bool is_declared_here(Project& project, const Occurrence& name) {
 }
 
 /// The name to rename; throws a refusal if it cannot be renamed.
-const Occurrence& renamable(const Target& target) {
+const Occurrence& find_renamable(const Target& target) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
-    if (name == nullptr) refuse("there is no name here");
+    if (name == nullptr) refuse_rename("there is no name here");
     switch (name->kind) {
         case NameKind::core_type:
-            refuse(fmt::format("`{}` belongs to the language", text_of(target.project, name->span)));
+            refuse_rename(fmt::format("`{}` belongs to the language", text_of(target.project, name->span)));
         case NameKind::type_variable:
-            refuse("type variables cannot be renamed");
+            refuse_rename("type variables cannot be renamed");
         case NameKind::process:
-            refuse("a CSP process is named in CSP text too, which is not changed");
+            refuse_rename("a CSP process is named in CSP text too, which is not changed");
         case NameKind::definition:
-            refuse(fmt::format("`{}` may be named in files that are not read", text_of(target.project, name->span)));
+            refuse_rename(
+                fmt::format("`{}` may be named in files that are not read", text_of(target.project, name->span)));
         case NameKind::unknown:
-            refuse(fmt::format("it is not known what `{}` stands for", text_of(target.project, name->span)));
+            refuse_rename(fmt::format("it is not known what `{}` stands for", text_of(target.project, name->span)));
         case NameKind::declaration:
         case NameKind::package:
         case NameKind::assertion:
             break;
     }
     if (!is_declared_here(target.project, *name))
-        refuse(fmt::format("`{}` comes with the tool", text_of(target.project, name->span)));
+        refuse_rename(fmt::format("`{}` comes with the tool", text_of(target.project, name->span)));
     return *name;
 }
 
 /// The name as it must be written in a file: with `^` if it would be read as a keyword.
-std::string written(const std::string& name, bool is_assertions) {
+std::string name_as_written(const std::string& name, bool is_assertions) {
     const auto& words = frontend::assertion_words();
     const bool word = is_assertions && std::ranges::find(words, name) != words.end();
     const bool collection = name == "Set" || name == "Seq";
@@ -69,16 +70,16 @@ std::string written(const std::string& name, bool is_assertions) {
 }
 
 /// The name without `^`; throws a refusal if it is not a name.
-std::string checked(const std::string& wish) {
+std::string check_new_name(const std::string& wish) {
     const bool escaped = wish.starts_with("^");
     const std::string name = escaped ? wish.substr(1) : wish;
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
     const bool good = !name.empty() && letter(name.front()) &&
                       std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
-    if (!good) refuse(fmt::format("`{}` is no name: letters, digits and `_`, not beginning with a digit", wish));
+    if (!good) refuse_rename(fmt::format("`{}` is no name: letters, digits and `_`, not beginning with a digit", wish));
     if (!escaped && frontend::is_reserved(name))
-        refuse(fmt::format("`{}` is a reserved word; `^{}` would be the name", name, name));
+        refuse_rename(fmt::format("`{}` is a reserved word; `^{}` would be the name", name, name));
     return name;
 }
 
@@ -104,14 +105,14 @@ bool same_family(DeclKind a, DeclKind b) {
 }
 
 /// The occurrences of equal names that other components may match with this one.
-std::vector<const Occurrence*> family(Project& project, const Occurrence& name) {
+std::vector<const Occurrence*> related_occurrences(Project& project, const Occurrence& name) {
     std::set<const Declaration*> members;
-    for (const Occurrence& each : project.occurrences())
+    for (const Occurrence& each : project.current_occurrences())
         if (each.declares && each.target != nullptr && each.target->name == name.target->name &&
             same_family(each.target->kind, name.target->kind))
             members.insert(each.target);
     std::vector<const Occurrence*> result;
-    for (const Occurrence& each : project.occurrences())
+    for (const Occurrence& each : project.current_occurrences())
         if (members.contains(each.target)) result.push_back(&each);
     return result;
 }
@@ -120,7 +121,7 @@ std::vector<Edit> edits_of(Project& project, const std::vector<const Occurrence*
     std::vector<Edit> edits;
     for (const Occurrence* each : list) {
         const Document* document = project.find(each->span.source);
-        if (document != nullptr) edits.push_back({each->span, written(name, document->is_assertions)});
+        if (document != nullptr) edits.push_back({each->span, name_as_written(name, document->is_assertions)});
     }
     return edits;
 }
@@ -134,12 +135,12 @@ std::vector<Edit> harmless_edits(Project& project, const Occurrence& name, const
     std::string harm = always_together ? "not tried" : harm_of(project, alone);
     if (harm.empty()) return alone;
     if (by_name) {
-        std::vector<Edit> together = edits_of(project, family(project, name), wish);
+        std::vector<Edit> together = edits_of(project, related_occurrences(project, name), wish);
         const std::string harm_together = harm_of(project, together);
         if (harm_together.empty()) return together;
         if (always_together) harm = harm_together;
     }
-    refuse(fmt::format("`{}` would not do: {}", wish, harm));
+    refuse_rename(fmt::format("`{}` would not do: {}", wish, harm));
 }
 
 Json workspace_edit(const Session& session, Project& project, const std::vector<Edit>& edits) {
@@ -149,8 +150,9 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
         Json list = Json::array();
         for (const Edit& edit : edits)
             if (edit.span.source == document->source)
-                list.push_back(Json::object(
-                    {{"range", range(project.sources(), edit.span, session.client.encoding)}, {"newText", edit.text}}));
+                list.push_back(
+                    Json::object({{"range", lsp_range(project.sources(), edit.span, session.client.encoding)},
+                                  {"newText", edit.text}}));
         if (list.empty()) continue;
         const Json version = document->version ? Json(*document->version) : Json();
         documents.push_back(Json::object(
@@ -163,12 +165,12 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
 
 /// CSP text may refer to the name; the user must change it by hand.
 void warn_of_csp_text(const Session& session, Project& project, std::string_view name) {
-    for (const auto& file : project.model().files)
+    for (const auto& file : project.current_model().files)
         for (const frontend::CspBlock& block : file->csp_blocks) {
             if (block.text.find(name) == std::string::npos) continue;
             constexpr int warning = 2;
             const std::string text = fmt::format("CSP blocks may speak of `{}` too, and are not changed: {}", name,
-                                                 project.sources().place(block.name_span));
+                                                 project.sources().path_and_line(block.name_span));
             session.send(Json::object({{"jsonrpc", "2.0"},
                                        {"method", "window/showMessage"},
                                        {"params", Json::object({{"type", warning}, {"message", text}})}}));
@@ -180,15 +182,15 @@ void warn_of_csp_text(const Session& session, Project& project, std::string_view
 
 Json prepare_rename(Session& session, View params) {
     const Target target = target_of(session, params);
-    const Occurrence& name = renamable(target);
-    return Json::object({{"range", range(target.project.sources(), name.span, session.client.encoding)},
+    const Occurrence& name = find_renamable(target);
+    return Json::object({{"range", lsp_range(target.project.sources(), name.span, session.client.encoding)},
                          {"placeholder", text_of(target.project, name.span)}});
 }
 
-Json rename(Session& session, View params) {
+Json rename_edits(Session& session, View params) {
     const Target target = target_of(session, params);
-    const Occurrence& name = renamable(target);
-    const std::string wish = checked(params["newName"].text());
+    const Occurrence& name = find_renamable(target);
+    const std::string wish = check_new_name(params["newName"].text());
     std::vector<Edit> edits = harmless_edits(target.project, name, wish);
     std::string_view old = text_of(target.project, name.span);
     if (old.starts_with("^")) old.remove_prefix(1);

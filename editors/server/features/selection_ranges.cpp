@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "editors/server/features/features.hpp"
 #include "frontend/syntax/file_visitor.hpp"
 #include "frontend/syntax/lexer.hpp"
-#include "editors/server/features/features.hpp"
 
 namespace robochart::lsp {
 
@@ -28,7 +28,7 @@ public:
     }
 
     /// The spans from the smallest outwards, each inside the next. If two overlap, the smaller one is kept.
-    [[nodiscard]] std::vector<Span> nested() const {
+    [[nodiscard]] std::vector<Span> nested_spans() const {
         std::vector<Span> result;
         for (const auto& [length, begin] : spans_) {
             const Span span{source_, begin, begin + length};
@@ -43,10 +43,10 @@ public:
     void visit(const Import& import) { add(import.span); }
     void visit(const Assertion& assertion) { add(assertion.span); }
     void visit(const AssertionParameter&) {}
-    void visit(const CspBlock& block) { add(join(block.span, block.text_span)); }
-    void visit(const Declaration& declaration) { add(join(declaration.span, declaration.name_span)); }
+    void visit(const CspBlock& block) { add(join_spans(block.span, block.text_span)); }
+    void visit(const Declaration& declaration) { add(join_spans(declaration.span, declaration.name_span)); }
     void visit(const State& state) {
-        add(join(state.span, state.name_span));
+        add(join_spans(state.span, state.name_span));
         for (const Action& action : state.actions) add(action.span);
     }
     void visit(const InterfaceClause& clause) { add(clause.name.span); }
@@ -55,15 +55,15 @@ public:
     void visit(const Communication& communication) { add(communication.span); }
     void visit(const Stmt& statement) { add(statement.span); }
 
-    void brackets(const TokenStream& stream) {
+    void add_brackets(const TokenStream& stream) {
         std::vector<std::uint32_t> open;
         for (const Token& token : stream.tokens) {
             if (token.kind != TokenKind::symbol) {
                 if (token.kind != TokenKind::end) add(token.span);
                 continue;
             }
-            if (opens(token)) open.push_back(token.span.begin);
-            if (!closes(token) || open.empty()) continue;
+            if (is_opening(token)) open.push_back(token.span.begin);
+            if (!is_closing(token) || open.empty()) continue;
             add({source_, open.back(), token.span.end});
             open.pop_back();
         }
@@ -71,13 +71,13 @@ public:
     }
 
 private:
-    static bool opens(const Token& token) {
+    static bool is_opening(const Token& token) {
         return std::ranges::any_of(std::initializer_list<const char*>{"{", "<{", "(", "(|", "[", "[|", "Set(", "Seq("},
-                                   [&](const char* word) { return token.is(word); });
+                                   [&](const char* word) { return token.is_word(word); });
     }
-    static bool closes(const Token& token) {
+    static bool is_closing(const Token& token) {
         return std::ranges::any_of(std::initializer_list<const char*>{"}", ")", "|)", "]", "|]"},
-                                   [&](const char* word) { return token.is(word); });
+                                   [&](const char* word) { return token.is_word(word); });
     }
 
     SourceId source_;
@@ -85,10 +85,10 @@ private:
     std::set<std::pair<std::uint32_t, std::uint32_t>> spans_;  ///< length and beginning
 };
 
-Json chain(const std::vector<Span>& spans, const SourceManager& sources, Encoding encoding) {
+Json chain_ranges(const std::vector<Span>& spans, const SourceManager& sources, Encoding encoding) {
     Json result;
     for (auto span = spans.rbegin(); span != spans.rend(); ++span) {
-        Json inner = Json::object({{"range", range(sources, *span, encoding)}});
+        Json inner = Json::object({{"range", lsp_range(sources, *span, encoding)}});
         if (!result.is_null()) inner["parent"] = std::move(result);
         result = std::move(inner);
     }
@@ -104,17 +104,17 @@ Json selection_ranges(Session& session, View params) {
     const Encoding encoding = session.client.encoding;
     diagnostics::Diagnostics ignored;
     const TokenStream stream = tokenize(sources, source, target.document.is_assertions, ignored);
-    const File& file = target.project.tree(target.document);
+    const File& file = target.project.tree_of(target.document);
     Json result = Json::array();
     for (const View position : params["positions"].items()) {
         const std::uint32_t offset = offset_of(sources, source, position, encoding);
         Around around(source, offset);
-        around.add({source, 0, static_cast<std::uint32_t>(sources.text(source).size())});
-        around.brackets(stream);
-        Traversal(around).file(file);
-        std::vector<Span> spans = around.nested();
+        around.add({source, 0, static_cast<std::uint32_t>(sources.source_text(source).size())});
+        around.add_brackets(stream);
+        Traversal(around).visit_file(file);
+        std::vector<Span> spans = around.nested_spans();
         if (spans.empty()) spans.push_back({source, offset, offset});
-        result.push_back(chain(spans, sources, encoding));
+        result.push_back(chain_ranges(spans, sources, encoding));
     }
     return result;
 }

@@ -127,15 +127,15 @@ Json semantic_tokens(Session& session, View params) {
     Json data = Json::array();
     std::int64_t last_line = 0;
     std::int64_t last_column = 0;
-    for (const Occurrence& name : target.project.occurrences()) {
+    for (const Occurrence& name : target.project.current_occurrences()) {
         if (name.span.source != target.document.source || name.kind == NameKind::unknown) continue;
-        const Json whole = range(sources, name.span, session.client.encoding);
+        const Json whole = lsp_range(sources, name.span, session.client.encoding);
         const View place = whole;
-        const std::int64_t line = place["start"]["line"].number();
-        const std::int64_t column = place["start"]["character"].number();
+        const std::int64_t line = place["start"]["line"].number_or();
+        const std::int64_t column = place["start"]["character"].number_or();
         for (const std::int64_t number :
              {line - last_line, line == last_line ? column - last_column : column,
-              place["end"]["character"].number() - column, static_cast<std::int64_t>(type_of(name)),
+              place["end"]["character"].number_or() - column, static_cast<std::int64_t>(type_of(name)),
               static_cast<std::int64_t>(modifiers_of(name))})
             data.push_back(number);
         last_line = line;

@@ -2,12 +2,12 @@
 // The parameters of the call at the cursor.
 #include <algorithm>
 
-#include "frontend/syntax/lexer.hpp"
-#include "frontend/syntax/print.hpp"
 #include "editors/server/features/completion_context.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "editors/server/workspace/visible.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::lsp {
 
@@ -28,13 +28,14 @@ Call call_at(const SourceManager& sources, const Document& document, std::uint32
     Token before;
     for (const Token& token : stream.tokens) {
         if (token.span.begin >= offset) break;
-        const bool opens = token.is("(") || token.is("[") || token.is("{") || token.is("(|") || token.is("[|") ||
-                           token.is("Set(") || token.is("Seq(") || token.is("<{");
-        const bool closes = token.is(")") || token.is("]") || token.is("}") || token.is("|)") || token.is("|]");
-        const bool called = before.kind == TokenKind::identifier && token.is("(");
+        const bool opens = token.is_word("(") || token.is_word("[") || token.is_word("{") || token.is_word("(|") ||
+                           token.is_word("[|") || token.is_word("Set(") || token.is_word("Seq(") || token.is_word("<{");
+        const bool closes = token.is_word(")") || token.is_word("]") || token.is_word("}") || token.is_word("|)") ||
+                            token.is_word("|]");
+        const bool called = before.kind == TokenKind::identifier && token.is_word("(");
         if (opens) open.push_back({called ? std::string(before.text) : std::string(), 0});
         if (closes && !open.empty()) open.pop_back();
-        if (token.is(",") && !open.empty()) ++open.back().argument;
+        if (token.is_word(",") && !open.empty()) ++open.back().argument;
         before = token;
     }
     return open.empty() ? Call() : open.back();
@@ -47,14 +48,15 @@ const std::vector<VariablePtr>* parameters_of(const Declaration& declaration) {
 }
 
 /// Operations of the component that contains the place are preferred to functions.
-const Declaration* callee(Project& project, const Document& document, std::uint32_t offset, const std::string& name) {
-    const File& file = project.tree(document);
+const Declaration* find_callee(Project& project, const Document& document, std::uint32_t offset,
+                               const std::string& name) {
+    const File& file = project.tree_of(document);
     const CompletionContext context = context_at(project.sources(), document.source, document.is_assertions, offset);
     for (auto each = context.enclosing.rbegin(); each != context.enclosing.rend(); ++each)
         if (const Declaration* around = declared_at(file, each->name))
             for (const Declaration* member : members_of(*around))
                 if (member->name == name && parameters_of(*member) != nullptr) return member;
-    for (const Declaration* each : visible_from(project.model(), file))
+    for (const Declaration* each : visible_from(project.current_model(), file))
         if (each->name == name && parameters_of(*each) != nullptr) return each;
     return nullptr;
 }
@@ -65,7 +67,7 @@ Json signature_help(Session& session, View params) {
     const Target target = target_of(session, params);
     const Call call = call_at(target.project.sources(), target.document, target.offset);
     if (call.name.empty()) return {};
-    const Declaration* found = callee(target.project, target.document, target.offset, call.name);
+    const Declaration* found = find_callee(target.project, target.document, target.offset, call.name);
     if (found == nullptr) return {};
     Json parameters = Json::array();
     for (const VariablePtr& each : *parameters_of(*found)) {
@@ -75,7 +77,7 @@ Json signature_help(Session& session, View params) {
     }
     return Json::object(
         {{"signatures",
-          Json::array({Json::object({{"label", signature(*found)}, {"parameters", std::move(parameters)}})})},
+          Json::array({Json::object({{"label", signature_text(*found)}, {"parameters", std::move(parameters)}})})},
          {"activeSignature", 0},
          {"activeParameter", call.argument}});
 }

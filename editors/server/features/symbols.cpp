@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "frontend/syntax/print.hpp"
 #include "editors/server/features/features.hpp"
 #include "editors/server/workspace/describe.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::lsp {
 
@@ -19,7 +19,7 @@ void add_all(std::vector<const Declaration*>& list, const Items& items) {
 }
 
 /// The declarations inside a declaration, in textual order; members of interfaces are not included.
-std::vector<const Declaration*> inner(const Declaration& declaration) {
+std::vector<const Declaration*> inner_declarations(const Declaration& declaration) {
     std::vector<const Declaration*> list;
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) {
         add_all(list, type->fields);
@@ -38,42 +38,43 @@ std::vector<const Declaration*> inner(const Declaration& declaration) {
     }
     std::ranges::sort(
         list, [](const Declaration* a, const Declaration* b) { return a->name_span.begin < b->name_span.begin; });
-    std::erase_if(list, [](const Declaration* each) { return each->name.empty() || !each->name_span.known(); });
+    std::erase_if(list, [](const Declaration* each) { return each->name.empty() || !each->name_span.is_known(); });
     return list;
 }
 
 /// The span of the declaration with everything inside it: in text with errors, a part may extend beyond the end of the
 /// whole.
-Span extent(const Declaration& declaration) {
-    Span result = join(declaration.span, declaration.name_span);
-    for (const Declaration* each : inner(declaration)) result = join(result, extent(*each));
+Span full_extent(const Declaration& declaration) {
+    Span result = join_spans(declaration.span, declaration.name_span);
+    for (const Declaration* each : inner_declarations(declaration)) result = join_spans(result, full_extent(*each));
     return result;
 }
 
 /// The recursion is bounded, because the parser limits nesting.
-Json symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
+Json document_symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
     Json result = Json::object({{"name", declaration.name},
-                                {"detail", detail(declaration)},
+                                {"detail", detail_of(declaration)},
                                 {"kind", symbol_kind(declaration)},
-                                {"range", range(sources, extent(declaration), encoding)},
-                                {"selectionRange", range(sources, declaration.name_span, encoding)}});
+                                {"range", lsp_range(sources, full_extent(declaration), encoding)},
+                                {"selectionRange", lsp_range(sources, declaration.name_span, encoding)}});
     Json children = Json::array();
-    for (const Declaration* each : inner(declaration)) children.push_back(symbol(sources, *each, encoding));
+    for (const Declaration* each : inner_declarations(declaration))
+        children.push_back(document_symbol(sources, *each, encoding));
     if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
 
-Json claim(const SourceManager& sources, const std::string& name, std::string_view what, int kind, Span span,
-           Span name_span, Encoding encoding) {
+Json claim_symbol(const SourceManager& sources, const std::string& name, std::string_view what, int kind, Span span,
+                  Span name_span, Encoding encoding) {
     return Json::object({{"name", name},
                          {"detail", std::string(what)},
                          {"kind", kind},
-                         {"range", range(sources, join(span, name_span), encoding)},
-                         {"selectionRange", range(sources, name_span, encoding)}});
+                         {"range", lsp_range(sources, join_spans(span, name_span), encoding)},
+                         {"selectionRange", lsp_range(sources, name_span, encoding)}});
 }
 
 /// True if the name contains the letters of `query` in this order, ignoring case.
-bool matches(std::string_view name, std::string_view query) {
+bool matches_query(std::string_view name, std::string_view query) {
     std::size_t at = 0;
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     for (const char c : name)
@@ -83,13 +84,13 @@ bool matches(std::string_view name, std::string_view query) {
 
 /// Calls `use` for a declaration and for everything inside it.
 template <class Use>
-void all(const Declaration& declaration, const Use& use) {
+void visit_all(const Declaration& declaration, const Use& use) {
     use(declaration);
-    for (const Declaration* each : inner(declaration)) all(*each, use);
+    for (const Declaration* each : inner_declarations(declaration)) visit_all(*each, use);
 }
 
-Json information(const Session& session, Project& project, const Declaration& declaration) {
-    Json place = location(session, project, declaration.name_span);
+Json symbol_information(const Session& session, Project& project, const Declaration& declaration) {
+    Json place = lsp_location(session, project, declaration.name_span);
     if (place.is_null()) return {};
     return Json::object({{"name", declaration.name},
                          {"kind", symbol_kind(declaration)},
@@ -101,17 +102,18 @@ Json information(const Session& session, Project& project, const Declaration& de
 
 Json document_symbols(Session& session, View params) {
     const Target target = target_of(session, params);
-    const File& file = target.project.tree(target.document);
+    const File& file = target.project.tree_of(target.document);
     const SourceManager& sources = target.project.sources();
     const Encoding encoding = session.client.encoding;
     Json result = Json::array();
     for (const auto& declaration : file.declarations) {
         if (declaration->name.empty()) continue;
         if (session.client.hierarchical_symbols) {
-            result.push_back(symbol(sources, *declaration, encoding));
+            result.push_back(document_symbol(sources, *declaration, encoding));
         } else {
-            all(*declaration,
-                [&](const Declaration& each) { result.push_back(information(session, target.project, each)); });
+            visit_all(*declaration, [&](const Declaration& each) {
+                result.push_back(symbol_information(session, target.project, each));
+            });
         }
     }
     constexpr int boolean_kind = 17;
@@ -119,18 +121,20 @@ Json document_symbols(Session& session, View params) {
     constexpr int constant_kind = 14;
     for (const Assertion& each : file.assertions)
         if (!each.name.empty())
-            result.push_back(claim(sources, each.name, "assertion", boolean_kind, each.span, each.name_span, encoding));
+            result.push_back(
+                claim_symbol(sources, each.name, "assertion", boolean_kind, each.span, each.name_span, encoding));
     for (const CspBlock& each : file.csp_blocks)
         if (!each.name.empty())
-            result.push_back(claim(sources, each.name, "csp", function_kind, each.span, each.name_span, encoding));
+            result.push_back(
+                claim_symbol(sources, each.name, "csp", function_kind, each.span, each.name_span, encoding));
     for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
         if (!each.name.empty())
-            result.push_back(
-                claim(sources, each.name, to_text(each.kind), constant_kind, each.span, each.name_span, encoding));
+            result.push_back(claim_symbol(sources, each.name, to_text(each.kind), constant_kind, each.span,
+                                          each.name_span, encoding));
     for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
         if (!each.name.empty())
-            result.push_back(claim(sources, each.name, each.property ? "prob property" : "prob generate path",
-                                   boolean_kind, each.span, each.name_span, encoding));
+            result.push_back(claim_symbol(sources, each.name, each.property ? "prob property" : "prob generate path",
+                                          boolean_kind, each.span, each.name_span, encoding));
     return result;
 }
 
@@ -139,11 +143,11 @@ Json workspace_symbols(Session& session, View params) {
     const std::string& query = params["query"].text();
     Json result = Json::array();
     for (const auto& project : session.workspace.projects())
-        for (const auto& file : project->model().files)
+        for (const auto& file : project->current_model().files)
             for (const auto& declaration : file->declarations)
-                all(*declaration, [&](const Declaration& each) {
-                    if (file->is_library || result.size() >= limit || !matches(each.name, query)) return;
-                    Json found = information(session, *project, each);
+                visit_all(*declaration, [&](const Declaration& each) {
+                    if (file->is_library || result.size() >= limit || !matches_query(each.name, query)) return;
+                    Json found = symbol_information(session, *project, each);
                     if (!found.is_null()) result.push_back(std::move(found));
                 });
     return result;

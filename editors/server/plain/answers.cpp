@@ -11,31 +11,32 @@ namespace {
 
 std::map<std::string, Json> plain_findings(const Session& session, PlainTexts& texts) {
     std::map<std::string, Json> result;
-    for (const auto& [uri, document] : texts.all()) {
+    for (const auto& [uri, document] : texts.all_documents()) {
         const Locate locate = [&, &at = uri, &text = *document](Span span) -> Json {
-            if (!span.known()) return {};
-            return Json::object({{"uri", at}, {"range", range(text.texts, span, session.client.encoding)}});
+            if (!span.is_known()) return {};
+            return Json::object({{"uri", at}, {"range", lsp_range(text.texts, span, session.client.encoding)}});
         };
         Json& list = result[uri] = Json::array();
-        for (const diagnostics::Diagnostic& each : texts.findings_in(*document).sorted())
-            if (each.span.known()) list.push_back(diagnostic(document->texts, each, session.client.encoding, locate));
+        for (const diagnostics::Diagnostic& each : texts.findings_in(*document).sorted_findings())
+            if (each.span.is_known())
+                list.push_back(lsp_diagnostic(document->texts, each, session.client.encoding, locate));
     }
     return result;
 }
 
 Json plain_hover(const Session& session, PlainTexts& texts, PlainText& document, std::uint32_t offset) {
     const bool markdown = session.client.markdown;
-    std::string why = explanations(texts.findings_in(document).sorted(), offset, markdown);
+    std::string why = explain_findings(texts.findings_in(document).sorted_findings(), offset, markdown);
     return hover_answer(document.texts, std::move(why), {}, session.client.encoding, markdown);
 }
 
 Json plain_completion(const Session& session, const PlainTexts& texts, const PlainText& document,
                       std::uint32_t offset) {
-    const std::string_view text = document.texts.text(document.source);
+    const std::string_view text = document.texts.source_text(document.source);
     const auto in_word = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     std::uint32_t begin = offset;
     while (begin > 0 && in_word(text[begin - 1])) --begin;
-    const Json edited = range(document.texts, {document.source, begin, offset}, session.client.encoding);
+    const Json edited = lsp_range(document.texts, {document.source, begin, offset}, session.client.encoding);
     constexpr int keyword = 14;
     Json items = Json::array();
     for (const std::string& word : texts.words_at(document, begin))
@@ -57,7 +58,7 @@ bool notify_plain(const Session& session, PlainTexts& texts, std::string_view me
         const std::string& language = given["languageId"].text();
         if (uri.empty() || !is_plain(uri, language)) return false;
         take_opened(params, [&](const std::string& at, std::string text) -> OpenText& {
-            return texts.open(at, language, std::move(text));
+            return texts.open_document(at, language, std::move(text));
         });
         return true;
     }
@@ -88,8 +89,8 @@ Json answer_for_plain(const Session& session, PlainTexts& texts, std::string_vie
 
 void publish_plain(Session& session, PlainTexts& texts) {
     if (!texts.has_news()) return;
-    texts.published.send(session, plain_findings(session, texts),
-                         [&](const std::string& uri) { return texts.find(uri); });
+    texts.published.send_findings(session, plain_findings(session, texts),
+                                  [&](const std::string& uri) { return texts.find(uri); });
     texts.settle_news();
 }
 

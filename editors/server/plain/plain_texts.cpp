@@ -53,7 +53,7 @@ PlainText* PlainTexts::find(std::string_view uri) {
     return found != documents_.end() ? found->second.get() : nullptr;
 }
 
-PlainText& PlainTexts::open(const std::string& uri, std::string_view language, std::string text) {
+PlainText& PlainTexts::open_document(const std::string& uri, std::string_view language, std::string text) {
     std::unique_ptr<PlainText>& document = documents_[uri];
     document = std::make_unique<PlainText>();
     document->uri = uri;
@@ -65,7 +65,7 @@ PlainText& PlainTexts::open(const std::string& uri, std::string_view language, s
 }
 
 void PlainTexts::change(PlainText& document, std::string text) {
-    if (document.texts.text(document.source) == text) return;
+    if (document.texts.source_text(document.source) == text) return;
     document.texts.replace(document.source, std::move(text));
     document.findings.reset();
     news_ = true;
@@ -78,7 +78,7 @@ void PlainTexts::close(const std::string& uri) {
 const diagnostics::Diagnostics& PlainTexts::findings_in(PlainText& document) {
     if (!document.findings) {
         diagnostics::Diagnostics found;
-        found.within(budget_);
+        found.set_budget(budget_);
         read(document.language, document.texts, document.source, found);
         document.findings = std::move(found);
     }
@@ -87,14 +87,14 @@ const diagnostics::Diagnostics& PlainTexts::findings_in(PlainText& document) {
 
 std::vector<std::string> PlainTexts::words_at(const PlainText& document, std::uint32_t offset) const {
     SourceManager texts;
-    const std::string_view before = document.texts.text(document.source).substr(0, offset);
+    const std::string_view before = document.texts.source_text(document.source).substr(0, offset);
     const SourceId source = texts.add(document.path, std::string(before));
     diagnostics::Diagnostics found;
-    found.within(budget_);
+    found.set_budget(budget_);
     read(document.language, texts, source, found);
     std::vector<std::string> result;
-    for (const diagnostics::Diagnostic& finding : found.sorted())
-        if (!finding.arguments.empty() && finding.span.known() && finding.span.begin >= before.size())
+    for (const diagnostics::Diagnostic& finding : found.sorted_findings())
+        if (!finding.arguments.empty() && finding.span.is_known() && finding.span.begin >= before.size())
             for (std::string& word : quoted_words(finding.arguments.front())) result.push_back(std::move(word));
     std::erase_if(result, [](const std::string& word) {
         return word.empty() ||

@@ -29,13 +29,13 @@ public:
     explicit PlainTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] PlainText* find(std::string_view uri);
-    PlainText& open(const std::string& uri, std::string_view language, std::string text);
+    PlainText& open_document(const std::string& uri, std::string_view language, std::string text);
     void change(PlainText& document, std::string text);
     void close(const std::string& uri);
     [[nodiscard]] const diagnostics::Diagnostics& findings_in(PlainText& document);
     /// The words that the parser would accept at an offset, found by parsing the text before the offset.
     [[nodiscard]] std::vector<std::string> words_at(const PlainText& document, std::uint32_t offset) const;
-    [[nodiscard]] const std::map<std::string, std::unique_ptr<PlainText>, std::less<>>& all() const {
+    [[nodiscard]] const std::map<std::string, std::unique_ptr<PlainText>, std::less<>>& all_documents() const {
         return documents_;
     }
 

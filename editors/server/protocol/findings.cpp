@@ -24,7 +24,7 @@ int severity_number(Severity severity) {
 std::string message_of(const Diagnostic& finding) {
     std::string text = finding.message();
     for (const diagnostics::Note& note : finding.notes)
-        if (!note.span.known()) text += "\n" + note.message;
+        if (!note.span.is_known()) text += "\n" + note.message;
     for (const diagnostics::FixIt& fix : finding.fixes)
         if (!fix.replacement.empty())
             text += "\n" + fix.title + " `" + fix.replacement + (diagnostics::is_certain(fix) ? "`" : "`?");
@@ -40,7 +40,7 @@ bool is_unneeded(std::string_view code) {
     return std::ranges::find(codes, code) != codes.end();
 }
 
-Json related(const Diagnostic& finding, const Locate& locate) {
+Json related_locations(const Diagnostic& finding, const Locate& locate) {
     Json list = Json::array();
     for (const diagnostics::Note& note : finding.notes) {
         Json place = locate(note.span);
@@ -51,13 +51,13 @@ Json related(const Diagnostic& finding, const Locate& locate) {
 
 }  // namespace
 
-Json diagnostic(const SourceManager& sources, const Diagnostic& finding, Encoding encoding, const Locate& locate) {
-    Json result = Json::object({{"range", range(sources, finding.span, encoding)},
+Json lsp_diagnostic(const SourceManager& sources, const Diagnostic& finding, Encoding encoding, const Locate& locate) {
+    Json result = Json::object({{"range", lsp_range(sources, finding.span, encoding)},
                                 {"severity", severity_number(finding.rule->severity)},
                                 {"code", finding.rule->code},
                                 {"source", "robochart"},
                                 {"message", message_of(finding)}});
-    Json notes = related(finding, locate);
+    Json notes = related_locations(finding, locate);
     if (!notes.empty()) result["relatedInformation"] = std::move(notes);
     if (is_unneeded(finding.rule->code)) result["tags"] = Json::array({unnecessary_tag});
     return result;
@@ -67,7 +67,7 @@ std::string text_of_findings(const Json& list) {
     return list.empty() ? std::string() : json_text(list);
 }
 
-Json publication(const std::string& uri, std::optional<std::int64_t> version, Json list) {
+Json publication_message(const std::string& uri, std::optional<std::int64_t> version, Json list) {
     Json params = Json::object({{"uri", uri}, {"diagnostics", std::move(list)}});
     if (version) params["version"] = *version;
     return Json::object(
@@ -80,7 +80,7 @@ Json refresh_request(std::int64_t number) {
                          {"method", "workspace/diagnostic/refresh"}});
 }
 
-std::string explanations(const std::vector<Diagnostic>& findings, std::uint32_t offset, bool markdown) {
+std::string explain_findings(const std::vector<Diagnostic>& findings, std::uint32_t offset, bool markdown) {
     std::string out;
     std::set<std::string_view> shown;
     for (const Diagnostic& finding : findings) {
@@ -97,7 +97,7 @@ Json hover_answer(const SourceManager& sources, std::string text, Span place, En
     if (text.empty()) return {};
     Json result = Json::object(
         {{"contents", Json::object({{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}})}});
-    if (place.known()) result["range"] = range(sources, place, encoding);
+    if (place.is_known()) result["range"] = lsp_range(sources, place, encoding);
     return result;
 }
 

@@ -16,17 +16,17 @@ namespace robochart::lsp {
 using Locate = std::function<Json(Span)>;
 
 /// A finding as a Diagnostic.
-[[nodiscard]] Json diagnostic(const SourceManager&, const diagnostics::Diagnostic&, Encoding, const Locate&);
+[[nodiscard]] Json lsp_diagnostic(const SourceManager&, const diagnostics::Diagnostic&, Encoding, const Locate&);
 /// A list of diagnostics as text, for comparisons; "" if it is empty.
 [[nodiscard]] std::string text_of_findings(const Json& list);
 /// The notification with the findings about a document.
-[[nodiscard]] Json publication(const std::string& uri, std::optional<std::int64_t> version, Json list);
+[[nodiscard]] Json publication_message(const std::string& uri, std::optional<std::int64_t> version, Json list);
 /// Asks the editor to request the findings again. Requests are numbered.
 [[nodiscard]] Json refresh_request(std::int64_t number);
 
 /// The codes and explanations of the rules that report the text at an offset, without duplicates; "" if there are none.
-[[nodiscard]] std::string explanations(const std::vector<diagnostics::Diagnostic>& findings, std::uint32_t offset,
-                                       bool markdown);
+[[nodiscard]] std::string explain_findings(const std::vector<diagnostics::Diagnostic>& findings, std::uint32_t offset,
+                                           bool markdown);
 /// The answer to a hover request; null if the text is empty. `place` may be unknown.
 [[nodiscard]] Json hover_answer(const SourceManager&, std::string text, Span place, Encoding, bool markdown);
 

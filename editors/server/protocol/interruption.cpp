@@ -20,24 +20,24 @@ bool changes_texts(const std::string& method) {
 
 }  // namespace
 
-void Interruption::arrived(View message) {
+void Interruption::note_arrival(View message) {
     const std::lock_guard lock(mutex_);
     const std::string& method = message["method"].text();
     if (method == "$/cancelRequest") cancelled_.push_back(message["params"]["id"].json());
     if (changes_texts(method)) ++changes_;
-    if (method == "exit" || method == "shutdown") leave();
+    if (method == "exit" || method == "shutdown") begin_leaving();
 }
 
 void Interruption::input_ended() {
     const std::lock_guard lock(mutex_);
-    leave();
+    begin_leaving();
 }
 
-void Interruption::leave() {
+void Interruption::begin_leaving() {
     if (!leaving_) leaving_ = std::chrono::steady_clock::now() + grace;
 }
 
-void Interruption::handled(View message) {
+void Interruption::note_handled(View message) {
     const std::lock_guard lock(mutex_);
     const std::string& method = message["method"].text();
     if (method == "$/cancelRequest") {
@@ -63,7 +63,7 @@ Interruption::Work::~Work() {
     interruption_.id_ = nullptr;
 }
 
-Interruption::Reason Interruption::reason() const {
+Interruption::Reason Interruption::current_reason() const {
     const std::lock_guard lock(mutex_);
     if (!working_) return Reason::none;
     if (!id_.is_null() && holds_cancelled(id_)) return Reason::cancelled;

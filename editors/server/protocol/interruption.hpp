@@ -21,7 +21,7 @@ public:
 
     // For the reader thread:
     /// Records that a message has arrived. It may end the current work before it is handled itself.
-    void arrived(View message);
+    void note_arrival(View message);
     /// Records that the input has ended.
     void input_ended();
 
@@ -38,9 +38,9 @@ public:
         Interruption& interruption_;
     };
     /// Must be called before a message is handled.
-    void handled(View message);
+    void note_handled(View message);
     /// The reason why the current work should end.
-    [[nodiscard]] Reason reason() const;
+    [[nodiscard]] Reason current_reason() const;
     /// True if a request with this id must not be started.
     [[nodiscard]] bool is_cancelled(const Json& id) const;
 
@@ -49,7 +49,7 @@ private:
     static constexpr std::chrono::milliseconds grace{500};
 
     [[nodiscard]] bool holds_cancelled(const Json& id) const;
-    void leave();
+    void begin_leaving();
 
     mutable std::mutex mutex_;
     bool working_ = false;

@@ -21,20 +21,20 @@ const std::string no_text;
 class Builder {
 public:
     explicit Builder(std::string& error) : error_(error) {}
-    [[nodiscard]] Json take() { return std::move(root_); }
+    [[nodiscard]] Json take_root() { return std::move(root_); }
 
-    bool null() { return put(nullptr); }
-    bool boolean(bool value) { return put(value); }
-    bool number_integer(std::int64_t value) { return put(value); }
+    bool null() { return put_value(nullptr); }
+    bool boolean(bool value) { return put_value(value); }
+    bool number_integer(std::int64_t value) { return put_value(value); }
     bool number_unsigned(std::uint64_t value) {
-        if (value > static_cast<std::uint64_t>(INT64_MAX)) return put(static_cast<double>(value));
-        return put(static_cast<std::int64_t>(value));
+        if (value > static_cast<std::uint64_t>(INT64_MAX)) return put_value(static_cast<double>(value));
+        return put_value(static_cast<std::int64_t>(value));
     }
-    bool number_float(double value, const std::string&) { return put(value); }
-    bool string(std::string& value) { return put(std::move(value)); }
+    bool number_float(double value, const std::string&) { return put_value(value); }
+    bool string(std::string& value) { return put_value(std::move(value)); }
     bool binary(Json::binary_t&) { return false; }
-    bool start_object(std::size_t) { return open(Json::object()); }
-    bool start_array(std::size_t) { return open(Json::array()); }
+    bool start_object(std::size_t) { return open_container(Json::object()); }
+    bool start_array(std::size_t) { return open_container(Json::array()); }
     bool key(std::string& value) {
         keys_.back() = std::move(value);
         return true;
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    bool put(Json value) {
+    bool put_value(Json value) {
         if (open_.empty()) {
             root_ = std::move(value);
         } else if (open_.back().is_array()) {
@@ -58,7 +58,7 @@ private:
         }
         return true;
     }
-    bool open(Json value) {
+    bool open_container(Json value) {
         if (open_.size() >= max_depth) {
             error_ = fmt::format("nested deeper than {} levels", max_depth);
             return false;
@@ -71,7 +71,7 @@ private:
         Json value = std::move(open_.back());
         open_.pop_back();
         keys_.pop_back();
-        return put(std::move(value));
+        return put_value(std::move(value));
     }
 
     std::string& error_;
@@ -96,11 +96,11 @@ const std::string& View::text() const {
     return json_->is_string() ? json_->get_ref<const std::string&>() : no_text;
 }
 
-std::int64_t View::number(std::int64_t otherwise) const {
+std::int64_t View::number_or(std::int64_t otherwise) const {
     return is_number() ? json_->get<std::int64_t>() : otherwise;
 }
 
-bool View::truth(bool otherwise) const {
+bool View::truth_or(bool otherwise) const {
     return json_->is_boolean() ? json_->get<bool>() : otherwise;
 }
 
@@ -108,7 +108,7 @@ std::vector<View> View::items() const {
     return json_->is_array() ? std::vector<View>(json_->begin(), json_->end()) : std::vector<View>{};
 }
 
-bool View::has(std::string_view key) const {
+bool View::has_key(std::string_view key) const {
     return json_->is_object() && json_->contains(key);
 }
 
@@ -117,7 +117,7 @@ Json read_json(std::string_view text, std::string& error) {
     Builder builder(error);
     const bool read = Json::sax_parse(text.begin(), text.end(), &builder);
     if (!read && error.empty()) error = "not JSON";
-    return read ? builder.take() : Json();
+    return read ? builder.take_root() : Json();
 }
 
 }  // namespace robochart::lsp

@@ -25,8 +25,8 @@ public:
     [[nodiscard]] View operator[](std::string_view key) const;
     [[nodiscard]] View operator[](std::size_t index) const;
     [[nodiscard]] const std::string& text() const;
-    [[nodiscard]] std::int64_t number(std::int64_t otherwise = 0) const;
-    [[nodiscard]] bool truth(bool otherwise = false) const;
+    [[nodiscard]] std::int64_t number_or(std::int64_t otherwise = 0) const;
+    [[nodiscard]] bool truth_or(bool otherwise = false) const;
     [[nodiscard]] std::vector<View> items() const;
     [[nodiscard]] const Json& json() const { return *json_; }
 
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool is_number() const { return json_->is_number_integer(); }
     [[nodiscard]] bool is_array() const { return json_->is_array(); }
     [[nodiscard]] bool is_object() const { return json_->is_object(); }
-    [[nodiscard]] bool has(std::string_view key) const;
+    [[nodiscard]] bool has_key(std::string_view key) const;
 
 private:
     const Json* json_;

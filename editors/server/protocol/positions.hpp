@@ -15,9 +15,9 @@ using diagnostics::Span;
 enum class Encoding { utf8, utf16, utf32 };
 
 /// `{line, character}` of a byte offset.
-[[nodiscard]] Json position(const SourceManager&, SourceId, std::uint32_t offset, Encoding);
+[[nodiscard]] Json lsp_position(const SourceManager&, SourceId, std::uint32_t offset, Encoding);
 /// `{start, end}` of a span.
-[[nodiscard]] Json range(const SourceManager&, Span, Encoding);
+[[nodiscard]] Json lsp_range(const SourceManager&, Span, Encoding);
 /// The byte offset of `{line, character}`. A position beyond the end of a line or of the text is that end.
 [[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, View position, Encoding);
 /// The span of `{start, end}`; the ends may be in either order.

@@ -23,13 +23,13 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim_blanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
     return text;
 }
 
-std::string shown(std::string_view line) {
+std::string printable_start(std::string_view line) {
     std::string result;
     for (const char c : line.substr(0, 40)) result += c >= 0x20 && c < 0x7F ? c : '?';
     return result;
@@ -47,27 +47,27 @@ FrameReader::Line FrameReader::read_line(std::string& line) {
     return line.empty() ? Line::empty : Line::text;
 }
 
-void FrameReader::header(const std::string& line, std::string& fault) {
+void FrameReader::read_header(const std::string& line, std::string& fault) {
     const std::size_t colon = line.find(':');
     const std::string name = lower(line.substr(0, colon));
     if (colon == std::string::npos) {
-        fault = fmt::format("a header line without a colon: `{}`", shown(line));
+        fault = fmt::format("a header line without a colon: `{}`", printable_start(line));
     } else if (name == "content-length") {
-        const std::string_view digits = trimmed(std::string_view(line).substr(colon + 1));
+        const std::string_view digits = trim_blanks(std::string_view(line).substr(colon + 1));
         const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), length_);
         has_length_ = code == std::errc() && end == digits.data() + digits.size() && !digits.empty();
-        if (!has_length_) fault = fmt::format("Content-Length is no length: `{}`", shown(digits));
+        if (!has_length_) fault = fmt::format("Content-Length is no length: `{}`", printable_start(digits));
         if (has_length_ && length_ > max_message)
             fault = fmt::format("a message of {} bytes; at most {} are accepted", length_, max_message);
     } else if (name == "content-type") {
         const std::string type = lower(line);
         if (type.find("charset") != std::string::npos && type.find("utf-8") == std::string::npos &&
             type.find("utf8") == std::string::npos)
-            rejected_ = fmt::format("the charset must be utf-8: `{}`", shown(line));
+            rejected_ = fmt::format("the charset must be utf-8: `{}`", printable_start(line));
     }
 }
 
-Frame FrameReader::body() {
+Frame FrameReader::read_body() {
     std::string text;
     // Reads in pieces, so that a large length alone does not allocate memory.
     constexpr std::size_t piece = 1U << 16U;
@@ -84,7 +84,7 @@ Frame FrameReader::body() {
     return {Frame::Kind::message, std::move(text)};
 }
 
-Frame FrameReader::next() {
+Frame FrameReader::next_frame() {
     std::string line;
     std::string fault;
     has_length_ = false;
@@ -98,7 +98,7 @@ Frame FrameReader::next() {
             case Line::empty:
                 if (has_length_) {
                     lost_ = false;
-                    Frame frame = body();
+                    Frame frame = read_body();
                     if (!rejected_.empty()) return {Frame::Kind::fault, rejected_};
                     return frame;
                 }
@@ -107,7 +107,7 @@ Frame FrameReader::next() {
             case Line::text:
                 if (lost_ && !has_length_ && lower(line).rfind("content-length:", 0) != 0) break;
                 any = true;
-                header(line, fault);
+                read_header(line, fault);
                 break;
         }
     }

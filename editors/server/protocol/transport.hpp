@@ -22,14 +22,14 @@ struct Frame {
 class FrameReader {
 public:
     explicit FrameReader(std::istream& in) : in_(in) {}
-    [[nodiscard]] Frame next();
+    [[nodiscard]] Frame next_frame();
 
 private:
     enum class Line { text, empty, end };
     Line read_line(std::string& line);
     /// Parses one header line; sets `fault` if it is wrong.
-    void header(const std::string& line, std::string& fault);
-    [[nodiscard]] Frame body();
+    void read_header(const std::string& line, std::string& fault);
+    [[nodiscard]] Frame read_body();
 
     std::istream& in_;
     std::size_t length_ = 0;

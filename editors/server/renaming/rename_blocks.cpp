@@ -22,13 +22,13 @@ std::string in_form(const std::pair<std::string_view, std::string_view>& form, c
     return std::string(form.first) + name + std::string(form.second);
 }
 
-std::vector<Edit> candidates(Project& project, const std::string& old_name, const std::string& new_name) {
+std::vector<Edit> candidate_edits(Project& project, const std::string& old_name, const std::string& new_name) {
     std::vector<Edit> result;
-    for (const auto& file : project.model().files)
+    for (const auto& file : project.current_model().files)
         for (const frontend::CspBlock& block : file->csp_blocks) {
             const Span place = block.text_span;
             const std::string_view text =
-                project.sources().text(place.source).substr(place.begin, place.end - place.begin);
+                project.sources().source_text(place.source).substr(place.begin, place.end - place.begin);
             diagnostics::Diagnostics ignored;
             const std::vector<cspm::Token> tokens = cspm::lex(text, place.source, ignored);
             for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -52,17 +52,17 @@ std::size_t errors_after(Project& project, std::vector<Edit> edits, diagnostics:
     SourceManager sources;
     std::vector<SourceId> texts;
     for (const auto& [path, document] : project.documents()) {
-        std::string text(project.sources().text(document->source));
+        std::string text(project.sources().source_text(document->source));
         for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
             if (edit->span.source == document->source)
                 text.replace(edit->span.begin, edit->span.end - edit->span.begin, edit->text);
         texts.push_back(sources.add(path, std::move(text)));
     }
     diagnostics::Diagnostics found;
-    found.within(budget);
+    found.set_budget(budget);
     const auto model = frontend::load_texts(sources, texts, found);
     csp_emit::check_blocks(*model, sources, found);
-    return found.errors();
+    return found.error_count();
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ std::size_t errors_after(Project& project, std::vector<Edit> edits, diagnostics:
 std::optional<std::vector<Edit>> edits_of_blocks(Project& project, const std::string& old_name,
                                                  const std::string& new_name, const std::vector<Edit>& edits_of_model,
                                                  diagnostics::Budget* budget) {
-    std::vector<Edit> edits = candidates(project, old_name, new_name);
+    std::vector<Edit> edits = candidate_edits(project, old_name, new_name);
     if (edits.empty()) return edits;
     std::vector<Edit> all = edits_of_model;
     all.insert(all.end(), edits.begin(), edits.end());

@@ -24,7 +24,7 @@ struct Copy {
     diagnostics::Diagnostics findings;
 };
 
-std::string edited(std::string_view text, SourceId source, std::vector<Edit> edits) {
+std::string apply_edits(std::string_view text, SourceId source, std::vector<Edit> edits) {
     std::erase_if(edits, [&](const Edit& edit) { return edit.span.source != source; });
     std::ranges::sort(edits, [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
     std::string out;
@@ -38,10 +38,10 @@ std::string edited(std::string_view text, SourceId source, std::vector<Edit> edi
 
 void read(Copy& copy, Project& project, const std::vector<Edit>& edits) {
     const SourceManager& sources = project.sources();
-    for (const auto& file : project.model().files) {
+    for (const auto& file : project.current_model().files) {
         if (file->is_library) continue;
-        const auto id =
-            copy.sources.add(sources.path(file->source), edited(sources.text(file->source), file->source, edits));
+        const auto id = copy.sources.add(sources.path(file->source),
+                                         apply_edits(sources.source_text(file->source), file->source, edits));
         copy.model.files.push_back(frontend::parse(copy.sources, id, file->is_assertions, copy.findings));
     }
     frontend::update_toolkits(copy.sources, copy.model, copy.findings);
@@ -82,24 +82,25 @@ Names names_of(const Model& model, const std::vector<Occurrence>& all) {
     return names;
 }
 
-std::map<std::string_view, std::size_t> counts(const std::vector<const diagnostics::Diagnostics*>& lists) {
+std::map<std::string_view, std::size_t> count_by_rule(const std::vector<const diagnostics::Diagnostics*>& lists) {
     std::map<std::string_view, std::size_t> result;
     for (const auto* findings : lists)
-        for (const auto& finding : findings->sorted()) ++result[finding.rule->code];
+        for (const auto& finding : findings->sorted_findings()) ++result[finding.rule->code];
     return result;
 }
 
 /// A finding that did not exist before; "" if there is none.
 std::string new_finding(Project& project, const Copy& copy) {
-    std::vector<const diagnostics::Diagnostics*> lists{&project.findings()};
+    std::vector<const diagnostics::Diagnostics*> lists{&project.current_findings()};
     for (const auto& [path, document] : project.documents()) lists.push_back(&document->findings);
-    const auto before = counts(lists);
-    const auto after = counts({&copy.findings});
+    const auto before = count_by_rule(lists);
+    const auto after = count_by_rule({&copy.findings});
     if (before == after) return {};
-    for (const auto& finding : copy.findings.sorted()) {
+    for (const auto& finding : copy.findings.sorted_findings()) {
         const auto had = before.find(finding.rule->code);
         if (had == before.end() || had->second < after.at(finding.rule->code))
-            return fmt::format("{} ({}, {})", finding.message(), finding.rule->code, copy.sources.place(finding.span));
+            return fmt::format("{} ({}, {})", finding.message(), finding.rule->code,
+                               copy.sources.path_and_line(finding.span));
     }
     return "a finding of the rules would vanish: the model would mean something else";
 }
@@ -110,14 +111,14 @@ std::string harm_of(Project& project, const std::vector<Edit>& edits) {
     Copy copy;
     read(copy, project, edits);
     if (std::string finding = new_finding(project, copy); !finding.empty()) return finding;
-    const std::vector<Occurrence> after_all = frontend::occurrences(copy.model);
-    const Names before = names_of(project.model(), project.occurrences());
+    const std::vector<Occurrence> after_all = frontend::find_occurrences(copy.model);
+    const Names before = names_of(project.current_model(), project.current_occurrences());
     const Names after = names_of(copy.model, after_all);
     if (before.list.size() != after.list.size()) return "the text would be read differently";
     for (std::size_t i = 0; i < before.list.size(); ++i)
         if (before.meanings[i] != after.meanings[i])
             return fmt::format("the name at {} would stand for something else",
-                               copy.sources.place(after.list[i]->span));
+                               copy.sources.path_and_line(after.list[i]->span));
     return {};
 }
 

@@ -16,14 +16,15 @@ namespace {
 /// The findings of all open files by URI.
 std::map<std::string, Json> rule_findings(const Session& session, RuleTexts& rules) {
     std::map<std::string, Json> result;
-    for (const auto& [uri, document] : rules.all()) {
+    for (const auto& [uri, document] : rules.all_documents()) {
         const Locate locate = [&, &at = uri, &text = *document](Span span) -> Json {
-            if (!span.known()) return {};
-            return Json::object({{"uri", at}, {"range", range(text.texts, span, session.client.encoding)}});
+            if (!span.is_known()) return {};
+            return Json::object({{"uri", at}, {"range", lsp_range(text.texts, span, session.client.encoding)}});
         };
         Json& list = result[uri] = Json::array();
-        for (const diagnostics::Diagnostic& each : rules.reading_of(*document).findings.sorted())
-            if (each.span.known()) list.push_back(diagnostic(document->texts, each, session.client.encoding, locate));
+        for (const diagnostics::Diagnostic& each : rules.reading_of(*document).findings.sorted_findings())
+            if (each.span.is_known())
+                list.push_back(lsp_diagnostic(document->texts, each, session.client.encoding, locate));
     }
     return result;
 }
@@ -33,7 +34,7 @@ Json rule_hover(const Session& session, RuleTexts& rules, RuleText& document, st
     const bool markdown = session.client.markdown;
     const std::optional<RuleName> name = rule_name_at(document, reading.file, offset);
     std::string text = name ? about_rule_name(reading.file, *name, markdown) : "";
-    const std::string why = explanations(reading.findings.sorted(), offset, markdown);
+    const std::string why = explain_findings(reading.findings.sorted_findings(), offset, markdown);
     if (!text.empty() && !why.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += why;
     return hover_answer(document.texts, std::move(text), name ? name->span : Span(), session.client.encoding, markdown);
@@ -41,12 +42,12 @@ Json rule_hover(const Session& session, RuleTexts& rules, RuleText& document, st
 
 Json rule_definition(const Session& session, RuleTexts& rules, RuleText& document, std::uint32_t offset) {
     const std::optional<RuleName> name = rule_name_at(document, rules.reading_of(document).file, offset);
-    if (!name || !name->declared.known()) return {};
+    if (!name || !name->declared.is_known()) return {};
     return Json::array({Json::object(
-        {{"uri", document.uri}, {"range", range(document.texts, name->declared, session.client.encoding)}})});
+        {{"uri", document.uri}, {"range", lsp_range(document.texts, name->declared, session.client.encoding)}})});
 }
 
-Json formatted(const Session& session, const RuleText& document) {
+Json format_answer(const Session& session, const RuleText& document) {
     diagnostics::Diagnostics ignored;
     const auto text = sleec::format(document.texts, document.source, ignored);
     if (!text) throw Refusal(ErrorCode::request_failed, "not formatted: the text has syntax errors");
@@ -65,7 +66,7 @@ bool notify_rules(const Session& session, RuleTexts& rules, std::string_view met
     if (method == "textDocument/didOpen") {
         if (uri.empty() || !is_rules(uri, given["languageId"].text())) return false;
         take_opened(params, [&](const std::string& at, std::string text) -> OpenText& {
-            return rules.open(at, std::move(text));
+            return rules.open_document(at, std::move(text));
         });
         return true;
     }
@@ -96,14 +97,14 @@ Json answer_for_rules(const Session& session, RuleTexts& rules, std::string_view
         return rule_definition(session, rules, *document, offset);
     if (method == "textDocument/completion")
         return rule_completion(*document, rules.reading_of(*document).file, offset, session.client.encoding);
-    if (method == "textDocument/formatting") return formatted(session, *document);
+    if (method == "textDocument/formatting") return format_answer(session, *document);
     return nullptr;
 }
 
 void publish_rules(Session& session, RuleTexts& rules) {
     if (!rules.has_news()) return;
-    rules.published.send(session, rule_findings(session, rules),
-                         [&](const std::string& uri) { return rules.find(uri); });
+    rules.published.send_findings(session, rule_findings(session, rules),
+                                  [&](const std::string& uri) { return rules.find(uri); });
     rules.settle_news();
 }
 

@@ -31,7 +31,8 @@ public:
         : file_(file) {
         diagnostics::Diagnostics ignored;
         Span prefix{document.source, offset, offset};
-        for (const Token& token : sleec::lex(document.texts.text(document.source), document.source, ignored, true)) {
+        for (const Token& token :
+             sleec::lex(document.texts.source_text(document.source), document.source, ignored, true)) {
             if (token.span.begin >= offset || token.kind == Tok::end) break;
             if (token.span.end < offset || (token.span.end == offset && token.kind == Tok::symbol)) {
                 if (token.kind != Tok::comment) before_.push_back(token);
@@ -41,20 +42,20 @@ public:
             inside_ = token.kind == Tok::comment || token.kind == Tok::number;
             prefix.begin = token.span.begin;
         }
-        range_ = range(document.texts, prefix, encoding);
+        range_ = lsp_range(document.texts, prefix, encoding);
     }
 
     Json run() {
-        if (!inside_) list();
+        if (!inside_) add_candidates();
         return Json::object({{"isIncomplete", false}, {"items", std::move(items_)}});
     }
 
 private:
-    [[nodiscard]] std::string_view word(std::size_t back) const {
+    [[nodiscard]] std::string_view word_before(std::size_t back) const {
         return before_.size() < back ? std::string_view() : before_[before_.size() - back].text;
     }
-    [[nodiscard]] bool is(std::size_t back, std::initializer_list<std::string_view> words) const {
-        return std::ranges::find(words, word(back)) != words.end();
+    [[nodiscard]] bool is_one_of(std::size_t back, std::initializer_list<std::string_view> words) const {
+        return std::ranges::find(words, word_before(back)) != words.end();
     }
 
     void add(std::string_view label, int kind) {
@@ -63,78 +64,79 @@ private:
         items_.push_back(Json::object(
             {{"label", text}, {"kind", kind}, {"textEdit", Json::object({{"range", range_}, {"newText", text}})}}));
     }
-    void words(std::initializer_list<std::string_view> list) {
+    void add_words(std::initializer_list<std::string_view> list) {
         for (const std::string_view each : list) add(each, kinds::keyword);
     }
-    void events() {
+    void add_events() {
         for (const sleec::Event& each : file_.events) add(each.name.text, kinds::event);
     }
-    void measures() {
+    void add_measures() {
         for (const sleec::Measure& each : file_.measures) add(each.name.text, kinds::variable);
     }
-    void constants() {
+    void add_constants() {
         for (const sleec::Constant& each : file_.constants) add(each.name.text, kinds::constant);
     }
-    void condition() {
-        measures();
-        constants();
-        words({"not", "true", "false"});
+    void add_condition_words() {
+        add_measures();
+        add_constants();
+        add_words({"not", "true", "false"});
     }
-    void units() { words({"seconds", "minutes", "hours", "days"}); }
+    void add_units() { add_words({"seconds", "minutes", "hours", "days"}); }
 
-    [[nodiscard]] const sleec::Measure* measure(std::string_view name) const {
+    [[nodiscard]] const sleec::Measure* find_measure(std::string_view name) const {
         for (const sleec::Measure& each : file_.measures)
             if (each.name.text == name) return &each;
         return nullptr;
     }
 
     /// Adds what can be compared with a measure: the values of its scale, or numbers.
-    void compared() {
-        const sleec::Measure* left = measure(word(word(2) == "}" ? 3 : 2));
+    void add_compared_values() {
+        const sleec::Measure* left = find_measure(word_before(word_before(2) == "}" ? 3 : 2));
         if (left != nullptr && left->type == MeasureType::scale) {
             for (const sleec::Name& each : left->literals) add(each.text, kinds::literal);
             return;
         }
-        measures();
-        constants();
+        add_measures();
+        add_constants();
     }
 
-    void list() {
-        if (before_.empty()) return words({"def_start"});
-        if (is(1, {"def_start", "rule_start", "concern_start", "purpose_start"})) return beginning();
-        if (is(1, {"event", "measure", "constant"})) return;
-        if (is(1, {":"})) return words({"boolean", "numeric", "scale"});
-        if (is(1, {"when", "exists", "while", "after", "map"})) {
-            events();
-            if (is(1, {"map"})) measures();
+    void add_candidates() {
+        if (before_.empty()) return add_words({"def_start"});
+        if (is_one_of(1, {"def_start", "rule_start", "concern_start", "purpose_start"})) return add_block_words();
+        if (is_one_of(1, {"event", "measure", "constant"})) return;
+        if (is_one_of(1, {":"})) return add_words({"boolean", "numeric", "scale"});
+        if (is_one_of(1, {"when", "exists", "while", "after", "map"})) {
+            add_events();
+            if (is_one_of(1, {"map"})) add_measures();
             return;
         }
-        if (is(1, {"then", "otherwise", "else"}) || (is(1, {"not"}) && is(2, {"then", "otherwise", "else", "{"}))) {
-            events();
-            return is(1, {"not"}) ? void() : words({"not"});
+        if (is_one_of(1, {"then", "otherwise", "else"}) ||
+            (is_one_of(1, {"not"}) && is_one_of(2, {"then", "otherwise", "else", "{"}))) {
+            add_events();
+            return is_one_of(1, {"not"}) ? void() : add_words({"not"});
         }
-        if (is(1, {"unless"})) events();
-        if (is(1, {"and", "or", "unless", "not", "(", "+", "-", "*"})) return condition();
-        if (is(1, {"{"})) return measures(), events();
-        if (is(1, {"<", ">", "<=", ">=", "=", "<>"})) return compared();
-        if (is(1, {"within", "least", "["})) return constants();
-        if (is(1, {"]"}) || is(2, {"within", "least"})) return units();
-        words({"and", "or", "then", "when", "within", "otherwise", "unless", "while"});
-        beginning();
+        if (is_one_of(1, {"unless"})) add_events();
+        if (is_one_of(1, {"and", "or", "unless", "not", "(", "+", "-", "*"})) return add_condition_words();
+        if (is_one_of(1, {"{"})) return add_measures(), add_events();
+        if (is_one_of(1, {"<", ">", "<=", ">=", "=", "<>"})) return add_compared_values();
+        if (is_one_of(1, {"within", "least", "["})) return add_constants();
+        if (is_one_of(1, {"]"}) || is_one_of(2, {"within", "least"})) return add_units();
+        add_words({"and", "or", "then", "when", "within", "otherwise", "unless", "while"});
+        add_block_words();
     }
 
     /// Adds the words that begin a definition or a block.
-    void beginning() {
+    void add_block_words() {
         const auto last = std::find_if(before_.rbegin(), before_.rend(), [](const Token& token) {
             return token.text.ends_with("_start") || token.text.ends_with("_end");
         });
-        if (last == before_.rend()) return words({"def_start"});
-        if (last->text == "def_start") return words({"event", "measure", "constant", "map", "def_end"});
-        if (last->text == "def_end") return words({"rule_start"});
-        if (last->text == "rule_start") return words({"assume", "rule_end"});
-        if (last->text == "concern_start") return words({"concern_end"});
-        if (last->text == "purpose_start") return words({"purpose_end"});
-        words({"concern_start", "purpose_start"});
+        if (last == before_.rend()) return add_words({"def_start"});
+        if (last->text == "def_start") return add_words({"event", "measure", "constant", "map", "def_end"});
+        if (last->text == "def_end") return add_words({"rule_start"});
+        if (last->text == "rule_start") return add_words({"assume", "rule_end"});
+        if (last->text == "concern_start") return add_words({"concern_end"});
+        if (last->text == "purpose_start") return add_words({"purpose_end"});
+        add_words({"concern_start", "purpose_start"});
     }
 
     const RuleFile& file_;

@@ -67,18 +67,21 @@ class Mentions {
 public:
     explicit Mentions(std::string_view name) : name_(name) {}
 
-    bool in(const sleec::Trigger& trigger) { return trigger.event.text == name_ || in(trigger.condition); }
-    bool in(const ExprPtr& expr) {
+    bool mentioned_in(const sleec::Trigger& trigger) {
+        return trigger.event.text == name_ || mentioned_in(trigger.condition);
+    }
+    bool mentioned_in(const ExprPtr& expr) {
         if (!expr) return false;
         return (expr->op == sleec::Op::name && expr->text == name_) ||
-               std::ranges::any_of(expr->parts, [&](const ExprPtr& each) { return in(each); });
+               std::ranges::any_of(expr->parts, [&](const ExprPtr& each) { return mentioned_in(each); });
     }
-    bool in(const ResponsePtr& response) {
+    bool mentioned_in(const ResponsePtr& response) {
         if (!response) return false;
-        if (response->event.text == name_ || in(response->otherwise)) return true;
-        if (response->limit && (in(response->limit->from) || in(response->limit->to))) return true;
-        return std::ranges::any_of(
-            response->defeaters, [&](const sleec::Defeater& each) { return in(each.condition) || in(each.response); });
+        if (response->event.text == name_ || mentioned_in(response->otherwise)) return true;
+        if (response->limit && (mentioned_in(response->limit->from) || mentioned_in(response->limit->to))) return true;
+        return std::ranges::any_of(response->defeaters, [&](const sleec::Defeater& each) {
+            return mentioned_in(each.condition) || mentioned_in(each.response);
+        });
     }
 
 private:
@@ -89,7 +92,7 @@ std::string rules_with(const RuleFile& file, const std::string& name) {
     std::string text;
     Mentions mentions(name);
     for (const sleec::Rule& each : file.rules)
-        if (mentions.in(each.trigger) || mentions.in(each.response))
+        if (mentions.mentioned_in(each.trigger) || mentions.mentioned_in(each.response))
             text += (text.empty() ? "in " : ", ") + each.name.text;
     return text;
 }
@@ -130,7 +133,8 @@ std::optional<Span> declaration_of(const RuleFile& file, const std::string& text
 
 std::optional<RuleName> rule_name_at(const RuleText& document, const RuleFile& file, std::uint32_t offset) {
     diagnostics::Diagnostics ignored;
-    for (const sleec::Token& token : sleec::lex(document.texts.text(document.source), document.source, ignored)) {
+    for (const sleec::Token& token :
+         sleec::lex(document.texts.source_text(document.source), document.source, ignored)) {
         if (token.span.begin > offset) break;
         if (token.kind != sleec::Tok::word || token.span.end < offset) continue;
         const std::string text(token.text);
@@ -157,12 +161,12 @@ std::string about_rule_name(const RuleFile& file, const RuleName& name, bool mar
 Json rule_outline(const RuleText& document, const RuleFile& file, const Client& client) {
     Json result = Json::array();
     for (const Declared& each : declared_in(file)) {
-        const Json whole = range(document.texts, each.whole, client.encoding);
+        const Json whole = lsp_range(document.texts, each.whole, client.encoding);
         Json symbol = Json::object({{"name", each.name->text}, {"kind", each.kind}});
         if (client.hierarchical_symbols) {
             symbol["detail"] = each.text;
             symbol["range"] = whole;
-            symbol["selectionRange"] = range(document.texts, each.name->span, client.encoding);
+            symbol["selectionRange"] = lsp_range(document.texts, each.name->span, client.encoding);
         } else {
             symbol["location"] = Json::object({{"uri", document.uri}, {"range", whole}});
         }

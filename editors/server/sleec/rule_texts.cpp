@@ -22,7 +22,7 @@ RuleText* RuleTexts::find(std::string_view uri) {
     return found != documents_.end() ? found->second.get() : nullptr;
 }
 
-RuleText& RuleTexts::open(const std::string& uri, std::string text) {
+RuleText& RuleTexts::open_document(const std::string& uri, std::string text) {
     std::unique_ptr<RuleText>& document = documents_[uri];
     document = std::make_unique<RuleText>();
     document->uri = uri;
@@ -33,7 +33,7 @@ RuleText& RuleTexts::open(const std::string& uri, std::string text) {
 }
 
 void RuleTexts::change(RuleText& document, std::string text) {
-    if (document.texts.text(document.source) == text) return;
+    if (document.texts.source_text(document.source) == text) return;
     document.texts.replace(document.source, std::move(text));
     document.reading.reset();
     news_ = true;
@@ -46,9 +46,9 @@ void RuleTexts::close(const std::string& uri) {
 const RuleReading& RuleTexts::reading_of(RuleText& document) {
     if (document.reading) return *document.reading;
     auto reading = std::make_unique<RuleReading>();
-    reading->findings.within(budget_);
+    reading->findings.set_budget(budget_);
     reading->file = sleec::read(document.texts, document.source, reading->findings);
-    if (reading->findings.ok()) (void)sleec::check(reading->file, reading->findings);
+    if (reading->findings.ok()) (void)sleec::check_rules(reading->file, reading->findings);
     document.reading = std::move(reading);
     return *document.reading;
 }
@@ -67,8 +67,8 @@ std::vector<std::pair<std::string, std::string>> RuleTexts::names_in(const std::
             SourceManager sources;
             std::string error;
             diagnostics::Diagnostics ignored;
-            ignored.within(budget_);
-            if (const auto source = sources.load(path, error)) add(path, sleec::read(sources, *source, ignored));
+            ignored.set_budget(budget_);
+            if (const auto source = sources.load_file(path, error)) add(path, sleec::read(sources, *source, ignored));
         }
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& [file, rules] : names)

@@ -35,11 +35,11 @@ public:
     explicit RuleTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] RuleText* find(std::string_view uri);
-    RuleText& open(const std::string& uri, std::string text);
+    RuleText& open_document(const std::string& uri, std::string text);
     void change(RuleText& document, std::string text);
     void close(const std::string& uri);
     [[nodiscard]] const RuleReading& reading_of(RuleText& document);
-    [[nodiscard]] const std::map<std::string, std::unique_ptr<RuleText>, std::less<>>& all() const {
+    [[nodiscard]] const std::map<std::string, std::unique_ptr<RuleText>, std::less<>>& all_documents() const {
         return documents_;
     }
 

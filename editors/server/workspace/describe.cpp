@@ -20,25 +20,25 @@ std::string type_text(const TypeExprPtr& written, const TypePtr& type) {
     return type ? to_string(type) : std::string();
 }
 
-std::string typed(const Variable& variable) {
+std::string name_with_type(const Variable& variable) {
     const std::string type = type_text(variable.type_expr, variable.type);
     return type.empty() ? variable.name : fmt::format("{} : {}", variable.name, type);
 }
 
 std::string parameter_list(const std::vector<VariablePtr>& parameters) {
     std::string out;
-    for (const VariablePtr& each : parameters) out += (out.empty() ? "" : ", ") + typed(*each);
+    for (const VariablePtr& each : parameters) out += (out.empty() ? "" : ", ") + name_with_type(*each);
     return "(" + out + ")";
 }
 
-std::string variable(const Variable& variable) {
-    std::string out = typed(variable);
+std::string variable_text(const Variable& variable) {
+    std::string out = name_with_type(variable);
     if (variable.initial) out += " = " + to_text(*variable.initial);
     if (variable.kind == DeclKind::variable) return "var " + out;
     return variable.kind == DeclKind::constant ? "const " + out : out;
 }
 
-std::string literal(const EnumLiteral& literal) {
+std::string literal_text(const EnumLiteral& literal) {
     std::string arguments;
     for (const TypeExprPtr& each : literal.arguments) arguments += (arguments.empty() ? "" : ", ") + to_text(*each);
     const std::string owner = literal.parent != nullptr ? literal.parent->name + "::" : "";
@@ -48,13 +48,13 @@ std::string literal(const EnumLiteral& literal) {
 std::string type_declaration(const TypeDeclaration& type) {
     if (type.kind == DeclKind::primitive_type) return "type " + type.name;
     std::string members;
-    for (const VariablePtr& field : type.fields) members += "\n    " + typed(*field);
+    for (const VariablePtr& field : type.fields) members += "\n    " + name_with_type(*field);
     for (const auto& each : type.literals) members += " " + each->name;
     const bool record = type.kind == DeclKind::record_type;
     return fmt::format("{} {} {{{}{}}}", record ? "datatype" : "enumeration", type.name, members, record ? "\n" : " ");
 }
 
-std::string transition(const Transition& transition) {
+std::string transition_text(const Transition& transition) {
     std::string out =
         fmt::format("transition {} {{ from {} to {}", transition.name, transition.from.text(), transition.to.text());
     if (transition.trigger) out += " trigger " + to_text(*transition.trigger);
@@ -63,7 +63,7 @@ std::string transition(const Transition& transition) {
     return out + " }";
 }
 
-std::string reference(const Reference& reference) {
+std::string reference_text(const Reference& reference) {
     const std::string_view word = reference.refers_to == DeclKind::state_machine ? "sref"
                                   : reference.refers_to == DeclKind::controller  ? "cref"
                                   : reference.refers_to == DeclKind::platform    ? "rref"
@@ -72,7 +72,7 @@ std::string reference(const Reference& reference) {
 }
 
 /// The keyword that begins the declaration.
-std::string_view keyword(DeclKind kind) {
+std::string_view keyword_of(DeclKind kind) {
     if (kind == DeclKind::state_machine) return "stm";
     if (kind == DeclKind::platform) return "robotic platform";
     const std::string_view words = to_text(kind);
@@ -81,12 +81,12 @@ std::string_view keyword(DeclKind kind) {
 
 }  // namespace
 
-std::string signature(const Declaration& declaration) {
-    if (const auto* v = dynamic_cast<const Variable*>(&declaration)) return variable(*v);
-    if (const auto* l = dynamic_cast<const EnumLiteral*>(&declaration)) return literal(*l);
+std::string signature_text(const Declaration& declaration) {
+    if (const auto* v = dynamic_cast<const Variable*>(&declaration)) return variable_text(*v);
+    if (const auto* l = dynamic_cast<const EnumLiteral*>(&declaration)) return literal_text(*l);
     if (const auto* t = dynamic_cast<const TypeDeclaration*>(&declaration)) return type_declaration(*t);
-    if (const auto* t = dynamic_cast<const Transition*>(&declaration)) return transition(*t);
-    if (const auto* r = dynamic_cast<const Reference*>(&declaration)) return reference(*r);
+    if (const auto* t = dynamic_cast<const Transition*>(&declaration)) return transition_text(*t);
+    if (const auto* r = dynamic_cast<const Reference*>(&declaration)) return reference_text(*r);
     if (const auto* s = dynamic_cast<const OperationSignature*>(&declaration))
         return s->name + parameter_list(s->parameters) + (s->terminates ? " [terminates]" : "");
     if (const auto* f = dynamic_cast<const Function*>(&declaration))
@@ -99,11 +99,11 @@ std::string signature(const Declaration& declaration) {
     }
     const auto* machine = dynamic_cast<const Machine*>(&declaration);
     const bool operation = machine != nullptr && machine->kind == DeclKind::operation;
-    return fmt::format("{} {}{}", keyword(declaration.kind), declaration.name,
+    return fmt::format("{} {}{}", keyword_of(declaration.kind), declaration.name,
                        operation ? parameter_list(machine->parameters) : "");
 }
 
-std::string detail(const Declaration& declaration) {
+std::string detail_of(const Declaration& declaration) {
     if (const auto* v = dynamic_cast<const Variable*>(&declaration)) return type_text(v->type_expr, v->type);
     if (const auto* e = dynamic_cast<const Event*>(&declaration)) return type_text(e->type_expr, e->type);
     if (const auto* r = dynamic_cast<const Reference*>(&declaration)) return "= " + r->target_name.text();
@@ -113,11 +113,11 @@ std::string detail(const Declaration& declaration) {
         return l->parent != nullptr ? l->parent->name : std::string();
     if (dynamic_cast<const OperationSignature*>(&declaration) != nullptr || declaration.kind == DeclKind::function ||
         declaration.kind == DeclKind::operation)
-        return signature(declaration);
+        return signature_text(declaration);
     return std::string(to_text(declaration.kind));
 }
 
-std::string whereabouts(const Declaration& declaration) {
+std::string parent_text(const Declaration& declaration) {
     const Declaration* parent = declaration.parent;
     if (parent == nullptr || parent->name.empty()) return {};
     return fmt::format("in {} `{}`", to_text(parent->kind), parent->name);
@@ -127,7 +127,7 @@ std::string whereabouts(const Declaration& declaration) {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim_text(std::string_view text) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
     while (!text.empty() && blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && blank(text.back())) text.remove_suffix(1);
@@ -136,27 +136,27 @@ std::string_view trimmed(std::string_view text) {
 
 /// The text of a comment, without comment marks and the stars of a boxed comment.
 std::string words_of(std::string_view comment) {
-    if (comment.starts_with("//")) return std::string(trimmed(comment.substr(2)));
+    if (comment.starts_with("//")) return std::string(trim_text(comment.substr(2)));
     comment.remove_prefix(std::min<std::size_t>(2, comment.size()));
     if (comment.ends_with("*/")) comment.remove_suffix(2);
     std::string out;
     while (!comment.empty()) {
         const std::size_t end = std::min(comment.find('\n'), comment.size());
-        std::string_view line = trimmed(comment.substr(0, end));
-        while (line.starts_with("*")) line = trimmed(line.substr(1));
+        std::string_view line = trim_text(comment.substr(0, end));
+        while (line.starts_with("*")) line = trim_text(line.substr(1));
         if (!out.empty() || !line.empty()) out += std::string(line) + "\n";
         comment.remove_prefix(std::min(end + 1, comment.size()));
     }
-    return std::string(trimmed(out));
+    return std::string(trim_text(out));
 }
 
 bool ends_its_line(const SourceManager& sources, Span span) {
-    const std::string_view rest = sources.text(span.source).substr(span.end);
-    return trimmed(rest.substr(0, rest.find_first_of("\r\n"))).empty();
+    const std::string_view rest = sources.source_text(span.source).substr(span.end);
+    return trim_text(rest.substr(0, rest.find_first_of("\r\n"))).empty();
 }
 
 bool begins_its_line(const SourceManager& sources, Span span) {
-    const std::string_view text = sources.text(span.source);
+    const std::string_view text = sources.source_text(span.source);
     std::size_t at = span.begin;
     while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) --at;
     return at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r';
@@ -171,7 +171,8 @@ std::string comment_about(const SourceManager& sources, const File& file, Span n
     std::string behind;
     std::uint32_t wanted = line;
     for (auto comment = file.comments.rbegin(); comment != file.comments.rend(); ++comment) {
-        const std::string_view text = sources.text(file.source).substr(comment->begin, comment->end - comment->begin);
+        const std::string_view text =
+            sources.source_text(file.source).substr(comment->begin, comment->end - comment->begin);
         if (comment->begin >= name.end && line_of(comment->begin) == line && ends_its_line(sources, *comment))
             behind = words_of(text);
         if (comment->end > name.begin || line_of(comment->end) + 1 != wanted || !begins_its_line(sources, *comment))

@@ -23,7 +23,7 @@ bool has_text(const fs::path& path, std::string_view text) {
 std::string library_file(std::string_view name, std::string_view text) {
     constexpr std::string_view prefix = "<library>/";
     constexpr std::array<std::string_view, 2> folders = {"share/robochart-verify/library", "frontend/toolkits/library"};
-    constexpr int most_levels = 5;  // build/PRESET/tests/COMPONENT
+    constexpr int most_levels = 6;  // build/PRESET/tests/COMPONENT/PART
     if (name.substr(0, prefix.size()) != prefix) return {};
     name.remove_prefix(prefix.size());
     std::error_code code;

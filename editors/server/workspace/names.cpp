@@ -9,7 +9,7 @@ namespace {
 using frontend::NameKind;
 using frontend::Occurrence;
 
-bool same(const Occurrence& a, const Occurrence& b) {
+bool same_target(const Occurrence& a, const Occurrence& b) {
     if (a.kind != b.kind) return false;
     switch (a.kind) {
         case NameKind::declaration:
@@ -32,8 +32,8 @@ bool same(const Occurrence& a, const Occurrence& b) {
 
 std::vector<const Occurrence*> same_name(Project& project, const Occurrence& name) {
     std::vector<const Occurrence*> result;
-    for (const Occurrence& each : project.occurrences())
-        if (same(each, name)) result.push_back(&each);
+    for (const Occurrence& each : project.current_occurrences())
+        if (same_target(each, name)) result.push_back(&each);
     return result;
 }
 

@@ -10,7 +10,7 @@ namespace robochart::lsp {
 void take_opened(View params, const std::function<OpenText&(const std::string& uri, std::string text)>& open) {
     const View given = params["textDocument"];
     OpenText& document = open(given["uri"].text(), given["text"].text());
-    if (given["version"].is_number()) document.version = given["version"].number();
+    if (given["version"].is_number()) document.version = given["version"].number_or();
 }
 
 void take_changes(OpenText& document, View params, Encoding encoding,
@@ -18,14 +18,15 @@ void take_changes(OpenText& document, View params, Encoding encoding,
     for (const View each : params["contentChanges"].items()) {
         if (!each["text"].is_text()) continue;
         std::string text = each["text"].text();
-        if (each.has("range")) {
+        if (each.has_key("range")) {
             const Span span = span_of(document.texts, document.source, each["range"], encoding);
-            text = std::string(document.texts.text(document.source)).replace(span.begin, span.end - span.begin, text);
+            text = std::string(document.texts.source_text(document.source))
+                       .replace(span.begin, span.end - span.begin, text);
         }
         change(std::move(text));
     }
     const View version = params["textDocument"]["version"];
-    if (version.is_number()) document.version = version.number();
+    if (version.is_number()) document.version = version.number_or();
 }
 
 Json pulled_findings(OpenText& document, const std::map<std::string, Json>& found) {
@@ -35,8 +36,8 @@ Json pulled_findings(OpenText& document, const std::map<std::string, Json>& foun
     return Json::object({{"kind", "full"}, {"items", std::move(items)}});
 }
 
-void Published::send(Session& session, std::map<std::string, Json> found,
-                     const std::function<const OpenText*(const std::string& uri)>& opened) {
+void Published::send_findings(Session& session, std::map<std::string, Json> found,
+                              const std::function<const OpenText*(const std::string& uri)>& opened) {
     for (const auto& [uri, text] : sent_) found.emplace(uri, Json::array());
     bool refresh = false;
     for (auto& [uri, list] : found) {
@@ -50,7 +51,7 @@ void Published::send(Session& session, std::map<std::string, Json> found,
         std::string& before = sent_[uri];
         if (text == before) continue;
         before = std::move(text);
-        session.send(publication(uri, document != nullptr ? document->version : std::nullopt, std::move(list)));
+        session.send(publication_message(uri, document != nullptr ? document->version : std::nullopt, std::move(list)));
     }
     std::erase_if(sent_, [](const auto& entry) { return entry.second.empty(); });
     if (refresh && session.client.refreshes_diagnostics) session.send(refresh_request(++session.refreshes));

@@ -36,8 +36,8 @@ class Published {
 public:
     /// Sends the findings that changed. If the editor requests the findings of open documents, the server does not send
     /// them as well, because the editor would show them twice. `opened`: null for a document that is not open.
-    void send(Session& session, std::map<std::string, Json> found,
-              const std::function<const OpenText*(const std::string& uri)>& opened);
+    void send_findings(Session& session, std::map<std::string, Json> found,
+                       const std::function<const OpenText*(const std::string& uri)>& opened);
 
 private:
     std::map<std::string, std::string> sent_;  ///< the findings last sent, by URI

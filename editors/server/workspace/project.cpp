@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "csp_emit/blocks/check_blocks.hpp"
+#include "editors/server/protocol/uri.hpp"
+#include "editors/server/workspace/workspace.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
-#include "editors/server/protocol/uri.hpp"
-#include "editors/server/workspace/workspace.hpp"
 
 namespace robochart::lsp {
 
@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string contents(const std::string& path, std::string& error) {
+std::string read_contents(const std::string& path, std::string& error) {
     SourceManager reader;
-    const auto id = reader.load(path, error);
-    return id ? std::string(reader.text(*id)) : std::string();
+    const auto id = reader.load_file(path, error);
+    return id ? std::string(reader.source_text(*id)) : std::string();
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Document& Project::add(const std::string& path) {
     return *(documents_[path] = std::move(document));
 }
 
-Document& Project::open(const std::string& path, std::string uri, std::string text) {
+Document& Project::open_document(const std::string& path, std::string uri, std::string text) {
     Document* document = find(path);
     if (document == nullptr) document = &add(path);
     document->uri = std::move(uri);
@@ -62,7 +62,7 @@ Document& Project::open(const std::string& path, std::string uri, std::string te
 }
 
 void Project::change(Document& document, std::string text) {
-    if (!document.stale && sources_.text(document.source) == text) return;
+    if (!document.stale && sources_.source_text(document.source) == text) return;
     current_ = false;
     occurrences_.reset();
     block_findings_.reset();
@@ -74,19 +74,19 @@ void Project::close(Document& document) {
     document.open = false;
     document.version.reset();
     news_ = true;
-    refresh(document.path);
+    refresh_file(document.path);
 }
 
-void Project::refresh(const std::string& path) {
+void Project::refresh_file(const std::string& path) {
     Document* document = find(path);
     if (document != nullptr && document->open) return;
     std::error_code code;
     if (folder_.empty() || !fs::is_regular_file(path, code)) {
-        if (document != nullptr) drop(*document);
+        if (document != nullptr) drop_results(*document);
         return;
     }
     std::string error;
-    std::string text = contents(path, error);
+    std::string text = read_contents(path, error);
     if (document == nullptr) document = &add(path);
     change(*document, std::move(text));
     if (error.empty()) return;
@@ -95,11 +95,11 @@ void Project::refresh(const std::string& path) {
     document->findings.report(frontend::syntax::unreadable, {document->source, 0, 0}, {path, error});
 }
 
-void Project::drop(Document& document) {
+void Project::drop_results(Document& document) {
     current_ = false;
     occurrences_.reset();
     block_findings_.reset();
-    resolution_.forget();
+    resolution_.forget_results();
     std::erase_if(model_.files, [&](const auto& file) { return file.get() == document.tree; });
     sources_.replace(document.source, {});
     documents_.erase(std::string(document.path));
@@ -108,7 +108,7 @@ void Project::drop(Document& document) {
 /// The new tree replaces the old one. Files stay sorted by path, as when a project is loaded.
 void Project::parse(Document& document) {
     document.findings = {};
-    document.findings.within(budget_);
+    document.findings.set_budget(budget_);
     auto tree = frontend::parse(sources_, document.source, document.is_assertions, document.findings);
     frontend::File* made = tree.get();
     const auto old = std::ranges::find_if(model_.files, [&](const auto& file) { return file.get() == document.tree; });
@@ -116,7 +116,7 @@ void Project::parse(Document& document) {
         resolution_.replace(*old, std::move(tree));
         made = old->get();
     } else {
-        resolution_.forget();
+        resolution_.forget_results();
         const auto behind = std::ranges::find_if(model_.files, [&](const auto& file) {
             return file->is_library || fs::path(sources_.path(file->source)) > fs::path(document.path);
         });
@@ -131,12 +131,12 @@ void Project::update() {
     for (const auto& [path, document] : documents_)
         if (document->stale) parse(*document);
     findings_ = {};
-    findings_.within(budget_);
+    findings_.set_budget(budget_);
     frontend::update_toolkits(sources_, model_, findings_);
     try {
         resolution_.resolve(model_, findings_);
     } catch (const diagnostics::LimitReached&) {
-        resolution_.forget();
+        resolution_.forget_results();
         throw;
     }
     current_ = true;
@@ -148,12 +148,12 @@ bool Project::take_news() {
     return std::exchange(news_, false);
 }
 
-const frontend::Model& Project::model() {
+const frontend::Model& Project::current_model() {
     update();
     return model_;
 }
 
-const diagnostics::Diagnostics& Project::findings() {
+const diagnostics::Diagnostics& Project::current_findings() {
     update();
     return findings_;
 }
@@ -162,21 +162,21 @@ const diagnostics::Diagnostics& Project::block_findings() {
     update();
     if (!block_findings_) {
         diagnostics::Diagnostics found;
-        found.within(budget_);
+        found.set_budget(budget_);
         csp_emit::check_blocks(model_, sources_, found);
         block_findings_ = std::move(found);
     }
     return *block_findings_;
 }
 
-const std::vector<frontend::Occurrence>& Project::occurrences() {
+const std::vector<frontend::Occurrence>& Project::current_occurrences() {
     update();
-    if (!occurrences_) occurrences_ = frontend::occurrences(model_);
+    if (!occurrences_) occurrences_ = frontend::find_occurrences(model_);
     return *occurrences_;
 }
 
 const frontend::Occurrence* Project::occurrence_at(SourceId source, std::uint32_t offset) {
-    const auto& all = occurrences();
+    const auto& all = current_occurrences();
     const auto after = std::partition_point(all.begin(), all.end(), [&](const frontend::Occurrence& o) {
         return o.span.source < source || (o.span.source == source && o.span.begin <= offset);
     });
@@ -185,7 +185,7 @@ const frontend::Occurrence* Project::occurrence_at(SourceId source, std::uint32_
     return found.span.source == source && offset <= found.span.end ? &found : nullptr;
 }
 
-const frontend::File& Project::tree(const Document& document) {
+const frontend::File& Project::tree_of(const Document& document) {
     update();
     return *document.tree;
 }

@@ -32,7 +32,7 @@ enum class ErrorCode {
 class Refusal : public std::runtime_error {
 public:
     Refusal(ErrorCode code, const std::string& why) : std::runtime_error(why), code_(code) {}
-    [[nodiscard]] ErrorCode code() const { return code_; }
+    [[nodiscard]] ErrorCode error_code() const { return code_; }
 
 private:
     ErrorCode code_;
@@ -48,7 +48,7 @@ struct Client {
     bool versioned_edits = false;
     bool pulls_diagnostics = false;  ///< requests the diagnostics of open documents, so the server does not push them
     bool refreshes_diagnostics = false;  ///< repeats its requests for diagnostics when the server notifies it
-    std::set<std::string> commands;      ///< code lens commands that it supports (editors/server/features/capabilities.hpp)
+    std::set<std::string> commands;  ///< code lens commands that it supports (editors/server/features/capabilities.hpp)
 };
 
 class KeptDiagrams;
@@ -58,10 +58,11 @@ struct Session {
 
     Workspace workspace;
     Client client;
-    diagnostics::Budget* budget;             ///< interrupts work; null: no limit
-    std::shared_ptr<KeptDiagrams> diagrams;  ///< created by the first request for a diagram (editors/server/features/diagram.hpp)
-    std::int64_t refreshes = 0;              ///< number of requests to refresh diagnostics so far
-    std::function<void(const Json&)> send;   ///< sends a message to the editor
+    diagnostics::Budget* budget;  ///< interrupts work; null: no limit
+    std::shared_ptr<KeptDiagrams>
+        diagrams;                ///< created by the first request for a diagram (editors/server/features/diagram.hpp)
+    std::int64_t refreshes = 0;  ///< number of requests to refresh diagnostics so far
+    std::function<void(const Json&)> send;  ///< sends a message to the editor
     /// The SLEEC rules of a folder, each with the name of its file; an empty function: not available.
     std::function<std::vector<std::pair<std::string, std::string>>(const std::string& folder)> rule_names;
 };
@@ -78,6 +79,6 @@ struct Target {
 /// The findings about the target's document, sorted by place; parse errors come first.
 [[nodiscard]] std::vector<diagnostics::Diagnostic> findings_about(const Target&);
 /// `{uri, range}` of a span of the project; null if it is in no file.
-[[nodiscard]] Json location(const Session&, Project&, Span);
+[[nodiscard]] Json lsp_location(const Session&, Project&, Span);
 
 }  // namespace robochart::lsp

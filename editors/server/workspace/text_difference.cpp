@@ -15,7 +15,7 @@ struct Difference {
     std::string text;
 };
 
-Difference difference(SourceId source, std::string_view before, std::string_view after) {
+Difference find_difference(SourceId source, std::string_view before, std::string_view after) {
     std::size_t begin = 0;
     const std::size_t shorter = std::min(before.size(), after.size());
     while (begin < shorter && before[begin] == after[begin]) ++begin;
@@ -31,9 +31,10 @@ Difference difference(SourceId source, std::string_view before, std::string_view
 }  // namespace
 
 Json text_edits(const SourceManager& sources, SourceId source, std::string_view after, Encoding encoding) {
-    if (after == sources.text(source)) return Json::array();
-    const Difference change = difference(source, sources.text(source), after);
-    return Json::array({Json::object({{"range", range(sources, change.span, encoding)}, {"newText", change.text}})});
+    if (after == sources.source_text(source)) return Json::array();
+    const Difference change = find_difference(source, sources.source_text(source), after);
+    return Json::array(
+        {Json::object({{"range", lsp_range(sources, change.span, encoding)}, {"newText", change.text}})});
 }
 
 }  // namespace robochart::lsp

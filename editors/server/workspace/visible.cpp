@@ -11,12 +11,12 @@ using namespace frontend;
 
 namespace {
 
-const Declaration* search(const Declaration& in, Span name) {
+const Declaration* search_inside(const Declaration& in, Span name) {
     if (in.name_span == name) return &in;
-    if (in.span.known() && (name.begin < in.span.begin || name.begin > in.span.end)) return nullptr;
+    if (in.span.is_known() && (name.begin < in.span.begin || name.begin > in.span.end)) return nullptr;
     const auto among = [&](const auto& list) -> const Declaration* {
         for (const auto& each : list)
-            if (const Declaration* found = search(*each, name)) return found;
+            if (const Declaration* found = search_inside(*each, name)) return found;
         return nullptr;
     };
     if (const auto* container = dynamic_cast<const NodeContainer*>(&in)) {
@@ -27,7 +27,7 @@ const Declaration* search(const Declaration& in, Span name) {
     return nullptr;
 }
 
-std::string joined(const std::vector<std::string>& parts, std::size_t count) {
+std::string join_parts(const std::vector<std::string>& parts, std::size_t count) {
     std::string out;
     for (std::size_t i = 0; i < count; ++i) out += (i > 0 ? "::" : "") + parts[i];
     return out;
@@ -50,8 +50,8 @@ bool imports_one(const File& file, const std::string& full_name) {
 }
 
 /// The declaration `A::B` after a package name of `first` parts; null if there is none.
-const Declaration* along(const std::vector<const Declaration*>& start, const std::vector<std::string>& path,
-                         std::size_t first) {
+const Declaration* declaration_along(const std::vector<const Declaration*>& start, const std::vector<std::string>& path,
+                                     std::size_t first) {
     const auto found = std::ranges::find_if(start, [&](const Declaration* each) { return each->name == path[first]; });
     const Declaration* at = found != start.end() ? *found : nullptr;
     for (std::size_t i = first + 1; i < path.size() && at != nullptr; ++i) at = member_of(*at, path[i]);
@@ -69,9 +69,9 @@ std::vector<const Declaration*> of_package(const Model& model, const std::string
 }  // namespace
 
 const Declaration* declared_at(const File& file, Span name) {
-    if (!name.known()) return nullptr;
+    if (!name.is_known()) return nullptr;
     for (const auto& declaration : file.declarations)
-        if (const Declaration* found = search(*declaration, name)) return found;
+        if (const Declaration* found = search_inside(*declaration, name)) return found;
     return nullptr;
 }
 
@@ -86,12 +86,13 @@ std::vector<const Declaration*> visible_from(const Model& model, const File& fro
     return list;
 }
 
-std::vector<const Declaration*> behind(const Model& model, const File& from,
-                                       const std::vector<std::string>& qualifier) {
-    std::vector<const Declaration*> list = of_package(model, joined(qualifier, qualifier.size()));
+std::vector<const Declaration*> declarations_after(const Model& model, const File& from,
+                                                   const std::vector<std::string>& qualifier) {
+    std::vector<const Declaration*> list = of_package(model, join_parts(qualifier, qualifier.size()));
     for (std::size_t packages = 0; packages < qualifier.size(); ++packages) {
-        const auto start = packages == 0 ? visible_from(model, from) : of_package(model, joined(qualifier, packages));
-        if (const Declaration* found = along(start, qualifier, packages)) {
+        const auto start =
+            packages == 0 ? visible_from(model, from) : of_package(model, join_parts(qualifier, packages));
+        if (const Declaration* found = declaration_along(start, qualifier, packages)) {
             const auto members = members_of(*found);
             list.insert(list.end(), members.begin(), members.end());
             break;

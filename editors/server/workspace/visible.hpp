@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "frontend/project/occurrences.hpp"
 #include "editors/server/workspace/workspace.hpp"
+#include "frontend/project/occurrences.hpp"
 
 namespace robochart::lsp {
 
@@ -16,8 +16,9 @@ namespace robochart::lsp {
 /// packages. Literals of visible enumerations are included.
 [[nodiscard]] std::vector<const frontend::Declaration*> visible_from(const frontend::Model&, const frontend::File&);
 /// The declarations that may follow `A::B::`.
-[[nodiscard]] std::vector<const frontend::Declaration*> behind(const frontend::Model&, const frontend::File&,
-                                                               const std::vector<std::string>& qualifier);
+[[nodiscard]] std::vector<const frontend::Declaration*> declarations_after(const frontend::Model&,
+                                                                           const frontend::File&,
+                                                                           const std::vector<std::string>& qualifier);
 /// The parts of package names that may follow `A::` or begin a name.
 [[nodiscard]] std::vector<std::string> packages_behind(const frontend::Model&,
                                                        const std::vector<std::string>& qualifier);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "frontend/project/project.hpp"
 #include "editors/server/protocol/uri.hpp"
+#include "frontend/project/project.hpp"
 
 namespace robochart::lsp {
 
@@ -32,28 +32,29 @@ void Workspace::add_folder(const std::string& path) {
     const std::string folder = plain_folder(path);
     if (std::ranges::find(folders_, folder) != folders_.end()) return;
     folders_.push_back(folder);
-    rebuild();
+    rebuild_projects();
 }
 
 void Workspace::remove_folder(const std::string& path) {
-    if (std::erase(folders_, plain_folder(path)) > 0) rebuild();
+    if (std::erase(folders_, plain_folder(path)) > 0) rebuild_projects();
 }
 
 /// Assigns all files again; open texts are kept.
-void Workspace::rebuild() {
+void Workspace::rebuild_projects() {
     const std::vector<std::unique_ptr<Project>> before = std::exchange(projects_, {});
     for (const std::string& folder : folders_)
-        for (const std::string& path : frontend::project_files(folder, true)) project_at(root_of(path)).refresh(path);
+        for (const std::string& path : frontend::project_files(folder, true))
+            project_at(root_of(path)).refresh_file(path);
     for (const auto& project : before) {
-        disown(*project);
+        keep_orphans(*project);
         for (const auto& [path, document] : project->documents())
             if (document->open)
-                open(document->uri, std::string(project->sources().text(document->source))).document->version =
-                    document->version;
+                open_document(document->uri, std::string(project->sources().source_text(document->source)))
+                    .document->version = document->version;
     }
 }
 
-void Workspace::disown(const Project& project) {
+void Workspace::keep_orphans(const Project& project) {
     for (const auto& [path, document] : project.documents())
         if (!document->published.empty()) orphans_.push_back(document->uri);
 }
@@ -90,15 +91,15 @@ Project& Workspace::project_at(const std::string& root) {
     return *projects_.back();
 }
 
-Workspace::Place Workspace::open(const std::string& uri, std::string text) {
+Workspace::Place Workspace::open_document(const std::string& uri, std::string text) {
     const std::string path = path_of_uri(uri);
     const Place known = find(uri);
-    if (known) return {known.project, &known.project->open(path, uri, std::move(text))};
+    if (known) return {known.project, &known.project->open_document(path, uri, std::move(text))};
     const std::string root = root_of(path);
     Project& project = project_at(root);
     if (project.empty() && !root.empty() && folder_around(path).empty())
-        for (const std::string& beside : frontend::project_files(root, false)) project.refresh(beside);
-    return {&project, &project.open(path, uri, std::move(text))};
+        for (const std::string& beside : frontend::project_files(root, false)) project.refresh_file(beside);
+    return {&project, &project.open_document(path, uri, std::move(text))};
 }
 
 void Workspace::close(const std::string& uri) {
@@ -110,16 +111,16 @@ void Workspace::close(const std::string& uri) {
     // A project outside the workspace exists only for its open files.
     const bool listed = !folder_around(place.project->folder() + "/.").empty();
     if (listed || place.project->has_open()) return;
-    disown(*place.project);
+    keep_orphans(*place.project);
     std::erase_if(projects_, [&](const auto& project) { return project.get() == place.project; });
 }
 
-void Workspace::refresh(const std::string& uri) {
+void Workspace::refresh_file(const std::string& uri) {
     const std::string path = path_of_uri(uri);
     if (const Place known = find(uri)) {
         const bool shown = !known.document->published.empty();
         const std::string as_written = known.document->uri;
-        known.project->refresh(path);
+        known.project->refresh_file(path);
         if (shown && !find(uri)) orphans_.push_back(as_written);
         return;
     }
@@ -129,7 +130,7 @@ void Workspace::refresh(const std::string& uri) {
     const bool wanted = !folder_around(path).empty() || std::ranges::any_of(projects_, [&](const auto& project) {
         return project->folder() == root && !root.empty();
     });
-    if (wanted) project_at(root).refresh(path);
+    if (wanted) project_at(root).refresh_file(path);
 }
 
 }  // namespace robochart::lsp

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "editors/server/protocol/positions.hpp"
 #include "frontend/project/incremental.hpp"
 #include "frontend/project/occurrences.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "frontend/syntax/parse.hpp"
-#include "editors/server/protocol/positions.hpp"
 
 namespace robochart::lsp {
 
@@ -50,32 +50,32 @@ public:
     [[nodiscard]] bool empty() const { return documents_.empty(); }
 
     /// Sets the editor's text of a file; adds the file if it is new.
-    Document& open(const std::string& path, std::string uri, std::string text);
+    Document& open_document(const std::string& path, std::string uri, std::string text);
     void change(Document& document, std::string text);
     /// Returns to the text on disk; a file that is not on disk is removed from the project.
     void close(Document& document);
     /// Reads a file that is not open from disk again.
-    void refresh(const std::string& path);
+    void refresh_file(const std::string& path);
 
     [[nodiscard]] const SourceManager& sources() const { return sources_; }
-    [[nodiscard]] const frontend::Model& model();
+    [[nodiscard]] const frontend::Model& current_model();
     /// Findings about names, types and rules; the documents have the parse errors.
-    [[nodiscard]] const diagnostics::Diagnostics& findings();
+    [[nodiscard]] const diagnostics::Diagnostics& current_findings();
     /// Findings about CSP blocks.
     [[nodiscard]] const diagnostics::Diagnostics& block_findings();
     /// All names, sorted by place.
-    [[nodiscard]] const std::vector<frontend::Occurrence>& occurrences();
+    [[nodiscard]] const std::vector<frontend::Occurrence>& current_occurrences();
     /// The name at or directly before an offset; null if there is none.
     [[nodiscard]] const frontend::Occurrence* occurrence_at(SourceId source, std::uint32_t offset);
     /// The current tree of a document.
-    [[nodiscard]] const frontend::File& tree(const Document& document);
+    [[nodiscard]] const frontend::File& tree_of(const Document& document);
 
     /// True if something changed since the last call.
     [[nodiscard]] bool take_news();
 
 private:
     Document& add(const std::string& path);
-    void drop(Document& document);
+    void drop_results(Document& document);
     void parse(Document& document);
     void update();
 
@@ -107,9 +107,9 @@ public:
         explicit operator bool() const { return document != nullptr; }
     };
     [[nodiscard]] Place find(std::string_view uri);
-    Place open(const std::string& uri, std::string text);
+    Place open_document(const std::string& uri, std::string text);
     void close(const std::string& uri);
-    void refresh(const std::string& uri);
+    void refresh_file(const std::string& uri);
     [[nodiscard]] const std::vector<std::unique_ptr<Project>>& projects() const { return projects_; }
     /// Documents that left a project and still have diagnostics in the editor, by URI.
     [[nodiscard]] std::vector<std::string> take_orphans() { return std::exchange(orphans_, {}); }
@@ -119,8 +119,8 @@ private:
     [[nodiscard]] std::string folder_around(const std::string& path) const;
     [[nodiscard]] std::string root_of(const std::string& path) const;
     Project& project_at(const std::string& root);
-    void rebuild();
-    void disown(const Project& project);
+    void rebuild_projects();
+    void keep_orphans(const Project& project);
 
     diagnostics::Budget* budget_;
     std::vector<std::string> folders_;

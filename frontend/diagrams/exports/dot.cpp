@@ -20,20 +20,20 @@ public:
             "  node [shape=box, fontname=\"DejaVu Sans\", fontsize=11];\n"
             "  edge [fontname=\"DejaVu Sans\", fontsize=10, arrowhead=vee];\n",
             diagnostics::label_text(picture_.title), outline_.is_machine() ? "TB" : "LR");
-        for (const std::size_t box : outline_.inside(none)) write_box(box, "  ");
+        for (const std::size_t box : outline_.boxes_inside(none)) write_box(box, "  ");
         for (const PictureLine& line : picture_.lines) write_line(line);
         return out_ + "}\n";
     }
 
 private:
     [[nodiscard]] bool is_cluster(std::size_t box) const {
-        return !outline_.inside(box).empty() || !outline_.events(box).empty();
+        return !outline_.boxes_inside(box).empty() || !outline_.events_of(box).empty();
     }
 
     /// The lines of a label: the title and the rows.
     [[nodiscard]] std::string text_of(std::size_t box, const char* line_end) const {
-        std::string text = diagnostics::label_text(outline_.title(box));
-        for (const std::string& row : outline_.rows(box)) text += line_end + diagnostics::label_text(row);
+        std::string text = diagnostics::label_text(outline_.title_of_box(box));
+        for (const std::string& row : outline_.rows_of(box)) text += line_end + diagnostics::label_text(row);
         return text;
     }
 
@@ -58,10 +58,10 @@ private:
                             text_of(box, "\\n"));
         // An edge to a cluster ends at an invisible point inside it and is clipped at its border.
         out_ += fmt::format("{}  {} [shape=point, style=invis];\n", indent, outline_.id(box));
-        for (const std::size_t event : outline_.events(box))
+        for (const std::size_t event : outline_.events_of(box))
             out_ += fmt::format("{}  {} [shape=square, label=\"{}\"];\n", indent, outline_.id(event),
-                                diagnostics::label_text(outline_.title(event)));
-        for (const std::size_t inner : outline_.inside(box)) write_box(inner, indent + "  ");
+                                diagnostics::label_text(outline_.title_of_box(event)));
+        for (const std::size_t inner : outline_.boxes_inside(box)) write_box(inner, indent + "  ");
         out_ += indent + "}\n";
     }
 
@@ -73,7 +73,7 @@ private:
             more += fmt::format(", lhead=cluster_{}", outline_.id(line.to));
         if (line.both_ways) more += ", dir=both";
         out_ += fmt::format("  {} -> {} [label=\"{}\"{}];\n", outline_.id(line.from), outline_.id(line.to),
-                            diagnostics::label_text(outline_.label(line)), more);
+                            diagnostics::label_text(outline_.label_of(line)), more);
     }
 
     const Picture& picture_;
@@ -83,7 +83,7 @@ private:
 
 }  // namespace
 
-std::string dot(const Picture& picture) {
+std::string render_dot(const Picture& picture) {
     return DotWriter(picture).write();
 }
 

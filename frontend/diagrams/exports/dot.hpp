@@ -9,6 +9,6 @@
 namespace robochart::diagrams {
 
 /// A directed graph. A box that contains boxes, or has events on its border, becomes a cluster.
-[[nodiscard]] std::string dot(const Picture& picture);
+[[nodiscard]] std::string render_dot(const Picture& picture);
 
 }  // namespace robochart::diagrams

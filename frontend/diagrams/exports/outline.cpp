@@ -33,12 +33,12 @@ std::string Outline::id(std::size_t box) const {
     return fmt::format("n{}", box);
 }
 
-std::string Outline::title(std::size_t box) const {
+std::string Outline::title_of_box(std::size_t box) const {
     const PictureBox& it = picture_.boxes[box];
     return it.texts.empty() ? "" : it.texts.front().text;
 }
 
-std::vector<std::string> Outline::rows(std::size_t box) const {
+std::vector<std::string> Outline::rows_of(std::size_t box) const {
     const PictureBox& it = picture_.boxes[box];
     std::vector<std::string> rows;
     double y = 0;
@@ -63,22 +63,22 @@ std::vector<std::string> Outline::rows(std::size_t box) const {
     return rows;
 }
 
-std::string Outline::label(const PictureLine& line) const {
+std::string Outline::label_of(const PictureLine& line) const {
     if (!line.whole.empty()) return line.whole;
     std::string result;
     for (const Text& text : line.texts) result += (result.empty() ? "" : " ") + text.text;
     return result;
 }
 
-const std::vector<std::size_t>& Outline::inside(std::size_t box) const {
+const std::vector<std::size_t>& Outline::boxes_inside(std::size_t box) const {
     return inside_[box == none ? inside_.size() - 1 : box];
 }
 
-const std::vector<std::size_t>& Outline::events(std::size_t box) const {
+const std::vector<std::size_t>& Outline::events_of(std::size_t box) const {
     return events_[box];
 }
 
-const std::vector<std::size_t>& Outline::lines(std::size_t box) const {
+const std::vector<std::size_t>& Outline::lines_inside(std::size_t box) const {
     return lines_[box == none ? lines_.size() - 1 : box];
 }
 

@@ -18,17 +18,17 @@ public:
     /// An identifier of letters and digits, unique for each box.
     [[nodiscard]] std::string id(std::size_t box) const;
     /// The first line of the box.
-    [[nodiscard]] std::string title(std::size_t box) const;
+    [[nodiscard]] std::string title_of_box(std::size_t box) const;
     /// The other lines of the box: rows or actions. Elided text is complete here.
-    [[nodiscard]] std::vector<std::string> rows(std::size_t box) const;
+    [[nodiscard]] std::vector<std::string> rows_of(std::size_t box) const;
     /// The label on one line.
-    [[nodiscard]] std::string label(const PictureLine& line) const;
+    [[nodiscard]] std::string label_of(const PictureLine& line) const;
     /// The boxes directly in a box (`none`: in no box), without squares of events.
-    [[nodiscard]] const std::vector<std::size_t>& inside(std::size_t box) const;
+    [[nodiscard]] const std::vector<std::size_t>& boxes_inside(std::size_t box) const;
     /// The squares of events on the border of the box.
-    [[nodiscard]] const std::vector<std::size_t>& events(std::size_t box) const;
+    [[nodiscard]] const std::vector<std::size_t>& events_of(std::size_t box) const;
     /// The lines between boxes directly in a box.
-    [[nodiscard]] const std::vector<std::size_t>& lines(std::size_t box) const;
+    [[nodiscard]] const std::vector<std::size_t>& lines_inside(std::size_t box) const;
     /// True for a machine or an operation: lines join boxes, not squares.
     [[nodiscard]] bool is_machine() const { return machine_; }
 

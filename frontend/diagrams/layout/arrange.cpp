@@ -31,7 +31,7 @@ public:
         while (parent_[box] != box) box = parent_[box] = parent_[parent_[box]];
         return box;
     }
-    void join(std::size_t a, std::size_t b) {
+    void join_sets(std::size_t a, std::size_t b) {
         const auto [first, second] = std::minmax({set_of(a), set_of(b)});
         parent_[second] = first;
     }
@@ -44,16 +44,16 @@ private:
 /// before an edit.
 Partition partition_of(const Level& level) {
     Partition partition(level.boxes.size());
-    for (const Edge& edge : level.edges) partition.join(edge.from, edge.to);
+    for (const Edge& edge : level.edges) partition.join_sets(edge.from, edge.to);
     std::size_t pinned = nothing;
     std::map<std::size_t, std::size_t> first_of;
     for (std::size_t b = 0; b < level.boxes.size(); ++b) {
         const Box& box = level.boxes[b];
         if (box.pin != Pin::none) {
             if (pinned == nothing) pinned = b;
-            partition.join(b, pinned);
+            partition.join_sets(b, pinned);
         }
-        if (box.previous) partition.join(b, first_of.emplace(box.previous->part, b).first->second);
+        if (box.previous) partition.join_sets(b, first_of.emplace(box.previous->part, b).first->second);
     }
     return partition;
 }
@@ -104,7 +104,7 @@ struct Layered {
     Ordered ordered;
 };
 
-Layered layered(const Level& level, bool turned, Cycles cycles, diagnostics::Budget* budget) {
+Layered make_layers(const Level& level, bool turned, Cycles cycles, diagnostics::Budget* budget) {
     Layered result;
     result.graph.level = &level;
     result.graph.turned = turned;
@@ -130,11 +130,11 @@ bool same_layers(const Level& level, const Graph& one, const Graph& other) {
 /// first result has crossings. After an edit, it reverses edges of added boxes, if the first result changes the
 /// previous order.
 Layered best_layered(const Level& level, bool turned, diagnostics::Budget* budget) {
-    Layered found = layered(level, turned, Cycles::text, budget);
+    Layered found = make_layers(level, turned, Cycles::text, budget);
     const bool edited = std::ranges::any_of(level.boxes, [](const Box& box) { return box.previous.has_value(); });
     const bool good = edited ? found.ordered.as_before : found.ordered.crossings == 0;
     if (good || found.graph.nodes.size() > most_nodes_twice) return found;
-    Layered other = layered(level, turned, edited ? Cycles::kept : Cycles::few, budget);
+    Layered other = make_layers(level, turned, edited ? Cycles::kept : Cycles::few, budget);
     const bool better = edited ? other.ordered.as_before && other.ordered.crossings <= found.ordered.crossings &&
                                      same_layers(level, found.graph, other.graph)
                                : other.ordered.crossings < found.ordered.crossings;
@@ -254,7 +254,7 @@ Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool tu
 }
 
 /// The size of a page with aspect ratio 3:2 that contains the layout.
-double extent(const Size& size) {
+double page_extent(const Size& size) {
     return std::max(size.width / 1.5, size.height);
 }
 
@@ -265,7 +265,7 @@ bool has_loops(const Level& level) {
 
 }  // namespace
 
-Placement arrange(const Level& level, diagnostics::Budget* budget) {
+Placement arrange_level(const Level& level, diagnostics::Budget* budget) {
     const std::vector<Part> parts = parts_of(level);
     const bool ports = std::ranges::any_of(level.boxes, [](const Box& box) { return !box.ports.empty(); });
     if (ports) return arrange_in(level, parts, true, budget);
@@ -276,7 +276,7 @@ Placement arrange(const Level& level, diagnostics::Budget* budget) {
     // Layout to the right is chosen only if it is clearly better. After an edit, the previous direction is kept unless
     // it is much worse.
     const double bound = !level.previous ? 0.85 : level.previous == Direction::right ? 1.3 : 0.7;
-    return extent(right.size) < bound * extent(down.size) ? right : down;
+    return page_extent(right.size) < bound * page_extent(down.size) ? right : down;
 }
 
 }  // namespace robochart::diagrams::layout

@@ -17,6 +17,6 @@ public:
 };
 
 /// Deterministic: equal levels give bitwise equal placements. Throws TooLarge.
-[[nodiscard]] Placement arrange(const Level& level, diagnostics::Budget* budget = nullptr);
+[[nodiscard]] Placement arrange_level(const Level& level, diagnostics::Budget* budget = nullptr);
 
 }  // namespace robochart::diagrams::layout

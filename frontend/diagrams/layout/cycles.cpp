@@ -43,20 +43,20 @@ public:
 
     void search_from(std::size_t box) {
         if (state_[box] != State::unseen) return;
-        enter(box);
-        while (!path_.empty()) step();
+        enter_box(box);
+        while (!path_.empty()) advance_path();
     }
 
 private:
     enum class State : unsigned char { unseen, on_path, done };
 
-    void enter(std::size_t box) {
+    void enter_box(std::size_t box) {
         state_[box] = State::on_path;
         path_.emplace_back(box, 0);
         graph_.poll();
     }
 
-    void step() {
+    void advance_path() {
         auto& [box, next] = path_.back();
         if (next == out_[box].size()) {
             state_[box] = State::done;
@@ -67,7 +67,7 @@ private:
         const Edge& edge = graph_.level->edges[e];
         const std::size_t target = graph_.reversed[e] ? edge.from : edge.to;
         if (state_[target] == State::on_path) graph_.reversed[e] = !graph_.reversed[e];
-        if (state_[target] == State::unseen) enter(target);
+        if (state_[target] == State::unseen) enter_box(target);
     }
 
     Graph& graph_;
@@ -85,7 +85,7 @@ public:
         : graph_(graph), near_(graph.level->boxes.size()), left_(near_.size(), true), places_(near_.size()) {
         const Level& level = *graph.level;
         for (std::size_t e = 0; e < level.edges.size(); ++e) {
-            const auto [from, to] = ends(e);
+            const auto [from, to] = ends_of(e);
             if (from == to) continue;
             near_[from].out.push_back(to);
             near_[to].in.push_back(from);
@@ -97,20 +97,20 @@ public:
     }
 
     /// The position of each box.
-    std::vector<std::size_t> places() {
+    std::vector<std::size_t> compute_positions() {
         std::size_t first = 0;
         std::size_t behind = near_.size();
         while (first < behind) {
             graph_.poll();
-            const std::size_t box = next();
+            const std::size_t box = choose_next();
             const bool last = near_[box].outs == 0 && near_[box].ins > 0;
             places_[box] = last ? --behind : first++;
-            remove(box);
+            remove_box(box);
         }
         return places_;
     }
 
-    [[nodiscard]] std::pair<std::size_t, std::size_t> ends(std::size_t e) const {
+    [[nodiscard]] std::pair<std::size_t, std::size_t> ends_of(std::size_t e) const {
         const Edge& edge = graph_.level->edges[e];
         return graph_.reversed[e] ? std::pair(edge.to, edge.from) : std::pair(edge.from, edge.to);
     }
@@ -121,7 +121,7 @@ private:
         std::size_t ins = 0, outs = 0;  ///< number of edges from and to boxes that remain
     };
 
-    [[nodiscard]] std::size_t next() const {
+    [[nodiscard]] std::size_t choose_next() const {
         std::size_t best = nothing;
         for (std::size_t box = 0; box < near_.size(); ++box) {
             if (!left_[box]) continue;
@@ -130,7 +130,7 @@ private:
         }
         return best;
     }
-    void remove(std::size_t box) {
+    void remove_box(std::size_t box) {
         left_[box] = false;
         for (const std::size_t each : near_[box].out) --near_[each].ins;
         for (const std::size_t each : near_[box].in) --near_[each].outs;
@@ -144,9 +144,9 @@ private:
 
 void turn_few(Graph& graph) {
     GreedyOrder order(graph);
-    const std::vector<std::size_t> places = order.places();
+    const std::vector<std::size_t> places = order.compute_positions();
     for (std::size_t e = 0; e < graph.reversed.size(); ++e) {
-        const auto [from, to] = order.ends(e);
+        const auto [from, to] = order.ends_of(e);
         if (places[from] > places[to]) graph.reversed[e] = !graph.reversed[e];
     }
 }

@@ -75,11 +75,11 @@ std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& 
 /// The bounding box of everything in a placement.
 class Extent {
 public:
-    void see(const Rectangle& it) {
+    void include_point(const Rectangle& it) {
         low_ = {std::min(low_.x, it.x), std::min(low_.y, it.y)};
         high_ = {std::max(high_.x, it.right()), std::max(high_.y, it.bottom())};
     }
-    void see(const Point& point) { see(Rectangle{point.x, point.y, 0, 0}); }
+    void include_point(const Point& point) { include_point(Rectangle{point.x, point.y, 0, 0}); }
     [[nodiscard]] const Point& low() const { return low_; }
     [[nodiscard]] const Point& high() const { return high_; }
 
@@ -93,7 +93,7 @@ public:
         : level_(level), drawn_(drawn), budget_(budget) {}
 
     /// The placement moved by a vector; the level is at least of size `least`.
-    Placement place(const Point& by, const Size& least) {
+    Placement place_level(const Point& by, const Size& least) {
         placement_ = {};
         placement_.boxes.resize(level_.boxes.size());
         placement_.edges.resize(level_.edges.size());
@@ -103,7 +103,7 @@ public:
         place_boxes(by);
         place_new_boxes(by);
         place_ports();
-        route();
+        route_edges();
         write_labels();
         return std::move(placement_);
     }
@@ -119,15 +119,15 @@ private:
     }
 
     /// The distance that each box moves right and down, because boxes to the left of it or above it have grown.
-    [[nodiscard]] std::vector<Point> shifts() const {
+    [[nodiscard]] std::vector<Point> compute_shifts() const {
         std::vector<Point> result(level_.boxes.size());
-        push(result, &Point::x, &Size::width, &DrawnBox::width);
-        push(result, &Point::y, &Size::height, &DrawnBox::height);
+        push_apart(result, &Point::x, &Size::width, &DrawnBox::width);
+        push_apart(result, &Point::y, &Size::height, &DrawnBox::height);
         return result;
     }
 
-    void push(std::vector<Point>& shifts, double Point::*start, double Size::*growth,
-              std::optional<double> DrawnBox::*length) const {
+    void push_apart(std::vector<Point>& shifts, double Point::*start, double Size::*growth,
+                    std::optional<double> DrawnBox::*length) const {
         std::vector<std::size_t> order;
         for (std::size_t b = 0; b < level_.boxes.size(); ++b)
             if (drawn_.boxes[b]) order.push_back(b);
@@ -144,7 +144,7 @@ private:
     }
 
     void place_boxes(const Point& by) {
-        const std::vector<Point> shifted = shifts();
+        const std::vector<Point> shifted = compute_shifts();
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
             const Box& box = level_.boxes[b];
             if (box.on_border || !drawn_.boxes[b]) continue;
@@ -160,11 +160,11 @@ private:
                 place.height = std::max(place.height, box.size.height);
             }
             placement_.boxes[b].place = place;
-            grow(place);
+            grow_to_include(place);
         }
     }
 
-    void grow(const Rectangle& place) {
+    void grow_to_include(const Rectangle& place) {
         placement_.size.width = std::max(placement_.size.width, place.right() + inset);
         placement_.size.height = std::max(placement_.size.height, place.bottom() + inset);
     }
@@ -198,7 +198,8 @@ private:
             edges.push_back(e);
             fresh.edges.push_back(std::move(edge));
         }
-        take_over(arrange(fresh, budget_), boxes, edges, {inset + by.x, any ? bottom + distance::boxes : inset + by.y});
+        take_over(arrange_level(fresh, budget_), boxes, edges,
+                  {inset + by.x, any ? bottom + distance::boxes : inset + by.y});
     }
 
     void take_over(Placement fresh, const std::vector<std::size_t>& boxes, const std::vector<std::size_t>& edges,
@@ -208,7 +209,7 @@ private:
             box.place.x += by.x;
             box.place.y += by.y;
             for (PlacedPort& port : box.ports) port.centre = {port.centre.x + by.x, port.centre.y + by.y};
-            grow(box.place);
+            grow_to_include(box.place);
         }
         for (std::size_t e = 0; e < edges.size(); ++e) {
             PlacedEdge& edge = placement_.edges[edges[e]] = std::move(fresh.edges[e]);
@@ -218,7 +219,7 @@ private:
         }
     }
 
-    [[nodiscard]] Rectangle frame() const {
+    [[nodiscard]] Rectangle frame_rectangle() const {
         return {0, -drawn_.header, placement_.size.width, placement_.size.height + drawn_.header};
     }
 
@@ -237,7 +238,7 @@ private:
                 placed.ports = squares_of(placed.place, level_.boxes[b].port_start, drawn);
             }
         }
-        const std::vector<PlacedPort> squares = squares_of(frame(), drawn_.header, border);
+        const std::vector<PlacedPort> squares = squares_of(frame_rectangle(), drawn_.header, border);
         for (std::size_t i = 0; i < owners.size(); ++i) {
             placement_.boxes[owners[i]].ports = {squares[i]};
             placement_.boxes[owners[i]].place = square_at(squares[i].centre);
@@ -257,13 +258,13 @@ private:
 
     /// Drawn routes come first, and new routes avoid them. A drawn route that now crosses boxes is replaced by a better
     /// one.
-    void route() {
+    void route_edges() {
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
             if (level_.boxes[b].on_border) continue;
             lines_.add(placement_.boxes[b].place);
             lines_.add_border(placement_.boxes[b].place);
         }
-        lines_.add_border(frame());
+        lines_.add_border(frame_rectangle());
         std::vector<std::size_t> missing;
         for (std::size_t e = 0; e < level_.edges.size(); ++e) {
             if (budget_ != nullptr) budget_->poll();
@@ -283,7 +284,7 @@ private:
             std::vector<Point>& points = placement_.edges[e].points;
             std::vector<Point> better =
                 new_route(end_of(edge.from, edge.from_port), end_of(edge.to, edge.to_port), lines_);
-            if (points.size() < 2 || lines_.cost(better) < lines_.cost(points)) points = std::move(better);
+            if (points.size() < 2 || lines_.route_cost(better) < lines_.route_cost(points)) points = std::move(better);
             add_line(points);
         }
     }
@@ -294,7 +295,7 @@ private:
         const Rectangle header{0, -drawn_.header, placement_.size.width, drawn_.header};
         lines_.add(header);
         labels_.add(header);
-        labels_.add_border(frame());
+        labels_.add_border(frame_rectangle());
         label_edges();
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
             if (budget_ != nullptr) budget_->poll();
@@ -325,7 +326,7 @@ private:
             if (size.empty()) continue;
             const std::optional<DrawnEdge>& drawn = drawn_.edges[e];
             const Point* offset = drawn && drawn->label ? &*drawn->label : nullptr;
-            placed.label = lines_.best(label_places(placed.points, size, offset));
+            placed.label = lines_.choose_place(label_places(placed.points, size, offset));
             lines_.add(placed.label);
             labels_.add(placed.label);
         }
@@ -343,23 +344,23 @@ private:
 
 Placement arrange_as_drawn(const Level& level, const DrawnLevel& drawn, diagnostics::Budget* budget) {
     DrawnArrangement arrangement(level, drawn, budget);
-    Placement first = arrangement.place({0, 0}, drawn.size);
+    Placement first = arrangement.place_level({0, 0}, drawn.size);
     // The bounding box of lines and labels, which may extend beyond the boxes.
     Extent extent;
     for (std::size_t b = 0; b < level.boxes.size(); ++b)
-        if (!level.boxes[b].on_border) extent.see(first.boxes[b].place);
+        if (!level.boxes[b].on_border) extent.include_point(first.boxes[b].place);
     for (const PlacedEdge& edge : first.edges) {
         // The ends are at boxes, which are included already. Bends above the level lead to squares of the enclosing
         // box.
         for (std::size_t i = 1; i + 1 < edge.points.size(); ++i)
-            if (edge.points[i].y >= 0) extent.see(edge.points[i]);
-        if (!edge.label.empty()) extent.see(edge.label);
+            if (edge.points[i].y >= 0) extent.include_point(edge.points[i]);
+        if (!edge.label.empty()) extent.include_point(edge.label);
     }
     const Point by{extent.low().x < 0 ? inset - extent.low().x : 0, extent.low().y < 0 ? inset - extent.low().y : 0};
     const Size least{std::max(first.size.width, extent.high().x + inset) + by.x,
                      std::max(first.size.height, extent.high().y + inset) + by.y};
     if (by == Point{} && least == first.size) return first;
-    return arrangement.place(by, least);
+    return arrangement.place_level(by, least);
 }
 
 }  // namespace robochart::diagrams::layout

@@ -126,7 +126,8 @@ std::vector<PlacedPort> squares_of(const Rectangle& box, double header, const Dr
 void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space) {
     for (std::size_t p = 0; p < ports.size(); ++p) {
         if (drawn.labels[p].empty()) continue;
-        ports[p].label = space.best(label_places(ports[p].centre, drawn.labels[p], label_side(drawn, p, ports[p])));
+        ports[p].label =
+            space.choose_place(label_places(ports[p].centre, drawn.labels[p], label_side(drawn, p, ports[p])));
         space.add(*ports[p].label);
     }
 }

@@ -36,7 +36,7 @@ Range extent_along(const RouteEnd& end, bool horizontal) {
 }
 
 /// The range in which a segment may end at a box, without the corners.
-Range slots(const RouteEnd& end, bool horizontal) {
+Range slot_range(const RouteEnd& end, bool horizontal) {
     const Range side = extent_along(end, !horizontal);
     const double half = (side.high - side.low) / 2;
     double reach = std::max(half - 5, half / 2);
@@ -45,7 +45,7 @@ Range slots(const RouteEnd& end, bool horizontal) {
     return {side.middle() - reach, side.middle() + reach};
 }
 
-double clamped(double value, const Range& range) {
+double clamp_to_range(double value, const Range& range) {
     return std::clamp(value, range.low, range.high);
 }
 
@@ -54,7 +54,7 @@ double clamped(double value, const Range& range) {
 void begin_at(std::vector<Piece>& pieces, const RouteEnd& end) {
     while (pieces.size() > 1 && extent_along(end, pieces[0].horizontal).contains(pieces[1].at))
         pieces.erase(pieces.begin());
-    pieces.front().at = clamped(pieces.front().at, slots(end, pieces.front().horizontal));
+    pieces.front().at = clamp_to_range(pieces.front().at, slot_range(end, pieces.front().horizontal));
 }
 
 /// The range of a box along a segment that ends at it.
@@ -79,10 +79,10 @@ Point point_at(const Piece& piece, double along) {
 }
 
 /// A route of one segment.
-std::vector<Point> straight(const Piece& piece, const RouteEnd& from, const RouteEnd& to) {
-    const Range range = overlap_of(slots(from, piece.horizontal), slots(to, piece.horizontal));
+std::vector<Point> straight_route(const Piece& piece, const RouteEnd& from, const RouteEnd& to) {
+    const Range range = overlap_of(slot_range(from, piece.horizontal), slot_range(to, piece.horizontal));
     if (range.empty()) return {};
-    const Piece moved{piece.horizontal, clamped(piece.at, range)};
+    const Piece moved{piece.horizontal, clamp_to_range(piece.at, range)};
     const Range source = covered_by(from, moved);
     const Range target = covered_by(to, moved);
     if (source.high < target.low) return {point_at(moved, source.high), point_at(moved, target.low)};
@@ -91,7 +91,7 @@ std::vector<Point> straight(const Piece& piece, const RouteEnd& from, const Rout
 }
 
 /// Removes points that are not bends.
-std::vector<Point> simplified(const std::vector<Point>& points) {
+std::vector<Point> remove_straight_points(const std::vector<Point>& points) {
     constexpr double tiny = 0.01;
     std::vector<Point> result;
     for (const Point& point : points) {
@@ -116,14 +116,14 @@ std::vector<Point> points_of(std::vector<Piece> pieces, const RouteEnd& from, co
     std::ranges::reverse(pieces);
     begin_at(pieces, to);
     std::ranges::reverse(pieces);
-    if (pieces.size() == 1) return straight(pieces.front(), from, to);
+    if (pieces.size() == 1) return straight_route(pieces.front(), from, to);
     const auto start = side_towards(covered_by(from, pieces.front()), pieces[1].at);
     const auto end = side_towards(covered_by(to, pieces.back()), pieces[pieces.size() - 2].at);
     if (!start || !end) return {};
     std::vector<Point> points{point_at(pieces.front(), *start)};
     for (std::size_t i = 1; i < pieces.size(); ++i) points.push_back(point_at(pieces[i - 1], pieces[i].at));
     points.push_back(point_at(pieces.back(), *end));
-    return simplified(points);
+    return remove_straight_points(points);
 }
 
 /// Appends a segment; consecutive segments of one direction are merged.
@@ -230,7 +230,7 @@ void begin_oblique(std::vector<Point>& points, const RouteEnd& end) {
                       {std::clamp(points[0].x, box.x, box.right()), std::clamp(points[0].y, box.y, box.bottom())});
 }
 
-std::vector<Point> oblique(std::vector<Point> points, const RouteEnd& from, const RouteEnd& to) {
+std::vector<Point> make_oblique(std::vector<Point> points, const RouteEnd& from, const RouteEnd& to) {
     if (from.place == to.place && points.size() < 4) return {};
     begin_oblique(points, from);
     std::ranges::reverse(points);
@@ -240,14 +240,14 @@ std::vector<Point> oblique(std::vector<Point> points, const RouteEnd& from, cons
 }
 
 /// Possible positions of an end on a side, the middle first.
-std::vector<double> tries(const Range& range) {
+std::vector<double> positions_to_try(const Range& range) {
     const double step = (range.high - range.low) / 4;
     if (step < 3) return {range.middle()};
     return {range.middle(), range.low + step, range.high - step, range.low, range.high};
 }
 
 /// Possible positions of the middle segment of three.
-std::vector<double> between(const Range& a, const Range& b) {
+std::vector<double> middle_positions(const Range& a, const Range& b) {
     std::vector<double> places;
     if (a.high < b.low || b.high < a.low) {
         const Range gap = a.high < b.low ? Range{a.high, b.low} : Range{b.high, a.low};
@@ -269,7 +269,7 @@ std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, c
     if (!stored) return {};
     const std::vector<Point> points = bends_of(edge, from, to);
     if (edge.right_angled && edge.bends.size() == 2 && is_askew(edge, 1)) return {};
-    return edge.right_angled ? points_of(pieces_of(edge, points, from, to), from, to) : oblique(points, from, to);
+    return edge.right_angled ? points_of(pieces_of(edge, points, from, to), from, to) : make_oblique(points, from, to);
 }
 
 std::vector<Point> new_route(const RouteEnd& from, const RouteEnd& to, const FreeSpace& space) {
@@ -278,27 +278,28 @@ std::vector<Point> new_route(const RouteEnd& from, const RouteEnd& to, const Fre
     const auto see = [&](std::vector<Piece> pieces) {
         std::vector<Point> points = points_of(std::move(pieces), from, to);
         if (points.size() < 2) return;
-        if (const double cost = space.cost(points); cost < least) {
+        if (const double cost = space.route_cost(points); cost < least) {
             least = cost;
             best = std::move(points);
         }
     };
     const bool loop = from.place == to.place;
     for (const bool horizontal : {true, false}) {
-        const Range common = overlap_of(slots(from, horizontal), slots(to, horizontal));
+        const Range common = overlap_of(slot_range(from, horizontal), slot_range(to, horizontal));
         if (!loop && !common.empty())
-            for (const double at : tries(common)) see({{horizontal, at}});
-        for (const double first : tries(slots(from, horizontal))) {
+            for (const double at : positions_to_try(common)) see({{horizontal, at}});
+        for (const double first : positions_to_try(slot_range(from, horizontal))) {
             if (loop)  // around a corner
                 see({{horizontal, first},
                      {!horizontal, extent_along(from, horizontal).high + loop_reach},
                      {horizontal, extent_along(from, !horizontal).high + loop_reach},
-                     {!horizontal, slots(from, !horizontal).middle()}});
+                     {!horizontal, slot_range(from, !horizontal).middle()}});
             else
-                for (const double last : tries(slots(to, !horizontal))) see({{horizontal, first}, {!horizontal, last}});
-            for (const double last : tries(slots(to, horizontal))) {
+                for (const double last : positions_to_try(slot_range(to, !horizontal)))
+                    see({{horizontal, first}, {!horizontal, last}});
+            for (const double last : positions_to_try(slot_range(to, horizontal))) {
                 if (loop && last <= first) continue;
-                for (const double at : between(extent_along(from, horizontal), extent_along(to, horizontal)))
+                for (const double at : middle_positions(extent_along(from, horizontal), extent_along(to, horizontal)))
                     see({{horizontal, first}, {!horizontal, at}, {horizontal, last}});
             }
         }

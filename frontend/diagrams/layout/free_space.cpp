@@ -9,7 +9,7 @@ namespace robochart::diagrams::layout {
 namespace {
 
 /// The length of the intersection of two ranges.
-double common(double a_low, double a_high, double b_low, double b_high) {
+double overlap_length(double a_low, double a_high, double b_low, double b_high) {
     return std::max(0.0, std::min(a_high, b_high) - std::max(a_low, b_low));
 }
 
@@ -31,7 +31,7 @@ double length_within(const Point& from, const Point& to, const Rectangle& it) {
     return last <= first ? 0 : (last - first) * std::hypot(to.x - from.x, to.y - from.y);
 }
 
-Rectangle around(const Point& a, const Point& b, double margin) {
+Rectangle rectangle_around(const Point& a, const Point& b, double margin) {
     const double x = std::min(a.x, b.x);
     const double y = std::min(a.y, b.y);
     return {x - margin, y - margin, std::abs(a.x - b.x) + 2 * margin, std::abs(a.y - b.y) + 2 * margin};
@@ -49,21 +49,22 @@ void FreeSpace::add_border(const Rectangle& it) {
     add(corners);
 }
 
-double FreeSpace::taken(const Rectangle& it) const {
+double FreeSpace::occupied_area(const Rectangle& it) const {
     double result = 0;
     for (const Rectangle& other : rectangles_)
-        result += common(it.x, it.right(), other.x, other.right()) * common(it.y, it.bottom(), other.y, other.bottom());
+        result += overlap_length(it.x, it.right(), other.x, other.right()) *
+                  overlap_length(it.y, it.bottom(), other.y, other.bottom());
     constexpr double line_width = 4;
     for (const Segment& segment : segments_) result += line_width * length_within(segment.from, segment.to, it);
     return result;
 }
 
-Rectangle FreeSpace::best(std::span<const Rectangle> places) const {
+Rectangle FreeSpace::choose_place(std::span<const Rectangle> places) const {
     Rectangle result = places.front();
-    double least = taken(result);
+    double least = occupied_area(result);
     for (const Rectangle& place : places.subspan(1)) {
         if (least == 0) break;
-        if (const double here = taken(place); here < least) {
+        if (const double here = occupied_area(place); here < least) {
             least = here;
             result = place;
         }
@@ -78,7 +79,7 @@ bool FreeSpace::is_crossed(std::span<const Point> line) const {
     return false;
 }
 
-double FreeSpace::cost(const Segment& piece) const {
+double FreeSpace::route_cost(const Segment& piece) const {
     constexpr double through_box = 1000;
     constexpr double on_line = 0.5;  // fraction of its length
     constexpr double crossing = 20;
@@ -86,7 +87,7 @@ double FreeSpace::cost(const Segment& piece) const {
     double result = 0.1 * std::hypot(piece.to.x - piece.from.x, piece.to.y - piece.from.y);
     for (const Rectangle& box : rectangles_)
         if (length_within(piece.from, piece.to, box) > 0.5) result += through_box;
-    const Rectangle wide = around(piece.from, piece.to, near);
+    const Rectangle wide = rectangle_around(piece.from, piece.to, near);
     for (const Segment& other : segments_) {
         const double within = length_within(other.from, other.to, wide);
         if (within > 0) result += crossing + (within > 3 * near ? on_line * within : 0);
@@ -94,10 +95,10 @@ double FreeSpace::cost(const Segment& piece) const {
     return result;
 }
 
-double FreeSpace::cost(std::span<const Point> line) const {
+double FreeSpace::route_cost(std::span<const Point> line) const {
     constexpr double bend = 10;
     double result = bend * static_cast<double>(line.size());
-    for (std::size_t i = 1; i < line.size(); ++i) result += cost(Segment{line[i - 1], line[i]});
+    for (std::size_t i = 1; i < line.size(); ++i) result += route_cost(Segment{line[i - 1], line[i]});
     return result;
 }
 

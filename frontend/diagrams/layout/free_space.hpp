@@ -19,20 +19,20 @@ public:
     void add_border(const Rectangle& it);
 
     /// The occupied area of the rectangle; 0 if it is free.
-    [[nodiscard]] double taken(const Rectangle& it) const;
+    [[nodiscard]] double occupied_area(const Rectangle& it) const;
     /// The first free place; if there is none, the least occupied one. There must be at least one place.
-    [[nodiscard]] Rectangle best(std::span<const Rectangle> places) const;
+    [[nodiscard]] Rectangle choose_place(std::span<const Rectangle> places) const;
     /// True if the line crosses one of the rectangles.
     [[nodiscard]] bool is_crossed(std::span<const Point> line) const;
     /// The cost of a line of horizontal and vertical segments. Crossed boxes cost most; then lines that it crosses or
     /// overlaps, its bends and its length.
-    [[nodiscard]] double cost(std::span<const Point> line) const;
+    [[nodiscard]] double route_cost(std::span<const Point> line) const;
 
 private:
     struct Segment {
         Point from, to;
     };
-    [[nodiscard]] double cost(const Segment& piece) const;
+    [[nodiscard]] double route_cost(const Segment& piece) const;
 
     std::vector<Rectangle> rectangles_;
     std::vector<Segment> segments_;

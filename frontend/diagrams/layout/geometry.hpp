@@ -32,7 +32,7 @@ struct Rectangle {
 enum class Side { left, right, top, bottom };
 
 /// True if the rectangles overlap by more than `apart` in both directions.
-[[nodiscard]] inline bool overlap(const Rectangle& a, const Rectangle& b, double apart = 0) {
+[[nodiscard]] inline bool rectangles_overlap(const Rectangle& a, const Rectangle& b, double apart = 0) {
     return a.x + apart < b.right() && b.x + apart < a.right() && a.y + apart < b.bottom() && b.y + apart < a.bottom();
 }
 

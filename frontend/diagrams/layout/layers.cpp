@@ -14,7 +14,7 @@ struct Neighbours {
     std::vector<std::vector<std::size_t>> up, down;
 };
 
-Neighbours neighbours(const Graph& graph) {
+Neighbours find_neighbours(const Graph& graph) {
     const Level& level = *graph.level;
     Neighbours result{std::vector<std::vector<std::size_t>>(level.boxes.size()),
                       std::vector<std::vector<std::size_t>>(level.boxes.size())};
@@ -50,8 +50,8 @@ std::size_t first_layer(const Level& level, std::size_t box, bool some_first) {
 }
 
 /// Moves each box to the end of its free layers at which its edges are shorter. Returns true if one moved.
-bool shorten(const Graph& graph, const Neighbours& near, const std::vector<std::size_t>& order,
-             std::vector<std::size_t>& layers) {
+bool shorten_edges(const Graph& graph, const Neighbours& near, const std::vector<std::size_t>& order,
+                   std::vector<std::size_t>& layers) {
     bool moved = false;
     for (auto at = order.rbegin(); at != order.rend(); ++at) {
         const std::size_t box = *at;
@@ -67,7 +67,7 @@ bool shorten(const Graph& graph, const Neighbours& near, const std::vector<std::
 }
 
 /// Moves boxes pinned to the end to the last layer, and removes empty layers.
-void finish(const Level& level, std::vector<std::size_t>& layers) {
+void finish_layers(const Level& level, std::vector<std::size_t>& layers) {
     std::size_t end = 0;
     for (std::size_t b = 0; b < layers.size(); ++b)
         if (level.boxes[b].pin != Pin::last) end = std::max(end, layers[b] + 1);
@@ -84,7 +84,7 @@ void finish(const Level& level, std::vector<std::size_t>& layers) {
 
 void assign_layers(Graph& graph) {
     const Level& level = *graph.level;
-    const Neighbours near = neighbours(graph);
+    const Neighbours near = find_neighbours(graph);
     const std::vector<std::size_t> order = topological_order(near);
     const bool some_first = std::ranges::any_of(level.boxes, [](const Box& box) { return box.pin == Pin::first; });
     std::vector<std::size_t>& layers = graph.layer_of_box;
@@ -95,8 +95,8 @@ void assign_layers(Graph& graph) {
         for (const std::size_t above : near.up[box]) layer = std::max(layer, layers[above] + 1);
         layers[box] = level.boxes[box].pin == Pin::first ? 0 : layer;
     }
-    for (int round = 0; round < 8 && shorten(graph, near, order, layers); ++round) graph.poll();
-    finish(level, layers);
+    for (int round = 0; round < 8 && shorten_edges(graph, near, order, layers); ++round) graph.poll();
+    finish_layers(level, layers);
 }
 
 }  // namespace robochart::diagrams::layout

@@ -22,7 +22,7 @@ class NodeMaker {
 public:
     explicit NodeMaker(Graph& graph) : graph_(graph), level_(*graph.level) {}
 
-    void make() {
+    void make_all() {
         make_boxes();
         decide_sides();
         graph_.chains.resize(level_.edges.size());
@@ -103,12 +103,13 @@ private:
         const bool upper_down = leaves_down(upper, true);
         const bool lower_down = leaves_down(lower, true);
         if (upper_down == lower_down) {
-            link(e, upper.box, lower.box, upper_down ? Link::Turn::under : Link::Turn::over, upper.port, lower.port);
+            add_link(e, upper.box, lower.box, upper_down ? Link::Turn::under : Link::Turn::over, upper.port,
+                     lower.port);
             return;
         }
-        const std::size_t middle = node(e, graph_.nodes[upper.box].layer);
-        link(e, upper.box, middle, upper_down ? Link::Turn::under : Link::Turn::over, upper.port, nothing);
-        link(e, middle, lower.box, lower_down ? Link::Turn::under : Link::Turn::over, nothing, lower.port);
+        const std::size_t middle = add_node(e, graph_.nodes[upper.box].layer);
+        add_link(e, upper.box, middle, upper_down ? Link::Turn::under : Link::Turn::over, upper.port, nothing);
+        add_link(e, middle, lower.box, lower_down ? Link::Turn::under : Link::Turn::over, nothing, lower.port);
     }
 
     void make_chain(std::size_t e, const End& upper, const End& lower) {
@@ -117,28 +118,28 @@ private:
         std::size_t at = upper.box;
         std::size_t port = upper.port;
         if (!leaves_down(upper, true)) {
-            const std::size_t turn = node(e, first);
-            link(e, at, turn, Link::Turn::over, port, nothing);
+            const std::size_t turn = add_node(e, first);
+            add_link(e, at, turn, Link::Turn::over, port, nothing);
             at = turn;
             port = nothing;
         }
         const std::size_t half = first / 2 + last / 2;
         const std::size_t label_layer = half % 2 == 1 ? half : half - 1;
         for (std::size_t layer = first + 1; layer < last; ++layer) {
-            const std::size_t next = node(e, layer, layer == label_layer);
-            link(e, at, next, Link::Turn::none, std::exchange(port, nothing), nothing);
+            const std::size_t next = add_node(e, layer, layer == label_layer);
+            add_link(e, at, next, Link::Turn::none, std::exchange(port, nothing), nothing);
             at = next;
         }
         if (leaves_down(lower, false)) {
-            const std::size_t turn = node(e, last);
-            link(e, at, turn, Link::Turn::none, port, nothing);
-            link(e, turn, lower.box, Link::Turn::under, nothing, lower.port);
+            const std::size_t turn = add_node(e, last);
+            add_link(e, at, turn, Link::Turn::none, port, nothing);
+            add_link(e, turn, lower.box, Link::Turn::under, nothing, lower.port);
         } else {
-            link(e, at, lower.box, Link::Turn::none, port, lower.port);
+            add_link(e, at, lower.box, Link::Turn::none, port, lower.port);
         }
     }
 
-    std::size_t node(std::size_t e, std::size_t layer, bool with_label = false) {
+    std::size_t add_node(std::size_t e, std::size_t layer, bool with_label = false) {
         if (graph_.nodes.size() >= most_nodes) throw TooLarge("too many nodes and transitions to be drawn");
         Node node;
         node.edge = e;
@@ -153,8 +154,8 @@ private:
         return graph_.nodes.size() - 1;
     }
 
-    void link(std::size_t e, std::size_t upper, std::size_t lower, Link::Turn turn, std::size_t upper_port,
-              std::size_t lower_port) {
+    void add_link(std::size_t e, std::size_t upper, std::size_t lower, Link::Turn turn, std::size_t upper_port,
+                  std::size_t lower_port) {
         const std::size_t number = graph_.links.size();
         Link link;
         link.upper = upper;
@@ -233,7 +234,7 @@ private:
 }  // namespace
 
 void make_nodes(Graph& graph) {
-    NodeMaker(graph).make();
+    NodeMaker(graph).make_all();
 }
 
 }  // namespace robochart::diagrams::layout

@@ -42,18 +42,18 @@ public:
         std::size_t fewest = SIZE_MAX;
         const bool known = keep_order();
         if (known) {
-            const std::size_t crossing = crossings();
+            const std::size_t crossing = count_crossings();
             fewest = crossing - std::min(crossing, 2 + crossing / 4);  // the kept order may be slightly worse
             best = graph_.layers;
         }
         const Layers before = known ? best : Layers();
         for (std::size_t start = 0; start < effort.starts && fewest > 0; ++start) {
             begin(start);
-            improve(effort, best, fewest);
+            improve_order(effort, best, fewest);
         }
         graph_.layers = best;
-        number();
-        return {crossings(), !known || best == before};
+        number_positions();
+        return {count_crossings(), !known || best == before};
     }
 
 private:
@@ -61,10 +61,10 @@ private:
         std::vector<std::size_t> up, down;
     };
 
-    void number() {
-        for (const auto& layer : graph_.layers) number(layer);
+    void number_positions() {
+        for (const auto& layer : graph_.layers) number_positions(layer);
     }
-    void number(const std::vector<std::size_t>& layer) {
+    void number_positions(const std::vector<std::size_t>& layer) {
         for (std::size_t i = 0; i < layer.size(); ++i) nodes_[layer[i]].position = i;
     }
 
@@ -74,7 +74,7 @@ private:
             std::ranges::sort(layer);
             std::ranges::stable_sort(layer, [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
         }
-        number();
+        number_positions();
     }
 
     /// Restores the order before an edit and inserts new nodes where they cause the fewest crossings. Returns false if
@@ -95,7 +95,7 @@ private:
                 if (places[n] == nothing) added.push_back(n);
             std::erase_if(layer, [&](std::size_t n) { return places[n] == nothing; });
             std::ranges::stable_sort(layer, [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
-            number(layer);
+            number_positions(layer);
         }
         for (int round = 0; round < 3; ++round)
             for (const std::size_t n : added) insert_best(n);
@@ -117,7 +117,7 @@ private:
         graph_.poll();
         auto& layer = graph_.layers[nodes_[n].layer];
         std::erase(layer, n);
-        number(layer);
+        number_positions(layer);
         std::size_t least = SIZE_MAX;
         std::size_t place = 0;
         const Near& own = neighbours_[n];
@@ -133,7 +133,7 @@ private:
             cost = cost - crossings_between(own, other) + crossings_between(other, own);
         }
         layer.insert(layer.begin() + static_cast<std::ptrdiff_t>(place), n);
-        number(layer);
+        number_positions(layer);
     }
 
     void begin(std::size_t start) {
@@ -180,12 +180,12 @@ private:
         return keys;
     }
 
-    void improve(const Effort& effort, Layers& best, std::size_t& fewest) {
+    void improve_order(const Effort& effort, Layers& best, std::size_t& fewest) {
         std::size_t without_gain = 0;
         for (std::size_t sweep = 0; sweep <= effort.sweeps && without_gain < 5 && fewest > 0; ++sweep, ++without_gain) {
-            if (sweep > 0) this->sweep(sweep % 2 == 1);
-            for (std::size_t i = 0; i < effort.exchanges && exchange(); ++i) graph_.poll();
-            const std::size_t now = crossings();
+            if (sweep > 0) this->sweep_layers(sweep % 2 == 1);
+            for (std::size_t i = 0; i < effort.exchanges && exchange_neighbours(); ++i) graph_.poll();
+            const std::size_t now = count_crossings();
             if (now >= fewest) continue;
             fewest = now;
             best = graph_.layers;
@@ -193,7 +193,7 @@ private:
         }
     }
 
-    void sweep(bool downwards) {
+    void sweep_layers(bool downwards) {
         const std::size_t count = graph_.layers.size();
         for (std::size_t i = 1; i < count; ++i) {
             graph_.poll();
@@ -212,7 +212,7 @@ private:
         }
         std::ranges::stable_sort(keyed, [](const auto& a, const auto& b) { return a.first < b.first; });
         std::ranges::transform(keyed, layer.begin(), [](const auto& entry) { return entry.second; });
-        number(layer);
+        number_positions(layer);
     }
 
     /// The number of crossings, on one side, between the edges of two nodes if `a` is left of `b`.
@@ -229,7 +229,7 @@ private:
     }
 
     /// Exchanges adjacent nodes if that reduces the number of crossings.
-    bool exchange() {
+    bool exchange_neighbours() {
         bool changed = false;
         for (auto& layer : graph_.layers)
             for (std::size_t i = 0; i + 1 < layer.size(); ++i) {
@@ -245,7 +245,7 @@ private:
         return changed;
     }
 
-    [[nodiscard]] std::size_t crossings() const {
+    [[nodiscard]] std::size_t count_crossings() const {
         std::size_t count = 0;
         for (std::size_t i = 0; i + 1 < graph_.layers.size(); ++i) count += crossings_below(i);
         return count;

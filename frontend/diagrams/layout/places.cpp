@@ -17,7 +17,7 @@ namespace {
 constexpr double far = 1e9;
 
 /// The nearest whole number. Halves are rounded up on both sides of zero, so that distances are kept.
-double whole(double x) {
+double round_half_up(double x) {
     return std::floor(x + 0.5);
 }
 
@@ -27,7 +27,7 @@ struct Interval {
     [[nodiscard]] bool empty() const { return low > high; }
     [[nodiscard]] double nearest(double x) const { return std::clamp(x, low, high); }
 };
-Interval common(const Interval& a, const Interval& b) {
+Interval intersection_of(const Interval& a, const Interval& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
@@ -40,7 +40,7 @@ double distance_between(const Graph& graph, const Node& left, const Node& right)
 }
 
 /// The minimum distance between the x of two adjacent nodes of a layer.
-double separation(const Graph& graph, const Node& left, const Node& right) {
+double minimum_separation(const Graph& graph, const Node& left, const Node& right) {
     return left.after + right.before + distance_between(graph, left, right);
 }
 
@@ -63,10 +63,10 @@ public:
     explicit Placing(Graph& graph) : graph_(graph), nodes_(graph.nodes) {}
 
     void run() {
-        pack();
+        pack_layers();
         const bool large = nodes_.size() > 3'000;
-        for (int round = 0; round < (large ? 2 : 6); ++round) sweep(round % 2 == 0, true);
-        for (int round = 0; round < (large ? 2 : 24); ++round) sweep(round % 2 == 0, false);
+        for (int round = 0; round < (large ? 2 : 6); ++round) sweep_layers(round % 2 == 0, true);
+        for (int round = 0; round < (large ? 2 : 24); ++round) sweep_layers(round % 2 == 0, false);
         if (graph_.has_ports && !large) meet_ports();
         for (int round = 0; round < 3; ++round) straighten_all();
         round_all();
@@ -95,7 +95,7 @@ private:
                 link.upper_offset = link.upper_x - nodes_[link.upper].x;
                 link.lower_offset = link.lower_x - nodes_[link.lower].x;
             }
-            sweep(round % 2 == 0, false);
+            sweep_layers(round % 2 == 0, false);
         }
         round_all();
         for (int round = 0; round < 2; ++round)
@@ -121,31 +121,32 @@ private:
         nodes_[n].x = free_around(n).nearest(nodes_[n].x + best->first);
     }
 
-    void pack() {
+    void pack_layers() {
         for (const auto& layer : graph_.layers) {
             double x = 0;
             for (std::size_t i = 0; i < layer.size(); ++i) {
-                if (i > 0) x += separation(graph_, nodes_[layer[i - 1]], nodes_[layer[i]]);
+                if (i > 0) x += minimum_separation(graph_, nodes_[layer[i - 1]], nodes_[layer[i]]);
                 nodes_[layer[i]].x = x;
             }
             for (const std::size_t n : layer) nodes_[n].x -= x / 2;
         }
     }
 
-    void sweep(bool downwards, bool one_sided) {
+    void sweep_layers(bool downwards, bool one_sided) {
         const std::size_t count = graph_.layers.size();
         for (std::size_t i = 0; i < count; ++i) {
             graph_.poll();
-            solve(graph_.layers[downwards ? i : count - 1 - i], !one_sided || downwards, !one_sided || !downwards);
+            place_layer(graph_.layers[downwards ? i : count - 1 - i], !one_sided || downwards,
+                        !one_sided || !downwards);
         }
     }
 
-    void solve(const std::vector<std::size_t>& layer, bool above, bool below) {
+    void place_layer(const std::vector<std::size_t>& layer, bool above, bool below) {
         std::vector<Wish> wishes;
         for (std::size_t i = 0; i < layer.size(); ++i) {
             const Node& node = nodes_[layer[i]];
-            Wish wish = this->wish(node, above, below);
-            if (i > 0) wish.gap = separation(graph_, nodes_[layer[i - 1]], node);
+            Wish wish = this->wish_for(node, above, below);
+            if (i > 0) wish.gap = minimum_separation(graph_, nodes_[layer[i - 1]], node);
             wishes.push_back(wish);
         }
         const std::vector<double> places = nearest_places(wishes);
@@ -153,7 +154,7 @@ private:
     }
 
     /// The mean position of the neighbours; a node between two lines follows those lines.
-    [[nodiscard]] Wish wish(const Node& node, bool above, bool below) const {
+    [[nodiscard]] Wish wish_for(const Node& node, bool above, bool below) const {
         double sum = 0;
         double weight = 0;
         const auto add = [&](const std::vector<std::size_t>& links, bool up) {
@@ -180,17 +181,17 @@ private:
         Interval result;
         if (node.position > 0) {
             const Node& left = nodes_[layer[node.position - 1]];
-            result.low = left.x + separation(graph_, left, node);
+            result.low = left.x + minimum_separation(graph_, left, node);
         }
         if (node.position + 1 < layer.size()) {
             const Node& right = nodes_[layer[node.position + 1]];
-            result.high = right.x - separation(graph_, node, right);
+            result.high = right.x - minimum_separation(graph_, node, right);
         }
         return result;
     }
 
     /// The nodes that an edge passes, without the boxes at its ends.
-    [[nodiscard]] std::vector<std::size_t> passed(std::size_t edge) const {
+    [[nodiscard]] std::vector<std::size_t> nodes_passed_by(std::size_t edge) const {
         std::vector<std::size_t> result;
         for (const std::size_t l : graph_.chains[edge])
             if (!nodes_[graph_.links[l].lower].is_box()) result.push_back(graph_.links[l].lower);
@@ -203,26 +204,26 @@ private:
             if (graph_.chains[e].size() < 2) continue;
             const Link& first = graph_.links[graph_.chains[e].front()];
             const Link& last = graph_.links[graph_.chains[e].back()];
-            straighten(passed(e), side_of(graph_, nodes_[first.upper], nodes_[first.upper].down.size()),
-                       side_of(graph_, nodes_[last.lower], nodes_[last.lower].up.size()));
+            straighten_chain(nodes_passed_by(e), side_of(graph_, nodes_[first.upper], nodes_[first.upper].down.size()),
+                             side_of(graph_, nodes_[last.lower], nodes_[last.lower].up.size()));
         }
     }
 
     /// Moves the nodes to one x, or to few if no common one exists; if possible, above both ends.
-    void straighten(const std::vector<std::size_t>& chain, const Interval& upper, const Interval& lower) {
+    void straighten_chain(const std::vector<std::size_t>& chain, const Interval& upper, const Interval& lower) {
         for (std::size_t begin = 0; begin < chain.size();) {
             Interval free = free_around(chain[begin]);
             double sum = nodes_[chain[begin]].x;
             std::size_t end = begin + 1;
             for (; end < chain.size(); ++end) {
-                const Interval narrower = common(free, free_around(chain[end]));
+                const Interval narrower = intersection_of(free, free_around(chain[end]));
                 if (narrower.empty()) break;
                 free = narrower;
                 sum += nodes_[chain[end]].x;
             }
             if (free.empty()) free = {nodes_[chain[begin]].x, nodes_[chain[begin]].x};  // due to a rounding error
-            if (begin == 0 && !common(free, upper).empty()) free = common(free, upper);
-            if (end == chain.size() && !common(free, lower).empty()) free = common(free, lower);
+            if (begin == 0 && !intersection_of(free, upper).empty()) free = intersection_of(free, upper);
+            if (end == chain.size() && !intersection_of(free, lower).empty()) free = intersection_of(free, lower);
             const double x = free.nearest(sum / static_cast<double>(end - begin));
             for (; begin < end; ++begin) nodes_[chain[begin]].x = x;
         }
@@ -230,7 +231,7 @@ private:
 
     /// Rounds to whole pixels, so that straight lines are exactly straight.
     void round_all() {
-        for (Node& node : nodes_) node.x = whole(node.x);
+        for (Node& node : nodes_) node.x = round_half_up(node.x);
     }
 
     /// Edge ends on one side of a box that share a position.
@@ -265,7 +266,7 @@ private:
         const Interval side = side_of(graph_, node, slots.size());
         const std::vector<double> places = nearest_places(wishes, side.low, std::max(side.low, side.high));
         for (std::size_t i = 0; i < slots.size(); ++i) {
-            const double x = node.x + whole(places[i] - node.x);
+            const double x = node.x + round_half_up(places[i] - node.x);
             if (slots[i].port != nothing) graph_.ports[b][slots[i].port].x = x;
             for (const std::size_t l : slots[i].links) end_of(l, b, slots[i].port, down) = x;
         }
@@ -324,7 +325,7 @@ private:
             if (graph_.chains[e].size() < 2) continue;
             const double upper = graph_.links[graph_.chains[e].front()].upper_x;
             const double lower = graph_.links[graph_.chains[e].back()].lower_x;
-            straighten(passed(e), {upper, upper}, {lower, lower});
+            straighten_chain(nodes_passed_by(e), {upper, upper}, {lower, lower});
         }
     }
 
@@ -338,7 +339,7 @@ private:
         if (std::abs(first.upper_x - last.lower_x) > little) return;
         for (const double x : {first.upper_x, last.lower_x}) {
             const bool free = is_free(chain.front(), true, x) && is_free(chain.back(), false, x);
-            const std::vector<std::size_t> nodes = passed(e);
+            const std::vector<std::size_t> nodes = nodes_passed_by(e);
             const auto can_move = [&](std::size_t n) {
                 const Interval around = free_around(n);
                 return around.low <= x && x <= around.high;

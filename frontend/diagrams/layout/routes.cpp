@@ -10,15 +10,15 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-Point turned(const Point& point) {
+Point swap_axes(const Point& point) {
     return {point.y, point.x};
 }
-Rectangle turned(const Rectangle& it) {
+Rectangle swap_axes(const Rectangle& it) {
     return {it.y, it.x, it.height, it.width};
 }
 
 /// Removes points in the middle of straight segments.
-std::vector<Point> corners(const std::vector<Point>& points) {
+std::vector<Point> keep_corners(const std::vector<Point>& points) {
     std::vector<Point> result;
     for (const Point& point : points) {
         if (!result.empty() && result.back() == point) continue;
@@ -37,7 +37,7 @@ class Placer {
 public:
     explicit Placer(const Graph& graph) : graph_(graph), level_(*graph.level) {}
 
-    Placement place() {
+    Placement place_all() {
         result_.direction = graph_.turned ? Direction::right : Direction::down;
         result_.edges.resize(level_.edges.size());
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) place_box(b);
@@ -59,10 +59,10 @@ private:
                         node.above - node.ports_above + node.below - node.ports_below};
         if (level_.boxes[b].round)
             place = {node.x - node.before, y_of(node) - node.before, 2 * node.before, 2 * node.before};
-        PlacedBox box{graph_.turned ? turned(place) : place, {}, {0, node.layer / 2, node.position, 0}};
+        PlacedBox box{graph_.turned ? swap_axes(place) : place, {}, {0, node.layer / 2, node.position, 0}};
         for (const GraphPort& port : graph_.ports[b]) {
             const Point centre{port.x, port.down ? place.bottom() : place.y};
-            box.ports.push_back({!port.down, turned(centre)});
+            box.ports.push_back({!port.down, swap_axes(centre)});
         }
         result_.boxes.push_back(std::move(box));
     }
@@ -70,11 +70,11 @@ private:
     [[nodiscard]] Rectangle label_of(const Node& node) const {
         const Rectangle place{node.x + graph_.label_gap(), y_of(node) - node.above, node.after - graph_.label_gap(),
                               node.above + node.below};
-        return graph_.turned ? turned(place) : place;
+        return graph_.turned ? swap_axes(place) : place;
     }
 
     /// The y of the border of a box at this x; for a port, of the side away from the box.
-    [[nodiscard]] double border(std::size_t n, double x, bool lower) const {
+    [[nodiscard]] double border_y(std::size_t n, double x, bool lower) const {
         const Node& node = graph_.nodes[n];
         double reach = lower ? node.below : node.above;
         if (level_.boxes[node.box].round)
@@ -88,7 +88,7 @@ private:
         const Link& first = graph_.links[chain.front()];
         const Link& last = graph_.links[chain.back()];
         std::vector<Point> points;
-        Point at{first.upper_x, border(first.upper, first.upper_x, first.turn != Link::Turn::over)};
+        Point at{first.upper_x, border_y(first.upper, first.upper_x, first.turn != Link::Turn::over)};
         points.push_back(at);
         for (const std::size_t l : chain) {
             const Link& link = graph_.links[l];
@@ -99,11 +99,11 @@ private:
                 points.push_back(at);
             }
         }
-        points.push_back({last.lower_x, border(last.lower, last.lower_x, last.turn == Link::Turn::under)});
-        points = corners(points);
+        points.push_back({last.lower_x, border_y(last.lower, last.lower_x, last.turn == Link::Turn::under)});
+        points = keep_corners(points);
         if (graph_.reversed[e]) std::ranges::reverse(points);
         if (graph_.turned)
-            for (Point& point : points) point = turned(point);
+            for (Point& point : points) point = swap_axes(point);
         result_.edges[e].points = std::move(points);
     }
 
@@ -165,11 +165,11 @@ private:
             for (const Point& point : edge.points) see(point);
             if (!edge.label.empty()) see_all(edge.label);
         }
-        move({-least.x, -least.y});
+        move_all({-least.x, -least.y});
         result_.size = {most.x - least.x, most.y - least.y};
     }
 
-    void move(const Point& by) {
+    void move_all(const Point& by) {
         for (PlacedBox& box : result_.boxes) {
             box.place.x += by.x;
             box.place.y += by.y;
@@ -190,7 +190,7 @@ private:
 }  // namespace
 
 Placement placement_of(const Graph& graph) {
-    return Placer(graph).place();
+    return Placer(graph).place_all();
 }
 
 }  // namespace robochart::diagrams::layout

@@ -84,13 +84,13 @@ double text_width(std::string_view text, double font_size, bool bold) {
     return ems * font_size * font_slack;
 }
 
-std::string elided(std::string_view text, std::size_t columns) {
+std::string elide_text(std::string_view text, std::size_t columns) {
     const std::size_t bytes = bytes_of(text, columns);
     if (bytes >= text.size()) return std::string(text);
     return std::string(text.substr(0, bytes_of(text, columns - 1))) + std::string(ellipsis);
 }
 
-Lines broken(const std::vector<std::string>& pieces, const LineLimits& limits) {
+Lines break_lines(const std::vector<std::string>& pieces, const LineLimits& limits) {
     Lines result;
     std::string line;
     const auto finish = [&] { break_piece(std::exchange(line, ""), limits.columns, result.lines); };

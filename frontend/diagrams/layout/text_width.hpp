@@ -28,9 +28,9 @@ struct LineLimits {
 };
 
 /// Joins pieces and breaks them into lines: between pieces if possible, otherwise at blanks, otherwise anywhere.
-[[nodiscard]] Lines broken(const std::vector<std::string>& pieces, const LineLimits& limits);
+[[nodiscard]] Lines break_lines(const std::vector<std::string>& pieces, const LineLimits& limits);
 
 /// The beginning of a text, with an ellipsis if characters are missing.
-[[nodiscard]] std::string elided(std::string_view text, std::size_t columns);
+[[nodiscard]] std::string elide_text(std::string_view text, std::size_t columns);
 
 }  // namespace robochart::diagrams::layout

@@ -49,7 +49,7 @@ std::size_t cost_above(const Piece& a, const Piece& b) {
     return cost;
 }
 
-bool meet(const Piece& a, const Piece& b) {
+bool segments_meet(const Piece& a, const Piece& b) {
     return a.low - distance::pieces < b.high && b.low - distance::pieces < a.high;
 }
 
@@ -77,21 +77,22 @@ public:
     }
 
     /// Orders the segments and assigns tracks; returns the number of tracks.
-    std::size_t arrange() {
-        order();
-        for (int i = 0; i < 32 && split_one(); ++i) order();
+    std::size_t assign_tracks() {
+        order_segments();
+        for (int i = 0; i < 32 && split_one(); ++i) order_segments();
         std::size_t count = 0;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             graph_.poll();
             for (std::size_t j = 0; j < i; ++j)
-                if (meet(pieces_[i], pieces_[j])) pieces_[i].track = std::max(pieces_[i].track, pieces_[j].track + 1);
+                if (segments_meet(pieces_[i], pieces_[j]))
+                    pieces_[i].track = std::max(pieces_[i].track, pieces_[j].track + 1);
             count = std::max(count, pieces_[i].track + 1);
         }
         return count;
     }
 
     /// Sets the positions; the first track is at `y`.
-    void finish(double y) {
+    void set_positions(double y) {
         std::ranges::stable_sort(pieces_, [](const Piece& a, const Piece& b) { return a.part < b.part; });
         for (const Piece& piece : pieces_)
             graph_.links[piece.link].tracks.push_back(
@@ -101,15 +102,15 @@ public:
 private:
     /// Inserts the segments one at a time, longest first, at the cheapest position. Then moves every segment again
     /// until the cost no longer improves.
-    void order() {
+    void order_segments() {
         for (Piece& piece : pieces_) piece.track = 0;
         std::ranges::stable_sort(pieces_,
                                  [](const Piece& a, const Piece& b) { return a.high - a.low > b.high - b.low; });
         if (pieces_.size() > largest_search) return;
         compute_costs();
         std::vector<std::size_t> order;
-        for (std::size_t i = 0; i < pieces_.size(); ++i) insert(order, i);
-        for (int round = 0; round < 12 && improve(order); ++round) graph_.poll();
+        for (std::size_t i = 0; i < pieces_.size(); ++i) insert_cheapest(order, i);
+        for (int round = 0; round < 12 && improve_order(order); ++round) graph_.poll();
         std::vector<Piece> sorted;
         for (const std::size_t i : order) sorted.push_back(std::move(pieces_[i]));
         pieces_ = std::move(sorted);
@@ -125,7 +126,7 @@ private:
     }
 
     /// Inserts the segment where it costs least; returns the cost.
-    std::size_t insert(std::vector<std::size_t>& order, std::size_t piece) const {
+    std::size_t insert_cheapest(std::vector<std::size_t>& order, std::size_t piece) const {
         std::size_t cost = 0;
         for (const std::size_t other : order) cost += costs_[piece][other];
         std::size_t least = cost;
@@ -140,7 +141,7 @@ private:
         return least;
     }
 
-    bool improve(std::vector<std::size_t>& order) const {
+    bool improve_order(std::vector<std::size_t>& order) const {
         bool better = false;
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
             const auto at = std::ranges::find(order, piece);
@@ -151,7 +152,7 @@ private:
             if (now == 0) continue;
             std::vector<std::size_t> rest = order;
             rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(place));
-            if (insert(rest, piece) >= now) continue;
+            if (insert_cheapest(rest, piece) >= now) continue;
             order = std::move(rest);
             better = true;
         }
@@ -164,12 +165,12 @@ private:
         for (std::size_t i = 0; i < pieces_.size() && pieces_.size() <= largest_search; ++i)
             for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
                 if (pieces_[i].link == pieces_[j].link || cost_above(pieces_[i], pieces_[j]) < on_each_other) continue;
-                if (split(i) || split(j)) return true;
+                if (split_segment(i) || split_segment(j)) return true;
             }
         return false;
     }
 
-    bool split(std::size_t i) {
+    bool split_segment(std::size_t i) {
         Piece& piece = pieces_[i];
         if (piece.up.size() != 1 || piece.down.size() != 1) return false;
         const double x = free_x((piece.up[0] + piece.down[0]) / 2);
@@ -209,7 +210,7 @@ std::size_t gap_of(const Graph& graph, const Link& link) {
 }
 
 /// The distance between the tracks and an adjacent layer.
-double margin(const Graph& graph, std::size_t layer) {
+double track_margin(const Graph& graph, std::size_t layer) {
     if (layer % 2 == 0) return distance::at_boxes;
     for (const std::size_t n : graph.layers[layer])
         if (graph.nodes[n].kind == Node::Kind::label) return distance::at_labels;
@@ -237,12 +238,12 @@ void place_tracks(Graph& graph) {
     graph.layer_y.resize(count);
     double y = 0;
     for (std::size_t i = 0; i <= count; ++i) {
-        const std::size_t tracks = gaps[i].arrange();
-        if (i > 0 && (tracks > 0 || i < count)) y += margin(graph, i - 1);
-        gaps[i].finish(y);
+        const std::size_t tracks = gaps[i].assign_tracks();
+        if (i > 0 && (tracks > 0 || i < count)) y += track_margin(graph, i - 1);
+        gaps[i].set_positions(y);
         if (tracks > 1) y += static_cast<double>(tracks - 1) * distance::tracks;
         if (i == count) break;
-        if (i > 0 || tracks > 0) y += margin(graph, i);
+        if (i > 0 || tracks > 0) y += track_margin(graph, i);
         const Reach reach = reach_of(graph, graph.layers[i]);
         graph.layer_y[i] = y + reach.above;
         y += reach.above + reach.below;

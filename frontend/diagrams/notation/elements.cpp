@@ -31,16 +31,16 @@ public:
     void add(const Declaration& it) {
         found.push_back({&it,
                          {"", std::string(to_text(it.kind)), shown_name(it.name),
-                          diagnostics::join(it.span, it.name_span), it.name_span}});
+                          diagnostics::join_spans(it.span, it.name_span), it.name_span}});
         if (const auto* type = dynamic_cast<const TypeDeclaration*>(&it)) add_type(*type);
         if (const auto* function = dynamic_cast<const Function*>(&it)) {
-            conditions("precondition", function->preconditions);
-            conditions("postcondition", function->postconditions);
+            collect_conditions("precondition", function->preconditions);
+            collect_conditions("postcondition", function->postconditions);
         }
         if (const auto* context = dynamic_cast<const Context*>(&it)) add_context(*context);
         if (const auto* machine = dynamic_cast<const Machine*>(&it)) {
-            conditions("precondition", machine->preconditions);
-            conditions("postcondition", machine->postconditions);
+            collect_conditions("precondition", machine->preconditions);
+            collect_conditions("postcondition", machine->postconditions);
             add_nodes(*machine);
         }
         if (const auto* component = dynamic_cast<const Component*>(&it)) add_component(*component);
@@ -57,41 +57,41 @@ private:
     }
 
     template <class Items>
-    void each(const Items& items) {
+    void add_all(const Items& items) {
         for (const auto& item : items) add(*item);
     }
 
     void add_type(const TypeDeclaration& type) {
-        each(type.fields);
-        each(type.literals);
+        add_all(type.fields);
+        add_all(type.literals);
     }
 
     void add_context(const Context& context) {
         for (const InterfaceClause& clause : context.interfaces)
             add(&clause, std::string(word_of(clause.use)), shown_name(clause.name.text()), clause.name.span);
-        each(context.variables);
-        each(context.events);
-        each(context.clocks);
-        each(context.signatures);
+        add_all(context.variables);
+        add_all(context.events);
+        add_all(context.clocks);
+        add_all(context.signatures);
     }
 
-    void conditions(std::string_view word, const std::vector<ExprPtr>& list) {
+    void collect_conditions(std::string_view word, const std::vector<ExprPtr>& list) {
         for (const ExprPtr& condition : list)
             if (condition) add(condition.get(), std::string(word), "", condition->span);
     }
 
     void add_nodes(const NodeContainer& container) {
-        each(container.nodes);
-        each(container.transitions);
+        add_all(container.nodes);
+        add_all(container.transitions);
     }
 
     void add_component(const Component& component) {
-        each(component.platforms);
-        each(component.controllers);
-        each(component.machines);
-        each(component.operations);
-        each(component.references);
-        each(component.connections);
+        add_all(component.platforms);
+        add_all(component.controllers);
+        add_all(component.machines);
+        add_all(component.operations);
+        add_all(component.references);
+        add_all(component.connections);
     }
 };
 

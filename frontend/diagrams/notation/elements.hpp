@@ -26,9 +26,9 @@ public:
     /// The numbers start at `first`, so that the elements of several models can get different numbers.
     explicit Elements(const frontend::Model& model, std::size_t first = 1);
 
-    [[nodiscard]] const std::vector<Element>& all() const { return elements_; }
-    /// The index in `all` of a declaration, an action, an interface clause or a precondition; `none` for other nodes of
-    /// the tree.
+    [[nodiscard]] const std::vector<Element>& all_elements() const { return elements_; }
+    /// The index in `all_elements` of a declaration, an action, an interface clause or a precondition; `none` for other
+    /// nodes of the tree.
     [[nodiscard]] std::size_t find(const void* node) const;
 
 private:

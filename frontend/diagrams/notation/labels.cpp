@@ -14,8 +14,8 @@ using namespace frontend;
 
 namespace {
 
-std::string visible(const std::string& text) {
-    return diagnostics::shown(diagnostics::on_one_line(text));
+std::string printable_line(const std::string& text) {
+    return diagnostics::escape_for_display(diagnostics::on_one_line(text));
 }
 
 std::string parameters_of(const std::vector<VariablePtr>& parameters) {
@@ -24,8 +24,8 @@ std::string parameters_of(const std::vector<VariablePtr>& parameters) {
     return "(" + result + ")";
 }
 
-std::string typed(const std::string& name, const TypeExprPtr& type) {
-    return shown_name(name) + (type ? ": " + visible(to_text(*type)) : "");
+std::string label_with_type(const std::string& name, const TypeExprPtr& type) {
+    return shown_name(name) + (type ? ": " + printable_line(to_text(*type)) : "");
 }
 
 std::string body_of(const StmtPtr& statement) {
@@ -49,7 +49,7 @@ std::string choice_of(const Stmt& statement) {
 
 std::string shown_name(std::string_view name) {
     if (name.starts_with('?')) return "";  // the parser's placeholder for a missing name
-    return diagnostics::shown(name);
+    return diagnostics::escape_for_display(name);
 }
 
 std::string_view word_of(ActionKind kind) {
@@ -77,7 +77,7 @@ std::string_view word_of(InterfaceUse use) {
 }
 
 std::string text_of(const Expr& expr) {
-    return visible(to_text(expr));
+    return printable_line(to_text(expr));
 }
 
 std::string text_of(const Stmt& statement) {
@@ -87,23 +87,24 @@ std::string text_of(const Stmt& statement) {
         case StmtKind::if_then_else:
             return choice_of(statement);
         case StmtKind::communication:
-            return statement.communication ? visible(to_text(*statement.communication)) : "";
+            return statement.communication ? printable_line(to_text(*statement.communication)) : "";
         case StmtKind::deadline:
             return fmt::format("{} <{{{}}}", statement.body.empty() ? "" : body_of(statement.body[0]),
                                statement.value ? text_of(*statement.value) : "");
         case StmtKind::parenthesised:
             return "(" + (statement.body.empty() ? "" : body_of(statement.body[0])) + ")";
         default:
-            return visible(to_text(statement));
+            return printable_line(to_text(statement));
     }
 }
 
 std::string text_of(const Variable& variable) {
-    return typed(variable.name, variable.type_expr) + (variable.initial ? " = " + text_of(*variable.initial) : "");
+    return label_with_type(variable.name, variable.type_expr) +
+           (variable.initial ? " = " + text_of(*variable.initial) : "");
 }
 
 std::string text_of(const Event& event) {
-    return typed(event.name, event.type_expr);
+    return label_with_type(event.name, event.type_expr);
 }
 
 std::string text_of(const OperationSignature& signature) {
@@ -118,19 +119,19 @@ std::string title_of(const Machine& operation) {
 
 std::string text_of(const Function& function) {
     return shown_name(function.name) + parameters_of(function.parameters) +
-           (function.result_expr ? ": " + visible(to_text(*function.result_expr)) : "");
+           (function.result_expr ? ": " + printable_line(to_text(*function.result_expr)) : "");
 }
 
 std::string text_of(const EnumLiteral& literal) {
     std::string arguments;
     for (const TypeExprPtr& argument : literal.arguments)
-        if (argument) arguments += (arguments.empty() ? "" : ", ") + visible(to_text(*argument));
+        if (argument) arguments += (arguments.empty() ? "" : ", ") + printable_line(to_text(*argument));
     return shown_name(literal.name) + (arguments.empty() ? "" : "(" + arguments + ")");
 }
 
 std::vector<std::string> label_of(const Transition& transition) {
     std::vector<std::string> pieces;
-    std::string head = transition.trigger ? visible(to_text(*transition.trigger)) : "";
+    std::string head = transition.trigger ? printable_line(to_text(*transition.trigger)) : "";
     const auto add = [&](const std::string& text) { head += (head.empty() ? "" : " ") + text; };
     for (const Transition::Reset& reset : transition.resets) add("#" + shown_name(reset.name.text()));
     if (transition.deadline) add("<{" + text_of(*transition.deadline) + "}");

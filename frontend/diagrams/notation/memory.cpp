@@ -17,7 +17,7 @@ void number_equal_names(std::vector<std::string>& names) {
     }
 }
 
-void recall(layout::Level& level, const LevelNames& names, const LevelMemory& memory) {
+void recall_placement(layout::Level& level, const LevelNames& names, const LevelMemory& memory) {
     level.previous = memory.direction;
     for (std::size_t b = 0; b < level.boxes.size(); ++b)
         if (const auto at = memory.boxes.find(names.boxes[b]); at != memory.boxes.end())
@@ -27,7 +27,7 @@ void recall(layout::Level& level, const LevelNames& names, const LevelMemory& me
             level.edges[e].previous = at->second;
 }
 
-void remember(const layout::Placement& placement, const LevelNames& names, LevelMemory& memory) {
+void remember_placement(const layout::Placement& placement, const LevelNames& names, LevelMemory& memory) {
     memory = {};
     memory.direction = placement.direction;
     for (std::size_t b = 0; b < names.boxes.size(); ++b) memory.boxes[names.boxes[b]] = placement.boxes[b].rank;
@@ -37,12 +37,13 @@ void remember(const layout::Placement& placement, const LevelNames& names, Level
 }  // namespace
 
 layout::Placement arrange_again(layout::Level& level, LevelNames names, Memory* memory, diagnostics::Budget* budget) {
-    if (memory == nullptr) return layout::arrange(level, budget);
+    if (memory == nullptr) return layout::arrange_level(level, budget);
     number_equal_names(names.boxes);
     number_equal_names(names.edges);
-    if (const auto at = memory->levels.find(names.path); at != memory->levels.end()) recall(level, names, at->second);
-    layout::Placement placement = layout::arrange(level, budget);
-    remember(placement, names, memory->levels[names.path]);
+    if (const auto at = memory->levels.find(names.path); at != memory->levels.end())
+        recall_placement(level, names, at->second);
+    layout::Placement placement = layout::arrange_level(level, budget);
+    remember_placement(placement, names, memory->levels[names.path]);
     return placement;
 }
 

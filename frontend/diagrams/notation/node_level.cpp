@@ -37,31 +37,31 @@ Look look_of(const State& state) {
     }
 }
 
-std::string joined(const std::vector<std::string>& pieces) {
+std::string join_pieces(const std::vector<std::string>& pieces) {
     std::string result;
     for (const std::string& piece : pieces) result += piece;
     return result;
 }
 
 /// True if `target` is the node or inside it.
-bool holds(const State& node, const State* target) {
+bool contains_node(const State& node, const State* target) {
     if (&node == target) return true;
-    return std::ranges::any_of(node.nodes, [&](const auto& each) { return holds(*each, target); });
+    return std::ranges::any_of(node.nodes, [&](const auto& each) { return contains_node(*each, target); });
 }
 
 }  // namespace
 
 NodeLevel::NodeLevel(const Machine& machine, std::string path, const Drawing& drawing)
     : owner_(&machine), path_(std::move(path)), drawing_(drawing) {
-    fill(machine);
+    add_contents(machine);
 }
 
 NodeLevel::NodeLevel(const State& state, std::string path, const Drawing& drawing)
     : owner_(&state), path_(std::move(path)), drawing_(drawing) {
-    fill(state);
+    add_contents(state);
 }
 
-void NodeLevel::fill(const NodeContainer& container) {
+void NodeLevel::add_contents(const NodeContainer& container) {
     for (const auto& node : container.nodes) add_node(*node);
     for (const auto& transition : container.transitions) add_arrow(*transition);
     lay_out();
@@ -96,7 +96,7 @@ void NodeLevel::add_node(const State& state) {
 /// The characters per line; more if a person drew the state wide.
 std::size_t NodeLevel::columns_of(const State& state) const {
     constexpr double widest = 2000;
-    const auto drawn = drawing_.stored->box(&state);
+    const auto drawn = drawing_.stored->box_of(&state);
     const double space = std::min(drawn ? drawn->width.value_or(0) : 0, widest) - 2 * measure::padding;
     return space <= 0 ? 0 : static_cast<std::size_t>(space / layout::text_width("n", measure::row_font));
 }
@@ -109,7 +109,7 @@ void NodeLevel::add_actions(Shape& shape) {
     for (const Action& action : shape.state->actions) {
         const std::string text =
             std::string(word_of(action.kind)) + " " + (action.statement ? text_of(*action.statement) : "");
-        shape.actions.push_back(layout::broken({text}, limits));
+        shape.actions.push_back(layout::break_lines({text}, limits));
         if (shape.actions.back().elided) shape.whole += text + "\n";
         const Size size = size_of(shape.actions.back());
         width = std::max(width, size.width + 2 * measure::padding);
@@ -126,8 +126,8 @@ void NodeLevel::add_arrow(const Transition& transition) {
     edge.from = end_of(transition.source, transition.from);
     edge.to = end_of(transition.target, transition.to);
     const std::vector<std::string> pieces = label_of(transition);
-    Arrow arrow{&transition, layout::broken(pieces, label_limits), ""};
-    if (arrow.label.elided) arrow.whole = joined(pieces);
+    Arrow arrow{&transition, layout::break_lines(pieces, label_limits), ""};
+    if (arrow.label.elided) arrow.whole = join_pieces(pieces);
     edge.label = size_of(arrow.label);
     level_.edges.push_back(std::move(edge));
     arrows_.push_back(std::move(arrow));
@@ -136,7 +136,7 @@ void NodeLevel::add_arrow(const Transition& transition) {
 /// The node of this level that is the target or contains it. If there is none, a box with the name is added.
 std::size_t NodeLevel::end_of(const State* target, const QualifiedName& name) {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
-        if (target != nullptr && nodes_[n].state != nullptr && holds(*nodes_[n].state, target)) return n;
+        if (target != nullptr && nodes_[n].state != nullptr && contains_node(*nodes_[n].state, target)) return n;
     const std::string text = shown_name(name.empty() && target != nullptr ? target->name : name.text());
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         if (nodes_[n].name == text && (target == nullptr || nodes_[n].state == nullptr)) return n;
@@ -170,14 +170,14 @@ void NodeLevel::lay_out() {
 std::optional<layout::DrawnLevel> NodeLevel::drawn_level() const {
     if (drawing_.stored == nullptr) return std::nullopt;
     layout::DrawnLevel drawn;
-    drawn.size = drawing_.stored->area(owner_).size;
+    drawn.size = drawing_.stored->area_of(owner_).size;
     drawn.ports.resize(nodes_.size());
     bool any = false;
     for (const Shape& shape : nodes_) {
-        drawn.boxes.push_back(drawing_.stored->box(shape.state));
+        drawn.boxes.push_back(drawing_.stored->box_of(shape.state));
         any = any || drawn.boxes.back();
     }
-    for (const Arrow& arrow : arrows_) drawn.edges.push_back(drawing_.stored->line(arrow.transition));
+    for (const Arrow& arrow : arrows_) drawn.edges.push_back(drawing_.stored->line_of(arrow.transition));
     return any ? std::optional(std::move(drawn)) : std::nullopt;
 }
 

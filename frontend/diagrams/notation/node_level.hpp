@@ -46,7 +46,7 @@ private:
         std::string whole;
     };
 
-    void fill(const frontend::NodeContainer& container);
+    void add_contents(const frontend::NodeContainer& container);
     void add_node(const frontend::State& state);
     void add_actions(Shape& shape);
     [[nodiscard]] std::size_t columns_of(const frontend::State& state) const;

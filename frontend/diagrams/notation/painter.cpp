@@ -19,7 +19,7 @@ namespace {
 constexpr double icon_width = 18;
 
 std::string short_title(const std::string& text) {
-    return layout::elided(text, measure::longest_title);
+    return layout::elide_text(text, measure::longest_title);
 }
 
 /// The bounding box of a text.
@@ -32,11 +32,11 @@ Rectangle extent_of(const Text& text) {
 /// A bounding box that grows.
 class Extent {
 public:
-    void see(const Rectangle& it) {
+    void include_rectangle(const Rectangle& it) {
         low_ = {std::min(low_.x, it.x), std::min(low_.y, it.y)};
         high_ = {std::max(high_.x, it.right()), std::max(high_.y, it.bottom())};
     }
-    [[nodiscard]] Rectangle all() const { return {low_.x, low_.y, high_.x - low_.x, high_.y - low_.y}; }
+    [[nodiscard]] Rectangle bounding_box() const { return {low_.x, low_.y, high_.x - low_.x, high_.y - low_.y}; }
 
 private:
     static constexpr double far = std::numeric_limits<double>::infinity();
@@ -46,33 +46,33 @@ private:
 Rectangle extent_of(const Picture& picture) {
     Extent extent;
     for (const PictureBox& box : picture.boxes) {
-        extent.see(box.place);
-        for (const Text& text : box.texts) extent.see(extent_of(text));
+        extent.include_rectangle(box.place);
+        for (const Text& text : box.texts) extent.include_rectangle(extent_of(text));
     }
     for (const PictureLine& line : picture.lines) {
-        for (const Point& point : line.points) extent.see({point.x, point.y, 0, 0});
-        if (!line.label.empty()) extent.see(line.label);
+        for (const Point& point : line.points) extent.include_rectangle({point.x, point.y, 0, 0});
+        if (!line.label.empty()) extent.include_rectangle(line.label);
     }
-    return picture.boxes.empty() ? Rectangle() : extent.all();
+    return picture.boxes.empty() ? Rectangle() : extent.bounding_box();
 }
 
-void move(Text& text, const Point& by) {
+void move_by(Text& text, const Point& by) {
     text.at = {text.at.x + by.x, text.at.y + by.y};
 }
 
-void move(PictureBox& box, const Point& by) {
+void move_by(PictureBox& box, const Point& by) {
     box.place.x += by.x;
     box.place.y += by.y;
     for (double& rule : box.rules) rule += by.y;
     for (Sign& sign : box.signs) sign.centre = {sign.centre.x + by.x, sign.centre.y + by.y};
-    for (Text& text : box.texts) move(text, by);
+    for (Text& text : box.texts) move_by(text, by);
 }
 
-void move(PictureLine& line, const Point& by) {
+void move_by(PictureLine& line, const Point& by) {
     for (Point& point : line.points) point = {point.x + by.x, point.y + by.y};
     line.label.x += by.x;
     line.label.y += by.y;
-    for (Text& text : line.texts) move(text, by);
+    for (Text& text : line.texts) move_by(text, by);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ EventSquare square_of(const Event& event, const Elements& elements) {
 
 EventSquare square_of(const std::string& label, std::size_t element, bool broadcast) {
     constexpr std::size_t longest = 40;
-    const std::string shown = layout::elided(label, longest);
+    const std::string shown = layout::elide_text(label, longest);
     return {shown, element, broadcast, shown == label ? "" : label};
 }
 
@@ -175,12 +175,12 @@ PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port
     return box;
 }
 
-void crop(Picture& picture) {
+void crop_picture(Picture& picture) {
     constexpr double margin = 14;
     const Rectangle extent = extent_of(picture);
     const Point by{margin - extent.x, margin - extent.y};
-    for (PictureBox& box : picture.boxes) move(box, by);
-    for (PictureLine& line : picture.lines) move(line, by);
+    for (PictureBox& box : picture.boxes) move_by(box, by);
+    for (PictureLine& line : picture.lines) move_by(line, by);
     picture.size = {extent.width + 2 * margin, extent.height + 2 * margin};
 }
 

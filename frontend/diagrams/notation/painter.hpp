@@ -63,6 +63,6 @@ struct EventSquare {
                                      const layout::Point& corner, std::size_t owner, bool label_left);
 
 /// Moves a picture so that everything is inside its size, with a margin.
-void crop(Picture& picture);
+void crop_picture(Picture& picture);
 
 }  // namespace robochart::diagrams

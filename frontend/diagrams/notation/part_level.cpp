@@ -67,14 +67,14 @@ void PartLevel::add_part(const Declaration& declaration) {
     if (reference != nullptr)
         describe_reference(part, *reference);
     else
-        describe(part);
+        describe_part(part);
     part.title.icon = icon_of(kind);
     parts_.push_back(std::move(part));
     pins_.push_back(kind == DeclKind::platform ? Pin::first : Pin::none);
 }
 
 /// Fills in a component that is declared inline. Its contents are in its own diagram, unless a person drew them here.
-void PartLevel::describe(Part& part) const {
+void PartLevel::describe_part(Part& part) const {
     part.title.text = part.name;
     if (const auto* operation = dynamic_cast<const Machine*>(part.declaration);
         operation != nullptr && operation->kind == DeclKind::operation)
@@ -84,14 +84,14 @@ void PartLevel::describe(Part& part) const {
     part.rows = rows_of(*context, drawing_.elements, false);
     part.events = events_of(*context);
     for (const Event* event : part.events) part.squares.push_back(square_of(*event, drawing_.elements));
-    open(part);
+    add_inner_level(part);
 }
 
-void PartLevel::open(Part& part) const {
+void PartLevel::add_inner_level(Part& part) const {
     const auto* machine = dynamic_cast<const Machine*>(part.declaration);
     if (drawing_.stored == nullptr || machine == nullptr) return;
     const bool drawn = std::ranges::any_of(
-        machine->nodes, [&](const auto& node) { return drawing_.stored->box(node.get()).has_value(); });
+        machine->nodes, [&](const auto& node) { return drawing_.stored->box_of(node.get()).has_value(); });
     if (drawn) part.inner = std::make_unique<NodeLevel>(*machine, component_.name + "::" + machine->name, drawing_);
 }
 
@@ -240,15 +240,15 @@ std::optional<layout::DrawnLevel> PartLevel::drawn_level() const {
     if (drawing_.stored == nullptr) return std::nullopt;
     layout::DrawnLevel drawn;
     drawn.header = header_.height;
-    drawn.size = drawing_.stored->area(&component_).size;
+    drawn.size = drawing_.stored->area_of(&component_).size;
     drawn.size.width = std::max(drawn.size.width, header_.width);
     bool any = false;
     for (const Part& part : parts_) {
-        drawn.boxes.push_back(drawing_.stored->box(part.declaration));
+        drawn.boxes.push_back(drawing_.stored->box_of(part.declaration));
         any = any || drawn.boxes.back();
         drawn.ports.push_back(drawn_ports(part));
     }
-    for (const Connection* connection : connections_) drawn.edges.push_back(drawing_.stored->line(connection));
+    for (const Connection* connection : connections_) drawn.edges.push_back(drawing_.stored->line_of(connection));
     return any ? std::optional(std::move(drawn)) : std::nullopt;
 }
 
@@ -256,16 +256,16 @@ layout::DrawnPorts PartLevel::drawn_ports(const Part& part) const {
     const Declaration* owner = part.on_border ? &component_ : part.declaration;
     layout::DrawnPorts drawn;
     drawn.owner = drawing_.stored->size(owner);
-    drawn.header = drawing_.stored->area(owner).above.value_or(part.on_border ? header_.height : part.header);
+    drawn.header = drawing_.stored->area_of(owner).above.value_or(part.on_border ? header_.height : part.header);
     drawn.full = part.inner != nullptr;
     for (std::size_t s = 0; s < part.squares.size(); ++s) {
-        drawn.ports.push_back(drawing_.stored->square(owner, part.events[s]));
+        drawn.ports.push_back(drawing_.stored->port_of(owner, part.events[s]));
         drawn.labels.push_back(label_size(part.squares[s]));
     }
     return drawn;
 }
 
-PartLevel::Borders PartLevel::borders() const {
+PartLevel::Borders PartLevel::find_borders() const {
     Borders result{std::numeric_limits<double>::infinity(), 0, false, false, 0};
     double rightmost = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -294,7 +294,7 @@ void PartLevel::paint(Picture& picture) {
         paint_as_drawn(picture);
         return;
     }
-    const Borders at = borders();
+    const Borders at = find_borders();
     const Point corner{at.events_right ? 0 : at.missing / 2, header_.height + component_inset};
     const double moved = at.events_right ? at.missing : 0;
     PictureBox& frame = picture.boxes.front();

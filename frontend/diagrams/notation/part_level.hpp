@@ -50,8 +50,8 @@ private:
     };
 
     void add_part(const frontend::Declaration& declaration);
-    void describe(Part& part) const;
-    void open(Part& part) const;
+    void describe_part(Part& part) const;
+    void add_inner_level(Part& part) const;
     void describe_reference(Part& part, const frontend::Reference& reference) const;
     void add_connection(const frontend::Connection& connection);
     [[nodiscard]] End end_of(const frontend::Connection::End& end, bool source);
@@ -65,7 +65,7 @@ private:
     void paint_as_drawn(Picture& picture);
     void paint_part(Picture& picture, std::size_t part, const layout::Point& corner);
     void paint_connection(Picture& picture, std::size_t connection, const layout::Point& corner) const;
-    [[nodiscard]] Borders borders() const;
+    [[nodiscard]] Borders find_borders() const;
     [[nodiscard]] bool is_first(std::size_t part) const { return pins_[part] == layout::Pin::first; }
     /// True for an event on the right border.
     [[nodiscard]] bool is_last(std::size_t part) const { return parts_[part].on_border && !is_first(part); }

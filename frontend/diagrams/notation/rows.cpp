@@ -42,7 +42,7 @@ void Rows::add(Icon icon, const std::vector<RowText>& texts) {
     Row row{icon, {}};
     for (std::size_t i = 0; i < texts.size(); ++i) {
         RowText text = texts[i];
-        const std::string short_text = layout::elided(text.text, longest);
+        const std::string short_text = layout::elide_text(text.text, longest);
         if (short_text != text.text) whole += text.text + "\n";
         text.text = short_text + (i + 1 < texts.size() ? ", " : "");
         if (!row.texts.empty() && width_of(row) + width_of(text.text) > measure::widest_row) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of a component by a person, keyed by declarations. frontend/diagrams/stored reads it from RoboTool's files.
+// The layout of a component by a person, keyed by declarations. frontend/diagrams/stored reads it from RoboTool's
+// files.
 #pragma once
 
 #include <unordered_map>
@@ -26,11 +27,11 @@ struct StoredLayout {
                        std::unordered_map<const frontend::Declaration*, layout::DrawnPort>>
         squares;
 
-    [[nodiscard]] std::optional<layout::DrawnBox> box(const frontend::Declaration* of) const;
-    [[nodiscard]] StoredArea area(const frontend::Declaration* of) const;
-    [[nodiscard]] std::optional<layout::DrawnEdge> line(const frontend::Declaration* of) const;
-    [[nodiscard]] std::optional<layout::DrawnPort> square(const frontend::Declaration* owner,
-                                                          const frontend::Declaration* event) const;
+    [[nodiscard]] std::optional<layout::DrawnBox> box_of(const frontend::Declaration* of) const;
+    [[nodiscard]] StoredArea area_of(const frontend::Declaration* of) const;
+    [[nodiscard]] std::optional<layout::DrawnEdge> line_of(const frontend::Declaration* of) const;
+    [[nodiscard]] std::optional<layout::DrawnPort> port_of(const frontend::Declaration* owner,
+                                                           const frontend::Declaration* event) const;
     /// The size of a component in the diagram, if known.
     [[nodiscard]] layout::Size size(const frontend::Declaration* of) const;
 };

@@ -26,7 +26,7 @@ using layout::Size;
 namespace {
 
 /// A name as part of a file name: all characters except ASCII letters and digits become "_".
-std::string safe(const std::string& name) {
+std::string safe_file_name(const std::string& name) {
     constexpr std::size_t longest = 100;
     std::string result;
     for (const char c : name.substr(0, longest))
@@ -34,7 +34,7 @@ std::string safe(const std::string& name) {
     return result.empty() ? "_" : result;
 }
 
-std::string lowered(std::string text) {
+std::string to_lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
@@ -88,15 +88,17 @@ private:
     void name_files() {
         std::map<std::string, std::size_t> uses;
         const auto last_name = [](const Subject& subject) {
-            return subject.component == nullptr ? safe(subject.name) + "_types" : safe(subject.component->name);
+            return subject.component == nullptr ? safe_file_name(subject.name) + "_types"
+                                                : safe_file_name(subject.component->name);
         };
-        for (const Subject& subject : subjects_) ++uses[lowered(last_name(subject))];
+        for (const Subject& subject : subjects_) ++uses[to_lower_case(last_name(subject))];
         std::set<std::string> taken;
         for (Subject& subject : subjects_) {
             std::string name = last_name(subject);
-            if (uses[lowered(name)] > 1) name = safe(subject.name) + (subject.component == nullptr ? "_types" : "");
+            if (uses[to_lower_case(name)] > 1)
+                name = safe_file_name(subject.name) + (subject.component == nullptr ? "_types" : "");
             subject.file = name;
-            for (int i = 2; !taken.insert(lowered(subject.file)).second; ++i)
+            for (int i = 2; !taken.insert(to_lower_case(subject.file)).second; ++i)
                 subject.file = fmt::format("{}_{}", name, i);
         }
     }
@@ -122,14 +124,14 @@ public:
             for (const Event* event : events_of(context)) {
                 squares_.push_back(square_of(*event, drawing.elements));
                 if (stored_ == nullptr) continue;
-                drawn_.ports.push_back(stored_->square(&context, event));
+                drawn_.ports.push_back(stored_->port_of(&context, event));
                 drawn_.labels.push_back(label_size(squares_.back()));
             }
         set_title();
     }
 
     /// The size of the title, the rows and the squares.
-    [[nodiscard]] Size header() const {
+    [[nodiscard]] Size header_size() const {
         const Size rows = rows_.size();
         if (stored_ != nullptr)
             return {std::max(title_.width(), rows.width + row_indent), measure::title + rows.height};
@@ -141,13 +143,13 @@ public:
     }
 
     /// The frame without its position.
-    [[nodiscard]] PictureBox box() const { return box_; }
+    [[nodiscard]] PictureBox frame_box() const { return box_; }
 
     /// Writes the contents into the first box of a picture, whose position is set.
     void write(Picture& picture, bool more_below) const {
         PictureBox& box = picture.boxes.front();
         title_.write(box, measure::title);
-        const double header = this->header().height;
+        const double header = this->header_size().height;
         if (header > measure::title || more_below) box.rules.push_back(box.place.y + measure::title);
         if (header > measure::title && more_below) box.rules.push_back(box.place.y + header);
         rows_.write({box.place.x + (stored_ == nullptr ? 0 : row_indent), box.place.y + measure::title}, box);
@@ -169,7 +171,7 @@ private:
     void write_squares(Picture& picture, double header) const {
         layout::DrawnPorts drawn = drawn_;
         drawn.owner = stored_->size(&context_);
-        drawn.header = stored_->area(&context_).above.value_or(header);
+        drawn.header = stored_->area_of(&context_).above.value_or(header);
         const std::vector<layout::PlacedPort> ports =
             layout::ports_as_drawn(picture.boxes.front().place, header, drawn);
         for (std::size_t i = 0; i < squares_.size(); ++i)
@@ -210,9 +212,9 @@ Picture draw_machine(const Machine& machine, const std::string& path, const Draw
     constexpr double inset = 16;
     const Frame frame(machine, drawing, true);
     const NodeLevel level(machine, path, drawing);
-    const Size header = frame.header();
+    const Size header = frame.header_size();
     Picture picture;
-    picture.boxes.push_back(frame.box());
+    picture.boxes.push_back(frame.frame_box());
     const double around = 2 * level.margin(inset);
     const double width = std::max({header.width, level.size().width + around, 120.0});
     const Rectangle inside{0, header.height, width, level.empty() ? 0 : level.size().height + around};
@@ -224,9 +226,9 @@ Picture draw_machine(const Machine& machine, const std::string& path, const Draw
 
 Picture draw_component(const Component& component, const Drawing& drawing) {
     const Frame frame(component, drawing, false);
-    PartLevel level(component, frame.header(), drawing);
+    PartLevel level(component, frame.header_size(), drawing);
     Picture picture;
-    picture.boxes.push_back(frame.box());
+    picture.boxes.push_back(frame.frame_box());
     level.paint(picture);
     frame.write(picture, true);
     return picture;
@@ -234,9 +236,9 @@ Picture draw_component(const Component& component, const Drawing& drawing) {
 
 Picture draw_platform(const Context& platform, const Drawing& drawing) {
     const Frame frame(platform, drawing, true);
-    const Size header = frame.header();
+    const Size header = frame.header_size();
     Picture picture;
-    picture.boxes.push_back(frame.box());
+    picture.boxes.push_back(frame.frame_box());
     const Size drawn = drawing.stored == nullptr ? Size() : drawing.stored->size(&platform);
     picture.boxes[0].place = {0, 0, std::max({header.width, drawn.width, 120.0}),
                               std::max(header.height, drawn.height)};
@@ -318,7 +320,7 @@ Picture draw_package(const Subject& subject, const Drawing& drawing) {
     return picture;
 }
 
-std::string counted(std::size_t count, const std::string& one) {
+std::string count_text(std::size_t count, const std::string& one) {
     return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
@@ -329,7 +331,7 @@ std::string description_of(const Picture& picture) {
     const std::size_t events = static_cast<std::size_t>(
         std::ranges::count_if(picture.boxes, [](const PictureBox& box) { return box.event_of != none; }));
     return fmt::format("{}, {}, {}", boxes == 1 ? "1 box" : fmt::format("{} boxes", boxes),
-                       counted(picture.lines.size(), "line"), counted(events, "event"));
+                       count_text(picture.lines.size(), "line"), count_text(events, "event"));
 }
 
 Picture draw_any(const Subject& subject, const Drawing& drawing) {
@@ -356,13 +358,13 @@ bool has_diagram(const frontend::Declaration& declaration) {
     }
 }
 
-std::vector<Subject> subjects(const Model& model, const diagnostics::SourceManager& sources) {
+std::vector<Subject> find_subjects(const Model& model, const diagnostics::SourceManager& sources) {
     return Finder(sources).find(model);
 }
 
-Picture draw(const Subject& subject, const Drawing& drawing) {
+Picture draw_subject(const Subject& subject, const Drawing& drawing) {
     Picture picture = draw_any(subject, drawing);
-    crop(picture);
+    crop_picture(picture);
     const std::string kind = subject.component == nullptr ? "package" : std::string(to_text(subject.component->kind));
     picture.title = kind + " " + shown_name(subject.name);
     picture.description = description_of(picture);

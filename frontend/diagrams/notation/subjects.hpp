@@ -22,10 +22,11 @@ struct Subject {
 
 /// Lists, in textual order, all modules, controllers, machines, operations and platforms (also inline ones), then every
 /// package with types, functions or interfaces. `paths`: the paths of the texts, which name packages without a name.
-[[nodiscard]] std::vector<Subject> subjects(const frontend::Model& model, const diagnostics::SourceManager& sources);
+[[nodiscard]] std::vector<Subject> find_subjects(const frontend::Model& model,
+                                                 const diagnostics::SourceManager& sources);
 
 /// The diagram. A model with errors is drawn as far as possible; an unresolved name is drawn as a box. Throws
 /// layout::TooLarge.
-[[nodiscard]] Picture draw(const Subject& subject, const Drawing& drawing);
+[[nodiscard]] Picture draw_subject(const Subject& subject, const Drawing& drawing);
 
 }  // namespace robochart::diagrams

@@ -34,11 +34,11 @@ public:
         return {};
     }
     /// Files of different RoboTool versions use different names for the same attribute.
-    [[nodiscard]] std::string_view first(std::string_view name, std::string_view other) const {
+    [[nodiscard]] std::string_view first_value_of(std::string_view name, std::string_view other) const {
         const std::string_view found = (*this)[name];
         return found.empty() ? (*this)[other] : found;
     }
-    [[nodiscard]] std::string id() const { return std::string(first("uid", "xmi:id")); }
+    [[nodiscard]] std::string id() const { return std::string(first_value_of("uid", "xmi:id")); }
 
 private:
     const XML_Char** list_;
@@ -49,27 +49,27 @@ class Numbers {
 public:
     explicit Numbers(std::string_view text) : text_(text), rest_(text) {}
 
-    double next() {
+    double next_number() {
         constexpr double largest = 100'000;
         double value = 0;
         const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
         const bool read = error == std::errc() || error == std::errc::result_out_of_range;
-        if (!read) throw Refused(fmt::format("expected a number at the end of '{}'", shown()));
+        if (!read) throw Refused(fmt::format("expected a number at the end of '{}'", text_around()));
         if (error != std::errc() || !(std::abs(value) <= largest))
-            throw Refused(fmt::format("the number in '{}' is out of range", shown()));
+            throw Refused(fmt::format("the number in '{}' is out of range", text_around()));
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return value;
     }
     void expect(char c) {
-        if (!rest_.starts_with(c)) throw Refused(fmt::format("expected '{}' in '{}'", c, shown()));
+        if (!rest_.starts_with(c)) throw Refused(fmt::format("expected '{}' in '{}'", c, text_around()));
         rest_.remove_prefix(1);
     }
     [[nodiscard]] bool begins_with(char c) const { return rest_.starts_with(c); }
-    [[nodiscard]] bool done() const { return rest_.empty(); }
+    [[nodiscard]] bool is_done() const { return rest_.empty(); }
 
 private:
     /// The text around the current position, for messages.
-    [[nodiscard]] std::string_view shown() const {
+    [[nodiscard]] std::string_view text_around() const {
         constexpr std::size_t around = 24;
         const std::size_t read = text_.size() - rest_.size();
         const std::size_t from = read > around ? read - around : 0;
@@ -82,8 +82,8 @@ private:
 std::optional<double> number_of(std::string_view text) {
     if (text.empty()) return std::nullopt;
     Numbers numbers(text);
-    const double value = numbers.next();
-    if (!numbers.done()) throw Refused(fmt::format("'{}' is not a number", text.substr(0, 40)));
+    const double value = numbers.next_number();
+    if (!numbers.is_done()) throw Refused(fmt::format("'{}' is not a number", text.substr(0, 40)));
     return value;
 }
 
@@ -92,9 +92,9 @@ layout::Point anchor_of(std::string_view text) {
     if (!text.starts_with('(')) return {0.5, 0.5};  // a named anchor: the middle
     Numbers numbers(text);
     numbers.expect('(');
-    const double x = numbers.next();
+    const double x = numbers.next_number();
     numbers.expect(',');
-    const double y = numbers.next();
+    const double y = numbers.next_number();
     numbers.expect(')');
     return {x, y};
 }
@@ -104,7 +104,7 @@ std::vector<layout::DrawnEdge::Bend> bends_of(std::string_view text) {
     std::vector<layout::DrawnEdge::Bend> bends;
     Numbers numbers(text);
     constexpr std::size_t most = 1000;
-    while (!numbers.done()) {
+    while (!numbers.is_done()) {
         if (bends.size() == most) throw Refused(fmt::format("a line has more than {} bends", most));
         if (!bends.empty()) numbers.expect('$');
         numbers.expect('[');
@@ -114,7 +114,7 @@ std::vector<layout::DrawnEdge::Bend> bends_of(std::string_view text) {
                 numbers.expect(',');
                 while (numbers.begins_with(' ')) numbers.expect(' ');
             }
-            value = numbers.next();
+            value = numbers.next_number();
         }
         numbers.expect(']');
         bends.push_back({{values[0], values[1]}, {values[2], values[3]}});
@@ -141,7 +141,7 @@ public:
         if (open_.size() >= deepest) throw Refused(fmt::format("elements are nested more than {} deep", deepest));
         Open now = open_.empty() ? Open() : open_.back();
         if (!diagrams_.empty() && now.kind != Kind::outside)
-            inside(now, tag, attributes);
+            open_inside(now, tag, attributes);
         else if (tag.ends_with("DSemanticDiagram"))
             now = {Kind::diagram, "", diagrams_.emplace_back().shapes.size(), 0};
         open_.push_back(std::move(now));
@@ -159,7 +159,7 @@ private:
         std::size_t line = 0;
     };
 
-    void inside(Open& now, std::string_view tag, const Attributes& attributes) {
+    void open_inside(Open& now, std::string_view tag, const Attributes& attributes) {
         switch (now.kind) {
             case Kind::diagram:
             case Kind::element:
@@ -188,7 +188,7 @@ private:
             return;
         }
         if (in_diagram && tag == "ownedAnnotationEntries") return;
-        const std::string_view type = attributes.first("xmi:type", "xsi:type");
+        const std::string_view type = attributes.first_value_of("xmi:type", "xsi:type");
         if (in_diagram && tag == "data" && type == "notation:Diagram") {
             now = {Kind::layout, "", no_shape, 0};
             return;
@@ -264,7 +264,8 @@ public:
     AirdReader(std::string_view text, diagnostics::Budget* budget) : text_(text), budget_(budget) {}
 
     Aird read() {
-        if (text_.size() > longest_aird) return refused(fmt::format("it is longer than {} MiB", longest_aird >> 20U));
+        if (text_.size() > longest_aird)
+            return make_refusal(fmt::format("it is longer than {} MiB", longest_aird >> 20U));
         parser_.reset(XML_ParserCreate("UTF-8"));
         if (parser_ == nullptr) throw std::bad_alloc();
         XML_SetUserData(parser_.get(), this);
@@ -272,7 +273,7 @@ public:
         XML_SetXmlDeclHandler(parser_.get(), on_declaration);
         XML_SetStartDoctypeDeclHandler(parser_.get(), on_document_type);
         parse();
-        if (!error_.empty()) return refused(error_);
+        if (!error_.empty()) return make_refusal(error_);
         return std::move(aird_);
     }
 
@@ -287,14 +288,14 @@ private:
                 XML_Parse(parser_.get(), part.data(), static_cast<int>(part.size()), last ? XML_TRUE : XML_FALSE);
             if (failure_) std::rethrow_exception(failure_);
             if (result == XML_STATUS_ERROR && error_.empty()) {
-                error_ = cause();
+                error_ = error_cause();
                 at_ = XML_GetCurrentByteIndex(parser_.get());
             }
             if (last) break;
         }
     }
 
-    [[nodiscard]] std::string cause() const {
+    [[nodiscard]] std::string error_cause() const {
         const XML_Error error = XML_GetErrorCode(parser_.get());
         const bool short_text =
             error == XML_ERROR_NO_ELEMENTS || error == XML_ERROR_UNCLOSED_TOKEN || error == XML_ERROR_PARTIAL_CHAR;
@@ -304,7 +305,7 @@ private:
         return fmt::format("it is no XML in UTF-8: {}", XML_ErrorString(error));
     }
 
-    Aird refused(std::string why) const {
+    Aird make_refusal(std::string why) const {
         Aird result;
         result.error = std::move(why);
         if (at_ > 0) result.offset = static_cast<std::uint32_t>(std::min(static_cast<std::size_t>(at_), text_.size()));
@@ -314,7 +315,7 @@ private:
     /// Calls `work` and stores its exception, which ends the parsing: exceptions must not pass through Expat, which is
     /// C code.
     template <class Work>
-    void guarded(Work work) {
+    void run_guarded(Work work) {
         if (!error_.empty() || failure_) return;
         try {
             work();
@@ -327,20 +328,20 @@ private:
         if (!error_.empty() || failure_) XML_StopParser(parser_.get(), XML_FALSE);
     }
 
-    static AirdReader& self(void* data) { return *static_cast<AirdReader*>(data); }
+    static AirdReader& reader_of(void* data) { return *static_cast<AirdReader*>(data); }
     static void XMLCALL on_begin(void* data, const XML_Char* tag, const XML_Char** attributes) {
-        AirdReader& reader = self(data);
-        reader.guarded([&] {
+        AirdReader& reader = reader_of(data);
+        reader.run_guarded([&] {
             if (reader.budget_ != nullptr) reader.budget_->poll();
             reader.builder_.begin(tag, Attributes(attributes));
         });
     }
     static void XMLCALL on_end(void* data, const XML_Char*) {
-        self(data).guarded([&] { self(data).builder_.end(); });
+        reader_of(data).run_guarded([&] { reader_of(data).builder_.end(); });
     }
     static void XMLCALL on_declaration(void* data, const XML_Char* version, const XML_Char* encoding, int) {
         if (version == nullptr || encoding == nullptr) return;
-        self(data).guarded([&] {
+        reader_of(data).run_guarded([&] {
             std::string name(encoding);
             std::ranges::transform(name, name.begin(),
                                    [](char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
@@ -349,7 +350,8 @@ private:
         });
     }
     static void XMLCALL on_document_type(void* data, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-        self(data).guarded([] { throw Refused("it has a document type (DOCTYPE), which such files do not have"); });
+        reader_of(data).run_guarded(
+            [] { throw Refused("it has a document type (DOCTYPE), which such files do not have"); });
     }
 
     struct Free {

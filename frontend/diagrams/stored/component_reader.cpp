@@ -280,7 +280,8 @@ private:
             const AirdElement& element = diagram_.elements.find(line.element)->second;
             ++result_.elements;
             const Declaration* meant = fragments_.find(element.href);
-            if (meant == nullptr || !joins(*meant, element) || !take(*meant, line)) rest.emplace_back(&line, &element);
+            if (meant == nullptr || !has_ends_of(*meant, element) || !add_route(*meant, line))
+                rest.emplace_back(&line, &element);
         }
         for (const auto& [line, element] : rest) {
             if (budget_ != nullptr) budget_->poll();
@@ -304,7 +305,7 @@ private:
         return result;
     }
 
-    bool take(const Declaration& declaration, const AirdLine& line) {
+    bool add_route(const Declaration& declaration, const AirdLine& line) {
         if (!result_.layout.lines.try_emplace(&declaration, line.route).second) return false;
         ++result_.found;
         return true;
@@ -316,7 +317,7 @@ private:
     }
 
     /// True if the declaration has the same ends as the line.
-    [[nodiscard]] bool joins(const Declaration& declaration, const AirdElement& line) const {
+    [[nodiscard]] bool has_ends_of(const Declaration& declaration, const AirdElement& line) const {
         const LineEnd source = end_of(line.source);
         const LineEnd target = end_of(line.target);
         if (source.node == nullptr || target.node == nullptr) return false;
@@ -336,7 +337,7 @@ private:
         const Declaration* best = nullptr;
         const std::string label = without_blanks(element.name);
         const auto see = [&](const auto& each, bool same_label) {
-            if (result_.layout.lines.contains(each.get()) || !joins(*each, element)) return;
+            if (result_.layout.lines.contains(each.get()) || !has_ends_of(*each, element)) return;
             if (best == nullptr || same_label) best = each.get();
         };
         for (const Declaration* at = source; at != nullptr && best == nullptr; at = at->parent) {
@@ -345,7 +346,7 @@ private:
             if (const auto* component = dynamic_cast<const Component*>(at))
                 for (const auto& each : component->connections) see(each, false);
         }
-        if (best != nullptr) take(*best, line);
+        if (best != nullptr) add_route(*best, line);
     }
 
     const AirdDiagram& diagram_;

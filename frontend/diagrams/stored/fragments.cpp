@@ -71,14 +71,14 @@ DeclKind kind_of(const Declaration& declaration) {
 
 /// The item with this number among those that satisfy `fits`.
 template <class Items, class Fits>
-const Declaration* nth(const Items& items, std::size_t number, Fits fits) {
+const Declaration* nth_item(const Items& items, std::size_t number, Fits fits) {
     for (const auto& item : items)
         if (fits(*item) && number-- == 0) return &*item;
     return nullptr;
 }
 
 template <class Items>
-const Declaration* nth(const Items& items, std::size_t number) {
+const Declaration* nth_item(const Items& items, std::size_t number) {
     return number < items.size() ? &*items[number] : nullptr;
 }
 
@@ -93,21 +93,22 @@ const Declaration* in_file(const File& file, const Step& step) {
         return {};
     }(step.feature);
     if (kinds.empty()) return nullptr;
-    return nth(file.declarations, step.number, [&](const Declaration& each) { return each.kind == kinds.front(); });
+    return nth_item(file.declarations, step.number,
+                    [&](const Declaration& each) { return each.kind == kinds.front(); });
 }
 
 const Declaration* in_nodes(const NodeContainer& container, const Step& step) {
-    if (step.feature == "nodes") return nth(container.nodes, step.number);
-    if (step.feature == "transitions") return nth(container.transitions, step.number);
+    if (step.feature == "nodes") return nth_item(container.nodes, step.number);
+    if (step.feature == "transitions") return nth_item(container.transitions, step.number);
     return nullptr;
 }
 
 const Declaration* in_component(const Component& component, const Step& step) {
-    if (step.feature == "connections") return nth(component.connections, step.number);
+    if (step.feature == "connections") return nth_item(component.connections, step.number);
     if (component.kind == DeclKind::module)
-        return step.feature == "nodes" ? nth(component.order, step.number) : nullptr;
+        return step.feature == "nodes" ? nth_item(component.order, step.number) : nullptr;
     const auto of_kind = [&](DeclKind kind) {
-        return nth(component.order, step.number, [&](const Declaration& each) { return kind_of(each) == kind; });
+        return nth_item(component.order, step.number, [&](const Declaration& each) { return kind_of(each) == kind; });
     };
     if (step.feature == "machines") return of_kind(DeclKind::state_machine);
     if (step.feature == "lOperations") return of_kind(DeclKind::operation);
@@ -117,7 +118,7 @@ const Declaration* in_component(const Component& component, const Step& step) {
 const Declaration* in_declaration(const Declaration& declaration, const Step& step) {
     if (const auto* context = dynamic_cast<const Context*>(&declaration);
         context != nullptr && step.feature == "events")
-        return nth(context->events, step.number);
+        return nth_item(context->events, step.number);
     if (const auto* component = dynamic_cast<const Component*>(&declaration)) return in_component(*component, step);
     if (const auto* container = dynamic_cast<const NodeContainer*>(&declaration)) return in_nodes(*container, step);
     return nullptr;
@@ -140,7 +141,7 @@ struct Fragments::Reference {
     const File* file = nullptr;
     std::vector<Step> steps;
 
-    [[nodiscard]] const Declaration* target() const {
+    [[nodiscard]] const Declaration* find_target() const {
         if (steps.empty()) return nullptr;
         const Declaration* at = in_file(*file, steps.front());
         for (std::size_t i = 1; i < steps.size() && at != nullptr; ++i) at = in_declaration(*at, steps[i]);
@@ -158,7 +159,7 @@ Fragments::Reference Fragments::read(std::string_view href) const {
 }
 
 const Declaration* Fragments::find(std::string_view href) const {
-    return read(href).target();
+    return read(href).find_target();
 }
 
 std::vector<const Declaration*> Fragments::siblings(std::string_view href) const {
@@ -167,7 +168,7 @@ std::vector<const Declaration*> Fragments::siblings(std::string_view href) const
     if (reference.steps.empty()) return result;
     std::size_t& number = reference.steps.back().number;
     number = 0;
-    for (const Declaration* at = reference.target(); at != nullptr; at = reference.target()) {
+    for (const Declaration* at = reference.find_target(); at != nullptr; at = reference.find_target()) {
         result.push_back(at);
         ++number;
     }

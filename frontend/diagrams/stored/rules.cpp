@@ -23,7 +23,7 @@ const Rule incomplete_diagram{
     "The component is drawn as a person has in RoboTool. What is not in that diagram has been laid out anew: nodes and "
     "parts stand below the others."};
 
-std::span<const Rule* const> all() {
+std::span<const Rule* const> rule_list() {
     static constexpr std::array<const Rule*, 3> rules{&unreadable_diagrams, &other_diagram, &incomplete_diagram};
     return rules;
 }

@@ -13,6 +13,6 @@ extern const diagnostics::Rule other_diagram;        ///< RC-D02
 extern const diagnostics::Rule incomplete_diagram;   ///< RC-D03
 
 /// All rules, for `explain` and for tests.
-[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+[[nodiscard]] std::span<const diagnostics::Rule* const> rule_list();
 
 }  // namespace robochart::diagrams::rules

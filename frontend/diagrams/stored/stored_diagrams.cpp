@@ -52,7 +52,7 @@ class Missing {
 public:
     explicit Missing(const StoredLayout& layout) : layout_(layout) {}
 
-    std::string of(const Declaration& component) {
+    std::string describe_missing(const Declaration& component) {
         if (const auto* machine = dynamic_cast<const Machine*>(&component)) add_inside(*machine);
         if (const auto* parts = dynamic_cast<const Component*>(&component)) {
             for (const Declaration* part : parts->order)
@@ -71,7 +71,9 @@ private:
         constexpr std::size_t most = 4;
         if (++count_ <= most) names_ += (names_.empty() ? "" : ", ") + what;
     }
-    void add(const Declaration& it) { name(fmt::format("{} {}", to_text(it.kind), diagnostics::shown(it.name))); }
+    void add(const Declaration& it) {
+        name(fmt::format("{} {}", to_text(it.kind), diagnostics::escape_for_display(it.name)));
+    }
     void add_inside(const NodeContainer& container) {
         for (const auto& node : container.nodes) {
             if (!layout_.boxes.contains(node.get())) add(*node);
@@ -92,15 +94,16 @@ Aird read_file(const std::string& path, diagnostics::SourceManager& sources, dia
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error))) return {};
     const auto refuse = [&](diagnostics::Span span, const std::string& why) {
-        out.report(rules::unreadable_diagrams, span, {diagnostics::shown(path), diagnostics::shown(why)});
+        out.report(rules::unreadable_diagrams, span,
+                   {diagnostics::escape_for_display(path), diagnostics::escape_for_display(why)});
         return Aird();
     };
     if (const auto size = fs::file_size(path, error); !error && size > longest_aird)
         return refuse({}, fmt::format("it is longer than {} MiB", longest_aird >> 20U));
     std::string why;
-    const auto source = sources.load(path, why);
+    const auto source = sources.load_file(path, why);
     if (!source) return refuse({}, why);
-    Aird aird = read_aird(sources.text(*source), out.budget());
+    Aird aird = read_aird(sources.source_text(*source), out.budget());
     return aird.error.empty() ? aird : refuse({*source, aird.offset, aird.offset}, aird.error);
 }
 
@@ -135,25 +138,26 @@ void StoredDiagrams::add(const Aird& aird, const std::string& path, const Model&
         }
 }
 
-const StoredDiagram* StoredDiagrams::diagram(const Declaration* component) const {
+const StoredDiagram* StoredDiagrams::diagram_of(const Declaration* component) const {
     const auto at = diagrams_.find(component);
     return at == diagrams_.end() ? nullptr : &at->second;
 }
 
 const StoredLayout* StoredDiagrams::find(const Declaration* component) const {
-    const StoredDiagram* found = diagram(component);
-    return found != nullptr && found->fits() ? &found->layout : nullptr;
+    const StoredDiagram* found = diagram_of(component);
+    return found != nullptr && found->fits_model() ? &found->layout : nullptr;
 }
 
-void StoredDiagrams::explain(const Declaration* component, diagnostics::Diagnostics& out) const {
-    const StoredDiagram* found = diagram(component);
+void StoredDiagrams::explain_mismatch(const Declaration* component, diagnostics::Diagnostics& out) const {
+    const StoredDiagram* found = diagram_of(component);
     if (found == nullptr || !found->is_drawn()) return;
-    const std::string name = fmt::format("{} {}", to_text(component->kind), diagnostics::shown(component->name));
-    const std::string file = diagnostics::shown(found->file);
-    if (!found->fits())
+    const std::string name =
+        fmt::format("{} {}", to_text(component->kind), diagnostics::escape_for_display(component->name));
+    const std::string file = diagnostics::escape_for_display(found->file);
+    if (!found->fits_model())
         out.report(rules::other_diagram, component->name_span,
                    {name, file, std::to_string(found->elements), std::to_string(found->found)});
-    else if (const std::string missing = Missing(found->layout).of(*component); !missing.empty())
+    else if (const std::string missing = Missing(found->layout).describe_missing(*component); !missing.empty())
         out.report(rules::incomplete_diagram, component->name_span, {name, file, missing});
 }
 

@@ -30,7 +30,7 @@ struct StoredDiagram {
     /// True if a person arranged the diagram; false if it is as RoboTool created it.
     [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
     /// True if the diagram matches this model.
-    [[nodiscard]] bool fits() const { return is_drawn() && found * 100 >= elements * 95; }
+    [[nodiscard]] bool fits_model() const { return is_drawn() && found * 100 >= elements * 95; }
 };
 
 /// The diagrams of the components of one or more models.
@@ -51,11 +51,11 @@ public:
              const diagnostics::SourceManager& sources, diagnostics::Budget* budget);
 
     /// The diagram of a component, even if it does not match this model; null if there is none.
-    [[nodiscard]] const StoredDiagram* diagram(const frontend::Declaration* component) const;
+    [[nodiscard]] const StoredDiagram* diagram_of(const frontend::Declaration* component) const;
     /// The layout of a component; null if there is no diagram that matches this model.
     [[nodiscard]] const StoredLayout* find(const frontend::Declaration* component) const;
     /// Reports why the diagram of a component is not used, or which parts it does not contain.
-    void explain(const frontend::Declaration* component, diagnostics::Diagnostics& out) const;
+    void explain_mismatch(const frontend::Declaration* component, diagnostics::Diagnostics& out) const;
 
 private:
     std::map<std::string, Aird> files_;                                         ///< read by `read`, by path

@@ -45,7 +45,7 @@ std::string style_of(Theme theme) {
     return rules_of(light) + "@media screen and (prefers-color-scheme:dark){" + rules_of(dark) + "}";
 }
 
-std::string number(double value) {
+std::string format_number(double value) {
     const double rounded = std::round(value * 10) / 10;
     return rounded == std::floor(rounded) ? fmt::format("{:.0f}", rounded + 0.0) : fmt::format("{:.1f}", rounded);
 }
@@ -77,7 +77,7 @@ std::string_view class_of(Look look) {
 /// The path of a line with rounded corners.
 std::string path_of(const std::vector<Point>& points) {
     constexpr double radius = 5;
-    std::string path = fmt::format("M{} {}", number(points[0].x), number(points[0].y));
+    std::string path = fmt::format("M{} {}", format_number(points[0].x), format_number(points[0].y));
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         const auto towards = [&](const Point& other) {
             const Point& corner = points[i];
@@ -87,10 +87,11 @@ std::string path_of(const std::vector<Point>& points) {
         };
         const Point before = towards(points[i - 1]);
         const Point after = towards(points[i + 1]);
-        path += fmt::format("L{} {}Q{} {} {} {}", number(before.x), number(before.y), number(points[i].x),
-                            number(points[i].y), number(after.x), number(after.y));
+        path += fmt::format("L{} {}Q{} {} {} {}", format_number(before.x), format_number(before.y),
+                            format_number(points[i].x), format_number(points[i].y), format_number(after.x),
+                            format_number(after.y));
     }
-    return path + fmt::format("L{} {}", number(points.back().x), number(points.back().y));
+    return path + fmt::format("L{} {}", format_number(points.back().x), format_number(points.back().y));
 }
 
 /// An open arrowhead at `tip`, for a line that comes from `before`.
@@ -101,11 +102,11 @@ std::string head_of(const Point& before, const Point& tip) {
     if (distance == 0) return "";
     const Point along{(tip.x - before.x) / distance, (tip.y - before.y) / distance};
     const auto corner = [&](double side) {
-        return number(tip.x - along.x * length - along.y * side) + " " +
-               number(tip.y - along.y * length + along.x * side);
+        return format_number(tip.x - along.x * length - along.y * side) + " " +
+               format_number(tip.y - along.y * length + along.x * side);
     };
-    return fmt::format("<path class=\"head\" d=\"M{}L{} {}L{}\"/>", corner(half), number(tip.x), number(tip.y),
-                       corner(-half));
+    return fmt::format("<path class=\"head\" d=\"M{}L{} {}L{}\"/>", corner(half), format_number(tip.x),
+                       format_number(tip.y), corner(-half));
 }
 
 class Writer {
@@ -114,8 +115,8 @@ public:
         : picture_(picture), elements_(elements), options_(options) {}
 
     std::string write() {
-        const std::string width = number(std::ceil(picture_.size.width));
-        const std::string height = number(std::ceil(picture_.size.height));
+        const std::string width = format_number(std::ceil(picture_.size.width));
+        const std::string height = format_number(std::ceil(picture_.size.height));
         out_ = fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
             "role=\"img\" "
@@ -133,26 +134,26 @@ public:
 
 private:
     /// The class attribute of a group, including the classes from the options.
-    [[nodiscard]] std::string classes(std::string_view own, std::size_t element) const {
+    [[nodiscard]] std::string class_attribute(std::string_view own, std::size_t element) const {
         const auto found =
-            element == none ? options_.classes.end() : options_.classes.find(elements_.all()[element].id);
+            element == none ? options_.classes.end() : options_.classes.find(elements_.all_elements()[element].id);
         return found == options_.classes.end() ? std::string(own) : fmt::format("{} {}", own, found->second);
     }
 
     /// `id="…" data-element="…"`; a counter replaces the id of anything that is not an element of the model.
-    std::string identity(std::size_t element) {
+    std::string id_attributes(std::size_t element) {
         if (element == none) return fmt::format("id=\"{}x{}\"", options_.id_prefix, ++others_);
-        const std::string& id = elements_.all()[element].id;
+        const std::string& id = elements_.all_elements()[element].id;
         const std::size_t time = ++times_[element];
         const std::string again = time > 1 ? fmt::format("-{}", time) : "";
         return fmt::format("id=\"{}{}{}\" data-element=\"{}\"", options_.id_prefix, id, again, id);
     }
 
     /// The tooltip: kind and name, and elided text.
-    [[nodiscard]] std::string hint(std::size_t element, const std::string& whole) const {
+    [[nodiscard]] std::string tooltip_text(std::size_t element, const std::string& whole) const {
         std::string text;
         if (element != none) {
-            const Element& it = elements_.all()[element];
+            const Element& it = elements_.all_elements()[element];
             text = it.kind + (it.name.empty() ? "" : " " + it.name) + "\n";
         }
         text += whole;
@@ -160,15 +161,15 @@ private:
     }
 
     void write_box(const PictureBox& box) {
-        out_ += fmt::format("<g class=\"{}\" {}>{}", classes(class_of(box.look), box.element), identity(box.element),
-                            hint(box.element, box.whole));
+        out_ += fmt::format("<g class=\"{}\" {}>{}", class_attribute(class_of(box.look), box.element),
+                            id_attributes(box.element), tooltip_text(box.element, box.whole));
         write_shape(box);
         for (const double rule : box.rules)
-            out_ += fmt::format("<path class=\"rule\" d=\"M{} {}H{}\"/>", number(box.place.x), number(rule),
-                                number(box.place.right()));
+            out_ += fmt::format("<path class=\"rule\" d=\"M{} {}H{}\"/>", format_number(box.place.x),
+                                format_number(rule), format_number(box.place.right()));
         for (const Sign& sign : box.signs)
             out_ += fmt::format("<g{} transform=\"translate({} {})\">{}</g>", sign.reference ? " class=\"blue\"" : "",
-                                number(sign.centre.x), number(sign.centre.y), icon_svg(sign.icon));
+                                format_number(sign.centre.x), format_number(sign.centre.y), icon_svg(sign.icon));
         write_texts(box.texts);
         out_ += "</g>\n";
     }
@@ -189,17 +190,20 @@ private:
                             thick  ? "thick"
                             : full ? "full"
                                    : "open",
-                            number(at.centre().x), number(at.centre().y), number((at.width - line) / 2));
+                            format_number(at.centre().x), format_number(at.centre().y),
+                            format_number((at.width - line) / 2));
         const std::string_view letter = box.look == Look::initial ? "i" : thick ? "P" : full ? "" : "F";
         if (!letter.empty())
             out_ += fmt::format(
                 "<text{} x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\">{}</text>",
-                full ? " class=\"in-full\"" : "", number(at.centre().x), number(at.centre().y + 4.7), letter);
+                full ? " class=\"in-full\"" : "", format_number(at.centre().x), format_number(at.centre().y + 4.7),
+                letter);
     }
 
     void write_rectangle(const Rectangle& at, std::string_view kind) {
-        out_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kind, number(at.x),
-                            number(at.y), number(at.width), number(at.height));
+        out_ +=
+            fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kind, format_number(at.x),
+                        format_number(at.y), format_number(at.width), format_number(at.height));
     }
 
     void write_texts(const std::vector<Text>& texts) {
@@ -207,10 +211,11 @@ private:
             const bool more = t + 1 < texts.size() && texts[t + 1].flows;
             if (!texts[t].flows) begin_text(texts[t], more);
             const bool alone = !texts[t].flows && !more;
-            if (!alone) out_ += texts[t].element == none ? "<tspan>" : "<tspan " + identity(texts[t].element) + ">";
+            if (!alone)
+                out_ += texts[t].element == none ? "<tspan>" : "<tspan " + id_attributes(texts[t].element) + ">";
             if (alone && texts[t].element != none) {
                 out_.pop_back();
-                out_ += " " + identity(texts[t].element) + ">";
+                out_ += " " + id_attributes(texts[t].element) + ">";
             }
             out_ += diagnostics::xml_lines(texts[t].text);
             if (!alone) out_ += "</tspan>";
@@ -219,10 +224,10 @@ private:
     }
 
     void begin_text(const Text& text, bool more) {
-        out_ += fmt::format("<text x=\"{}\" y=\"{}\"", number(text.at.x), number(text.at.y));
+        out_ += fmt::format("<text x=\"{}\" y=\"{}\"", format_number(text.at.x), format_number(text.at.y));
         if (text.anchor != Anchor::start)
             out_ += text.anchor == Anchor::middle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
-        if (text.size != 11) out_ += fmt::format(" font-size=\"{}\"", number(text.size));
+        if (text.size != 11) out_ += fmt::format(" font-size=\"{}\"", format_number(text.size));
         if (text.bold) out_ += " font-weight=\"bold\"";
         if (text.italic) out_ += " font-style=\"italic\"";
         if (more) out_ += " xml:space=\"preserve\"";
@@ -232,8 +237,9 @@ private:
 
     void write_line(const PictureLine& line) {
         if (line.points.size() < 2) return;
-        out_ += fmt::format("<g class=\"{}\" {}>{}<path class=\"line\" d=\"{}\"/>", classes("edge", line.element),
-                            identity(line.element), hint(line.element, line.whole), path_of(line.points));
+        out_ +=
+            fmt::format("<g class=\"{}\" {}>{}<path class=\"line\" d=\"{}\"/>", class_attribute("edge", line.element),
+                        id_attributes(line.element), tooltip_text(line.element, line.whole), path_of(line.points));
         out_ += head_of(line.points[line.points.size() - 2], line.points.back());
         if (line.both_ways) out_ += head_of(line.points[1], line.points[0]);
         if (!line.texts.empty()) {
@@ -254,7 +260,7 @@ private:
 
 }  // namespace
 
-std::string svg(const Picture& picture, const Elements& elements, const SvgOptions& options) {
+std::string render_svg(const Picture& picture, const Elements& elements, const SvgOptions& options) {
     return Writer(picture, elements, options).write();
 }
 

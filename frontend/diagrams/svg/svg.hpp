@@ -27,6 +27,6 @@ struct SvgOptions {
 
 /// The picture. The group of an element has the element's id; a second group of the same element has `ID-2`.
 /// `data-element` is the id without prefix or number. Names are always escaped as text.
-[[nodiscard]] std::string svg(const Picture& picture, const Elements& elements, const SvgOptions& options = {});
+[[nodiscard]] std::string render_svg(const Picture& picture, const Elements& elements, const SvgOptions& options = {});
 
 }  // namespace robochart::diagrams

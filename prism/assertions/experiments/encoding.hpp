@@ -7,10 +7,10 @@
 #include <map>
 #include <string>
 
-#include "prism/explore/state_space.hpp"
 #include "base/diagnostics/diagnostic.hpp"
 #include "prism/assertions/properties/elements.hpp"
 #include "prism/assertions/properties/question.hpp"
+#include "prism/explore/state_space.hpp"
 
 namespace robochart::probability {
 
@@ -40,13 +40,13 @@ public:
 
     [[nodiscard]] virtual Elements& elements() = 0;
     /// Returns the PRISM constant for the RoboChart constant with this path. Throws NotExpressed.
-    [[nodiscard]] virtual prism::Constant constant(const std::string& path) = 0;
+    [[nodiscard]] virtual prism::Constant prism_constant(const std::string& path) = 0;
     /// Returns the states of the model with the additions that the question needs. `Values` are given by the PRISM
     /// names of constants. The result is valid until the next call. Throws NotExpressed, Wrong, prism::EvaluationError,
     /// diagnostics::LimitReached.
-    [[nodiscard]] virtual const prism::StateSpace& space(const Question&, const prism::Values&) = 0;
+    [[nodiscard]] virtual const prism::StateSpace& explore_space(const Question&, const prism::Values&) = 0;
     /// Returns the same model without exploring its states, for random paths. Throws the same exceptions.
-    [[nodiscard]] virtual Unexplored unexplored(const Question&, const prism::Values&) = 0;
+    [[nodiscard]] virtual Unexplored unexplored_model(const Question&, const prism::Values&) = 0;
     /// True if a question has a single value. Otherwise a question has the least and the greatest value over all
     /// schedulers.
     [[nodiscard]] virtual bool one_value() const = 0;

@@ -8,15 +8,15 @@
 #include <chrono>
 #include <cmath>
 
+#include "prism/assertions/experiments/path_words.hpp"
 #include "prism/checks/check.hpp"
-#include "prism/session/experiment.hpp"
 #include "prism/explore/constants.hpp"
 #include "prism/explore/rules.hpp"
 #include "prism/sampling/random_path.hpp"
 #include "prism/sampling/unsampled.hpp"
+#include "prism/session/experiment.hpp"
 #include "prism/session/session.hpp"
 #include "prism/session/simulation.hpp"
-#include "prism/assertions/experiments/path_words.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -25,24 +25,24 @@ using prism::ExprPtr;
 using prism::Op;
 
 /// The messages of all errors.
-std::string errors(const diagnostics::Diagnostics& diagnostics) {
+std::string error_messages(const diagnostics::Diagnostics& diagnostics) {
     std::string text;
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error) text += (text.empty() ? "" : "; ") + each.message();
     return text;
 }
 
-std::string message(const prism::EvaluationError& error) {
+std::string error_message(const prism::EvaluationError& error) {
     diagnostics::Diagnostics one;
     error.report(one);
-    std::string text = errors(one);
+    std::string text = error_messages(one);
     if (!error.state.empty()) text += ", in the state " + error.state;
     if (error.is(prism::rules::out_of_range)) text += "; --range and --prefs set the ranges of nat, int and real";
     return text;
 }
 
-double near(const prism::Real& value) {
-    return value.exact() ? value.value().convert_to<double>() : value.bounds().middle();
+double approximate_value(const prism::Real& value) {
+    return value.is_exact() ? value.value().convert_to<double>() : value.bounds().middle();
 }
 
 /// True if the question asks for a number without naming a scheduler.
@@ -51,7 +51,7 @@ bool open_question(const prism::Expr& expr) {
            expr.query->optimum == prism::Optimum::none;
 }
 
-ExprPtr with(const ExprPtr& expr, prism::Optimum optimum) {
+ExprPtr with_optimum(const ExprPtr& expr, prism::Optimum optimum) {
     prism::Expr copy = *expr;
     auto query = std::make_shared<prism::Query>(*expr->query);
     query->optimum = optimum;
@@ -62,9 +62,9 @@ ExprPtr with(const ExprPtr& expr, prism::Optimum optimum) {
 /// The properties that answer a question: the question itself, or its minimum and its maximum.
 std::vector<prism::Property> properties_of(const Question& question, bool one_value) {
     if (!open_question(*question.property)) return {{{}, question.property}};
-    if (one_value) return {{{}, with(question.property, prism::Optimum::minimum)}};
-    return {{{}, with(question.property, prism::Optimum::minimum)},
-            {{}, with(question.property, prism::Optimum::maximum)}};
+    if (one_value) return {{{}, with_optimum(question.property, prism::Optimum::minimum)}};
+    return {{{}, with_optimum(question.property, prism::Optimum::minimum)},
+            {{}, with_optimum(question.property, prism::Optimum::maximum)}};
 }
 
 /// A setting with the PRISM name of its constant, and its values.
@@ -81,7 +81,7 @@ public:
 
     void operator()(const std::function<void(Row)>& found) {
         for (const Setting& each : question_.settings) read(each);
-        for (const prism::Values& of_model : combinations(true)) run(of_model, found);
+        for (const prism::Values& of_model : value_combinations(true)) run_for_model(of_model, found);
     }
 
 private:
@@ -96,7 +96,7 @@ private:
             if (!given.of_model && in_property == question_.constants.end()) return;  // the constant is not used
             constant = given.of_model ? *in_model : *in_property;
         } else {
-            constant = encoding_.constant(setting.path);
+            constant = encoding_.prism_constant(setting.path);
         }
         given.series.name = constant.name.text;
         // Paths are not valid PRISM names, so the parser gets a simple one.
@@ -112,7 +112,7 @@ private:
         given_.push_back(std::move(given));
     }
 
-    [[nodiscard]] std::vector<prism::Values> combinations(bool of_model) const {
+    [[nodiscard]] std::vector<prism::Values> value_combinations(bool of_model) const {
         std::vector<prism::Series> series;
         for (const Given& each : given_)
             if (each.of_model == of_model) series.push_back(each.series);
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    [[nodiscard]] Row row(const prism::Values& of_model, const prism::Values& of_property) const {
+    [[nodiscard]] Row make_row(const prism::Values& of_model, const prism::Values& of_property) const {
         Row result;
         for (const Given& each : given_) {
             const prism::Values& values = each.of_model ? of_model : of_property;
@@ -132,55 +132,55 @@ private:
         return result;
     }
 
-    void run(const prism::Values& of_model, const std::function<void(Row)>& found) {
+    void run_for_model(const prism::Values& of_model, const std::function<void(Row)>& found) {
         const auto begin = std::chrono::steady_clock::now();
         const auto seconds = [&] {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         };
-        const std::vector<prism::Values> of_property = combinations(false);
+        const std::vector<prism::Values> of_property = value_combinations(false);
         const auto fail = [&](const std::string& error) {
             for (const prism::Values& constants : of_property) {
-                Row one = row(of_model, constants);
+                Row one = make_row(of_model, constants);
                 one.error = error;
                 found(std::move(one));
             }
         };
         try {
             if (question_.path) {
-                generate(encoding_.unexplored(question_, of_model), of_model, of_property, found);
+                generate_paths(encoding_.unexplored_model(question_, of_model), of_model, of_property, found);
             } else if (!question_.simulation) {
-                const prism::StateSpace& space = encoding_.space(question_, of_model);
-                decide(space, of_model, of_property, seconds(), found);
+                const prism::StateSpace& space = encoding_.explore_space(question_, of_model);
+                decide_on_space(space, of_model, of_property, seconds(), found);
             } else {
-                sample(encoding_.unexplored(question_, of_model).instance, of_model, of_property, found);
+                decide_by_paths(encoding_.unexplored_model(question_, of_model).instance, of_model, of_property, found);
             }
         } catch (const prism::EvaluationError& error) {
-            fail(message(error));
+            fail(error_message(error));
         } catch (const Wrong& error) {
             fail(error.what());
         } catch (const diagnostics::LimitReached& limit) {
             budget_.check();  // passes the limits of the whole run on
             for (const prism::Values& constants : of_property) {
-                Row one = row(of_model, constants);
+                Row one = make_row(of_model, constants);
                 one.results.emplace_back().reason = limit.what();
                 found(std::move(one));
             }
         }
     }
 
-    void decide(const prism::StateSpace& space, const prism::Values& of_model,
-                const std::vector<prism::Values>& of_property, double exploring,
-                const std::function<void(Row)>& found) {
+    void decide_on_space(const prism::StateSpace& space, const prism::Values& of_model,
+                         const std::vector<prism::Values>& of_property, double exploring,
+                         const std::function<void(Row)>& found) {
         const bool mdp = space.model().kind == prism::ModelKind::mdp;
         const prism::CheckedProperties checked =
-            this->checked(space.model(), mdp ? properties_of(question_, encoding_.one_value())
-                                             : std::vector<prism::Property>{{{}, question_.property}});
+            this->checked_properties(space.model(), mdp ? properties_of(question_, encoding_.one_value())
+                                                        : std::vector<prism::Property>{{{}, question_.property}});
         prism::Session session(space, checked, {how_.relative, how_.exact, &budget_});
         for (const prism::Values& constants : of_property) {
-            Row one = row(of_model, constants);
+            Row one = make_row(of_model, constants);
             one.states = space.chain().states();
             one.transitions = space.transitions();
-            fill(one, checked.properties.size(), [&](std::size_t i) { return session.check(i, constants); });
+            fill_row(one, checked.properties.size(), [&](std::size_t i) { return session.check(i, constants); });
             one.seconds += exploring;
             exploring = 0;  // counted once
             found(std::move(one));
@@ -188,44 +188,45 @@ private:
     }
 
     /// Answers by random paths; no states are explored.
-    void sample(const prism::Instance& instance, const prism::Values& of_model,
-                const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
-        const prism::CheckedProperties checked = this->checked(instance.model(), {{{}, question_.property}});
+    void decide_by_paths(const prism::Instance& instance, const prism::Values& of_model,
+                         const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
+        const prism::CheckedProperties checked = this->checked_properties(instance.model(), {{{}, question_.property}});
         diagnostics::Diagnostics findings;
         for (const prism::Values& constants : of_property) {
-            Row one = row(of_model, constants);
-            const prism::SamplingOptions options{method(numbers(instance, checked, constants)), how_.seed, how_.threads,
-                                                 &budget_};
-            fill(one, 1,
-                 [&](std::size_t i) { return prism::simulate(instance, checked, i, constants, options, findings); });
+            Row one = make_row(of_model, constants);
+            const prism::SamplingOptions options{sampling_method(constant_values(instance, checked, constants)),
+                                                 how_.seed, how_.threads, &budget_};
+            fill_row(one, 1, [&](std::size_t i) {
+                return prism::simulate(instance, checked, i, constants, options, findings);
+            });
             found(std::move(one));
         }
     }
 
-    [[nodiscard]] prism::CheckedProperties checked(const prism::CheckedModel& model,
-                                                   std::vector<prism::Property> properties) const {
+    [[nodiscard]] prism::CheckedProperties checked_properties(const prism::CheckedModel& model,
+                                                              std::vector<prism::Property> properties) const {
         diagnostics::Diagnostics findings;
         prism::PropertyFile file;
         file.constants = question_.constants;
         file.properties = std::move(properties);
         prism::CheckedProperties result = prism::check_properties(model, file, findings);
-        if (!findings.ok()) throw Wrong(errors(findings));
+        if (!findings.ok()) throw Wrong(error_messages(findings));
         return result;
     }
 
     /// The values of all constants.
-    [[nodiscard]] static prism::Values numbers(const prism::Instance& instance,
-                                               const prism::CheckedProperties& properties,
-                                               const prism::Values& constants) {
+    [[nodiscard]] static prism::Values constant_values(const prism::Instance& instance,
+                                                       const prism::CheckedProperties& properties,
+                                                       const prism::Values& constants) {
         prism::Values known = instance.constants();
         prism::evaluate_constants(properties.constants, constants, known);
         return known;
     }
 
-    [[nodiscard]] prism::Method method(const prism::Values& numbers) const {
+    [[nodiscard]] prism::Method sampling_method(const prism::Values& numbers) const {
         std::string text = question_.simulation->method;
         for (const auto& [parameter, constant] : question_.simulation->parameters)
-            text += fmt::format(",{}={}", parameter, near(numbers.find(constant)->second.real));
+            text += fmt::format(",{}={}", parameter, approximate_value(numbers.find(constant)->second.real));
         try {
             return prism::read_method(text);
         } catch (const prism::BadMethod& error) {
@@ -234,28 +235,28 @@ private:
     }
 
     /// Generates a random path, or several until one reaches a deadlock.
-    void generate(const Unexplored& model, const prism::Values& of_model, const std::vector<prism::Values>& of_property,
-                  const std::function<void(Row)>& found) {
-        const prism::CheckedProperties checked = this->checked(model.instance.model(), {});
+    void generate_paths(const Unexplored& model, const prism::Values& of_model,
+                        const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
+        const prism::CheckedProperties checked = this->checked_properties(model.instance.model(), {});
         for (const prism::Values& constants : of_property) {
-            Row one = row(of_model, constants);
-            generate(model, numbers(model.instance, checked, constants), one);
+            Row one = make_row(of_model, constants);
+            generate_paths(model, constant_values(model.instance, checked, constants), one);
             found(std::move(one));
         }
     }
 
-    void generate(const Unexplored& model, const prism::Values& numbers, Row& one) const {
+    void generate_paths(const Unexplored& model, const prism::Values& numbers, Row& one) const {
         constexpr std::uint64_t most_steps = 100'000;  // all of them are stored
         constexpr std::uint64_t usual_limit = 10'000;
         const Generation& asked = *question_.path;
         const bool to_deadlock = asked.steps.empty();
-        std::uint64_t steps = asked.limit.empty() ? usual_limit : count(asked.limit, numbers);
+        std::uint64_t steps = asked.limit.empty() ? usual_limit : whole_constant(asked.limit, numbers);
         if (!to_deadlock) {
-            const std::uint64_t wanted = count(asked.steps, numbers);
+            const std::uint64_t wanted = whole_constant(asked.steps, numbers);
             steps = asked.limit.empty() ? wanted : std::min(wanted, steps);
         }
         if (steps > most_steps) throw Wrong(fmt::format("a path has {} steps at most", most_steps));
-        const std::uint64_t repeats = asked.repeats.empty() ? 0 : count(asked.repeats, numbers);
+        const std::uint64_t repeats = asked.repeats.empty() ? 0 : whole_constant(asked.repeats, numbers);
         try {
             prism::RandomPath path;
             for (std::uint64_t number = 0; number <= repeats && !(to_deadlock && path.deadlock); ++number)
@@ -272,21 +273,21 @@ private:
     }
 
     /// The number of steps or paths: the value of the constant with this name.
-    static std::uint64_t count(const std::string& constant, const prism::Values& numbers) {
-        const double value = near(numbers.find(constant)->second.real);
+    static std::uint64_t whole_constant(const std::string& constant, const prism::Values& numbers) {
+        const double value = approximate_value(numbers.find(constant)->second.real);
         constexpr double most = 1e15;
         if (value >= 0 && value <= most && value == std::floor(value)) return static_cast<std::uint64_t>(value);
         throw Wrong(fmt::format("{}: expected a whole number from 0 to {}", constant, most));
     }
 
     /// Fills in the answers, or the evaluation error, and the time used.
-    static void fill(Row& row, std::size_t count, const std::function<prism::Result(std::size_t)>& answer) {
+    static void fill_row(Row& row, std::size_t count, const std::function<prism::Result(std::size_t)>& answer) {
         const auto begin = std::chrono::steady_clock::now();
         try {
             for (std::size_t i = 0; i < count; ++i) row.results.push_back(answer(i));
         } catch (const prism::EvaluationError& error) {
             row.results.clear();
-            row.error = message(error);
+            row.error = error_message(error);
         }
         row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
@@ -300,8 +301,8 @@ private:
 
 }  // namespace
 
-void decide(Encoding& encoding, const Question& question, const Deciding& how, diagnostics::Budget& budget,
-            const std::function<void(Row)>& found) {
+void decide_question(Encoding& encoding, const Question& question, const Deciding& how, diagnostics::Budget& budget,
+                     const std::function<void(Row)>& found) {
     Experiment(encoding, question, how, budget)(found);
 }
 

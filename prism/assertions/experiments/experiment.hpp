@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "prism/session/result.hpp"
 #include "base/diagnostics/budget.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
 #include "prism/assertions/properties/question.hpp"
+#include "prism/session/result.hpp"
 
 namespace robochart::probability {
 
@@ -50,6 +50,7 @@ struct Deciding {
 /// Decides the question and calls `found` with each row as soon as it is known. Throws NotExpressed if an element has
 /// no counterpart, Wrong if values are wrong, and LimitReached if the budget is exhausted. If a model has too many
 /// states, its row contains the error.
-void decide(Encoding&, const Question&, const Deciding&, diagnostics::Budget&, const std::function<void(Row)>& found);
+void decide_question(Encoding&, const Question&, const Deciding&, diagnostics::Budget&,
+                     const std::function<void(Row)>& found);
 
 }  // namespace robochart::probability

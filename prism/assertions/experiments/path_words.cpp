@@ -15,8 +15,8 @@ std::string value_text(const Wording::Variable& variable, const prism::Layout::F
 }
 
 /// Lists the variables whose values differ from `before`, or all variables if `before` is null.
-std::string changes(const Unexplored& model, const std::vector<std::int32_t>* before,
-                    const std::vector<std::int32_t>& after) {
+std::string changes_text(const Unexplored& model, const std::vector<std::int32_t>* before,
+                         const std::vector<std::int32_t>& after) {
     const auto& fields = model.instance.layout().fields();
     std::string text;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -27,7 +27,7 @@ std::string changes(const Unexplored& model, const std::vector<std::int32_t>* be
     return text;
 }
 
-std::string by(const prism::RandomPath::Step& step, const Wording& wording) {
+std::string cause_text(const prism::RandomPath::Step& step, const Wording& wording) {
     if (const auto event = wording.actions.find(step.action); event != wording.actions.end()) return event->second;
     std::string text = step.action;
     for (const std::string& module : step.modules) {
@@ -40,10 +40,10 @@ std::string by(const prism::RandomPath::Step& step, const Wording& wording) {
 }  // namespace
 
 Path in_words(const prism::RandomPath& path, const Unexplored& model) {
-    Path result{changes(model, nullptr, path.initial), {}, path.deadlock};
+    Path result{changes_text(model, nullptr, path.initial), {}, path.deadlock};
     const std::vector<std::int32_t>* before = &path.initial;
     for (const prism::RandomPath::Step& step : path.steps) {
-        result.steps.push_back({by(step, model.wording), changes(model, before, step.values)});
+        result.steps.push_back({cause_text(step, model.wording), changes_text(model, before, step.values)});
         before = &step.values;
     }
     return result;

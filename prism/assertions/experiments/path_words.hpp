@@ -2,9 +2,9 @@
 // Random paths in terms of the model.
 #pragma once
 
-#include "prism/sampling/random_path.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
 #include "prism/assertions/experiments/experiment.hpp"
+#include "prism/sampling/random_path.hpp"
 
 namespace robochart::probability {
 

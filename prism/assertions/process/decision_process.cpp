@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
-#include "prism/explore/real.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
+#include "prism/explore/real.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -35,15 +35,15 @@ struct Choice {
 };
 
 /// States in which only time can pass: the largest set of states that is closed and has only tock steps.
-markov::StateSet deadlocked(const Exploration& explored, const std::function<bool(const Step&)>& tock,
-                            const std::function<void()>& poll) {
+markov::StateSet deadlocked_states(const Exploration& explored, const std::function<bool(const Step&)>& tock,
+                                   const std::function<void()>& poll) {
     markov::StateSet result(explored.size(), true);
     std::vector<std::vector<lts::StateIndex>> before(explored.size());
     std::vector<lts::StateIndex> work;
     for (lts::StateIndex state = 0; state < explored.size(); ++state) {
         poll();
         bool only = true;
-        for (const Step& step : explored.steps(state)) {
+        for (const Step& step : explored.steps_from(state)) {
             only = only && tock(step);
             before[step.target].push_back(state);
         }
@@ -83,20 +83,20 @@ public:
     }
 
     DecisionProcess operator()() {
-        const auto tock = [&](const Step& step) { return kind(step).tock; };
-        const markov::StateSet dead = deadlocked(explored_, tock, poll_);
-        meet(0);
+        const auto tock = [&](const Step& step) { return kind_of_step(step).tock; };
+        const markov::StateSet dead = deadlocked_states(explored_, tock, poll_);
+        number_state(0);
         result_.model.initial = {0};
         // Scheduler::uniform adds intermediate states, one for each choice, while the loop runs.
         for (markov::State state = 0; state < result_.origins.size(); ++state) {
             poll_();
             const auto only = single_.find(state);
             const std::vector<Choice> choices =
-                only != single_.end() ? std::vector{only->second} : this->choices(result_.origins[state]);
+                only != single_.end() ? std::vector{only->second} : this->choices_in(result_.origins[state]);
             if (choices.size() > 1 && scheduler_ == Scheduler::uniform)
-                spread(state, choices);
+                add_uniform_choice(state, choices);
             else
-                for (const Choice& each : choices) push(each);
+                for (const Choice& each : choices) add_choice(each);
             if (choices.empty()) push_loop(state);
             result_.model.first_choice.push_back(static_cast<std::uint32_t>(result_.model.choices()));
         }
@@ -114,13 +114,13 @@ private:
     };
 
     /// The kind of a step, by its event or its hidden event.
-    const Kind& kind(const Step& step) {
+    const Kind& kind_of_step(const Step& step) {
         const bool hidden = step.event == lts::tau;
         const auto [known, added] = kinds_.try_emplace({step.event, step.revealed});
         if (!added) return known->second;
         Kind& result = known->second;
         const std::string& name = sources_.events.name(hidden ? step.revealed : step.event);
-        result.meaning = meaning(name);
+        result.meaning = meaning_of(name);
         const bool named = result.meaning != nullptr && !hidden;
         result.tock = named && result.meaning->kind == MeaningKind::tock;
         result.waits = named && (result.meaning->kind == MeaningKind::trigger ||
@@ -128,7 +128,7 @@ private:
         return result;
     }
 
-    [[nodiscard]] const EventMeaning* meaning(const std::string& name) const {
+    [[nodiscard]] const EventMeaning* meaning_of(const std::string& name) const {
         for (std::string prefix = name;; prefix.resize(prefix.rfind('.'))) {
             const auto found = sources_.provenance.events.find(prefix);
             if (found != sources_.provenance.events.end()) return &found->second;
@@ -138,22 +138,22 @@ private:
 
     /// Returns the observers whose parity changes in the step. Before its first event, an observer is its initial term,
     /// which is not a known definition; its parity is then 0. A terminated observer has no parity.
-    [[nodiscard]] EventSet happening(lts::StateIndex from, lts::StateIndex to) {
+    [[nodiscard]] EventSet changed_observers(lts::StateIndex from, lts::StateIndex to) {
         if (sources_.observed.empty()) return 0;
-        const Parities before = parities(from);
-        const Parities behind = parities(to);
+        const Parities before = parities_of(from);
+        const Parities behind = parities_of(to);
         return behind.known & (before.odd ^ behind.odd);
     }
 
-    [[nodiscard]] Parities parities(lts::StateIndex state) {
+    [[nodiscard]] Parities parities_of(lts::StateIndex state) {
         if (parities_.empty()) parities_.resize(explored_.size());
         Parities& result = parities_[state];
         if (result.read) return result;
         result.read = true;
-        const std::vector<std::size_t>& parts = reader_.parts(explored_.state(state));
+        const std::vector<std::size_t>& parts = reader_.parts_of_state(explored_.state(state));
         for (std::size_t i = 0; i < sources_.observed.size(); ++i)
             for (const std::size_t part : parts) {
-                const auto held = reader_.part(part).variable(sources_.observed[i].name(), observed_parity);
+                const auto held = reader_.part(part).find_variable(sources_.observed[i].name(), observed_parity);
                 if (!held) continue;
                 result.known |= EventSet{1} << i;
                 if (held->text != "0") result.odd |= EventSet{1} << i;
@@ -161,7 +161,7 @@ private:
         return result;
     }
 
-    [[nodiscard]] std::uint32_t action(EventSet events) {
+    [[nodiscard]] std::uint32_t action_number(EventSet events) {
         if (events == 0) return 0;
         const auto [known, added] =
             actions_.try_emplace(events, static_cast<std::uint32_t>(result_.model.actions.size()));
@@ -173,20 +173,21 @@ private:
     }
 
     /// The choices that the scheduler allows.
-    std::vector<Choice> choices(lts::StateIndex state) {
+    std::vector<Choice> choices_in(lts::StateIndex state) {
         std::vector<Choice> result;
         std::map<std::pair<std::string, std::string>, std::vector<const Step*>> draws;  // by machine and junction
-        for (const Step& step : explored_.steps(state)) {
-            const Kind& what = kind(step);
+        for (const Step& step : explored_.steps_from(state)) {
+            const Kind& what = kind_of_step(step);
             if (what.meaning != nullptr && what.meaning->draw) {
                 draws[{what.meaning->component, what.meaning->draw->junction}].push_back(&step);
                 continue;
             }
-            const std::uint32_t action = what.tock ? 1 : this->action(happening(state, step.target));
+            const std::uint32_t action = what.tock ? 1 : this->action_number(changed_observers(state, step.target));
             Choice one{action, what.tock, what.waits, {{step.target, 1}}};
             if (std::ranges::find(result, one) == result.end()) result.push_back(std::move(one));
         }
-        for (const auto& [junction, steps] : draws) result.push_back(drawn(state, junction.first, steps));
+        for (const auto& [junction, steps] : draws)
+            result.push_back(probabilistic_choice(state, junction.first, steps));
         if (scheduler_ != Scheduler::urgent) return result;
         const auto free = [](const Choice& each) { return !each.tock && !each.waits; };
         if (std::ranges::any_of(result, free)) std::erase_if(result, [&](const Choice& each) { return !free(each); });
@@ -194,14 +195,15 @@ private:
     }
 
     /// The probabilistic choice at a junction.
-    Choice drawn(lts::StateIndex state, const std::string& component, const std::vector<const Step*>& ways) {
+    Choice probabilistic_choice(lts::StateIndex state, const std::string& component,
+                                const std::vector<const Step*>& ways) {
         const auto seat =
             std::ranges::find_if(sources_.seats, [&](const Seat& each) { return each.component == component; });
         if (seat == sources_.seats.end()) throw Wrong(fmt::format("no machine is known at {}", component));
-        const std::vector<std::size_t> parts = reader_.parts(explored_.state(state));
+        const std::vector<std::size_t> parts = reader_.parts_of_state(explored_.state(state));
         const ValueOf value_of = [&](const std::string& name) {
             for (const std::size_t part : parts)
-                if (const auto held = reader_.part(part).variable(component, name))
+                if (const auto held = reader_.part(part).find_variable(component, name))
                     if (const auto number = number_of(sources_.system, sources_.instantiation, *held)) return *number;
             throw NotExpressed(fmt::format(
                 "a probability at {} reads {}, which the process does not hold there: nothing else reads it", component,
@@ -211,10 +213,10 @@ private:
         Rational sum;
         std::set<std::uint32_t> counted;
         for (const Step* way : ways) {
-            const csp_emit::Draw& draw = *kind(*way).meaning->draw;
+            const csp_emit::Draw& draw = *kind_of_step(*way).meaning->draw;
             if (counted.contains(draw.transition.index)) continue;
-            for (const std::uint32_t each : alike(sources_.system, draw)) counted.insert(each);
-            const Rational weight = weights_.of(draw, *seat, value_of);
+            for (const std::uint32_t each : equivalent_branches(sources_.system, draw)) counted.insert(each);
+            const Rational weight = weights_.branch_probability(draw, *seat, value_of);
             sum += weight;
             if (weight == 0) continue;
             const auto same =
@@ -225,13 +227,13 @@ private:
                 result.branches.emplace_back(way->target, weight);
         }
         if (sum != 1)
-            throw Wrong(fmt::format("the probabilities at {} sum to {}", kind(*ways.front()).meaning->draw->junction,
-                                    sum.str()));
+            throw Wrong(fmt::format("the probabilities at {} sum to {}",
+                                    kind_of_step(*ways.front()).meaning->draw->junction, sum.str()));
         std::ranges::sort(result.branches);
         return result;
     }
 
-    markov::State meet(lts::StateIndex origin) {
+    markov::State number_state(lts::StateIndex origin) {
         if (number_[origin] == none) {
             number_[origin] = static_cast<markov::State>(result_.origins.size());
             result_.origins.push_back(origin);
@@ -239,7 +241,7 @@ private:
         return number_[origin];
     }
 
-    std::uint32_t number(const Rational& value) {
+    std::uint32_t number_value(const Rational& value) {
         const auto [known, added] =
             numbers_.try_emplace(value, static_cast<std::uint32_t>(result_.model.numbers.size()));
         if (added) {
@@ -250,28 +252,29 @@ private:
         return known->second;
     }
 
-    void push(const Choice& choice) {
+    void add_choice(const Choice& choice) {
         std::vector<std::pair<markov::State, std::uint32_t>> branches;
-        for (const auto& [target, weight] : choice.branches) branches.emplace_back(meet(target), number(weight));
-        finish(choice.action, choice.tock, std::move(branches));
+        for (const auto& [target, weight] : choice.branches)
+            branches.emplace_back(number_state(target), number_value(weight));
+        finish_choice(choice.action, choice.tock, std::move(branches));
     }
 
-    void push_loop(markov::State state) { finish(2, false, {{state, number(1)}}); }
+    void push_loop(markov::State state) { finish_choice(2, false, {{state, number_value(1)}}); }
 
     /// Choices with equal probability: a step without time to an intermediate state for each choice.
-    void spread(markov::State state, const std::vector<Choice>& choices) {
+    void add_uniform_choice(markov::State state, const std::vector<Choice>& choices) {
         std::vector<std::pair<markov::State, std::uint32_t>> branches;
-        const std::uint32_t share = number(Rational(1) / choices.size());
+        const std::uint32_t share = number_value(Rational(1) / choices.size());
         for (const Choice& each : choices) {
             const auto between = static_cast<markov::State>(result_.origins.size());
             result_.origins.push_back(result_.origins[state]);
             single_.emplace(between, each);
             branches.emplace_back(between, share);
         }
-        finish(2, false, std::move(branches));
+        finish_choice(2, false, std::move(branches));
     }
 
-    void finish(std::uint32_t action, bool tock, std::vector<std::pair<markov::State, std::uint32_t>> branches) {
+    void finish_choice(std::uint32_t action, bool tock, std::vector<std::pair<markov::State, std::uint32_t>> branches) {
         markov::Model& model = result_.model;
         std::ranges::sort(branches);
         for (const auto& [target, number] : branches) {

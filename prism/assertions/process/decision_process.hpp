@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "checker/lts/transition_system.hpp"
-#include "prism/markov/model/model.hpp"
 #include "csp_emit/base/emission.hpp"
 #include "prism/assertions/process/exploration.hpp"
 #include "prism/assertions/process/observers.hpp"
 #include "prism/assertions/process/state_reader.hpp"
 #include "prism/assertions/process/weights.hpp"
+#include "prism/markov/model/model.hpp"
 
 namespace robochart::probability {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "checker/lts/bisimulation.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "checker/lts/bisimulation.hpp"
 
 namespace robochart::probability {
 
@@ -35,8 +35,8 @@ Exploration::Exploration(lts::TransitionSystem& system, std::uint64_t most_state
     }
 }
 
-bool agrees(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
-            const std::function<void()>& poll) {
+bool are_bisimilar(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
+                   const std::function<void()>& poll) {
     const lts::Exploration second = lts::explore(other, [&](std::size_t) { poll(); });
     // Both systems are put into one graph. Its initial state has one step to each of them, with different events.
     const auto first_of_second = static_cast<lts::StateIndex>(1 + explored.size());
@@ -45,7 +45,7 @@ bool agrees(const Exploration& explored, lts::EventTable& events, lts::Transitio
     graph.add_edge({events.intern("the other process"), first_of_second});
     graph.finish_state();
     for (lts::StateIndex state = 0; state < explored.size(); ++state) {
-        for (const Step& step : explored.steps(state))
+        for (const Step& step : explored.steps_from(state))
             graph.add_edge({step.event, static_cast<lts::StateIndex>(1 + step.target)});
         graph.finish_state();
     }

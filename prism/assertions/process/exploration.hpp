@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
-    [[nodiscard]] std::span<const Step> steps(lts::StateIndex index) const {
+    [[nodiscard]] std::span<const Step> steps_from(lts::StateIndex index) const {
         return std::span(steps_).subspan(first_[index], first_[index + 1U] - first_[index]);
     }
 
@@ -40,7 +40,7 @@ private:
 
 /// Returns true if the initial states of both systems are divergence-sensitive branching bisimilar, with every hidden
 /// event as a tau. `events` is the event table of `explored`.
-[[nodiscard]] bool agrees(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
-                          const std::function<void()>& poll);
+[[nodiscard]] bool are_bisimilar(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
+                                 const std::function<void()>& poll);
 
 }  // namespace robochart::probability

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "counterexample/evaluation_failure.hpp"
 #include "csp_emit/emit.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
-#include "counterexample/evaluation_failure.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::probability {
@@ -23,16 +23,16 @@ const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const
 }
 
 /// The timed semantics. Throws Wrong if there is none.
-csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
-                           bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
+csp_emit::Emission emit_timed(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
+                              bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
     diagnostics::Diagnostics findings;
-    if (budget != nullptr) findings.within(budget);
+    if (budget != nullptr) findings.set_budget(budget);
     csp_emit::Options options;
     options.whole_states = whole_states;
     options.share_modules = share_modules;
     csp_emit::Emission result =
         csp_emit::emit(system, instantiation, csp_emit::Time::timed, options, sources, findings);
-    for (const diagnostics::Diagnostic& each : findings.sorted())
+    for (const diagnostics::Diagnostic& each : findings.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error) throw Wrong(each.message());
     return result;
 }
@@ -44,12 +44,13 @@ refine::Limits limits_of(const diagnostics::Budget* budget) {
 }
 
 /// Checks that the explored process is branching bisimilar to the process of assertions.
-void compare(ExploredProcess& made, const ir::System& system, const std::string& subject,
-             diagnostics::SourceManager& sources, diagnostics::Budget* budget, const std::function<void()>& poll) {
-    const csp_emit::Emission usual = emitted(system, made.instantiation, false, true, sources, budget);
+void check_bisimilar(ExploredProcess& made, const ir::System& system, const std::string& subject,
+                     diagnostics::SourceManager& sources, diagnostics::Budget* budget,
+                     const std::function<void()>& poll) {
+    const csp_emit::Emission usual = emit_timed(system, made.instantiation, false, true, sources, budget);
     cspm::Session session(usual.script, budget);
     const auto other = session.system(component_process(usual, subject), limits_of(budget));
-    if (!agrees(*made.exploration, made.session->event_table(), *other, poll))
+    if (!are_bisimilar(*made.exploration, made.session->event_table(), *other, poll))
         throw std::logic_error(
             fmt::format("the states of {} with all values are not bisimilar to its process", subject));
     made.compared = made.exploration->size();
@@ -64,12 +65,12 @@ std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const
     auto made = std::make_unique<ExploredProcess>();
     made->instantiation = std::move(instantiation);
     made->instantiation.budget = limits.budget;
-    const std::string path = ir::qualified(subject);
+    const std::string path = ir::qualified_name(subject);
     const auto poll = [budget = limits.budget] {
         if (budget != nullptr) budget->poll();
     };
-    made->emission = emitted(system, made->instantiation, true, observed.empty(), sources, limits.budget);
-    observe(made->emission, observed);
+    made->emission = emit_timed(system, made->instantiation, true, observed.empty(), sources, limits.budget);
+    add_observers(made->emission, observed);
     try {
         made->session = std::make_unique<cspm::Session>(made->emission.script, limits.budget, true);
         made->system = made->session->whole_system(component_process(made->emission, path), limits_of(limits.budget));
@@ -81,7 +82,8 @@ std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const
         new runs::Context{made->emission.provenance, system, made->instantiation, sources, *made->session});
     made->steps = std::make_unique<runs::StepReader>(*made->context);
     made->reader = std::make_unique<StateReader>(*made->system, *made->steps);
-    if (made->exploration->size() <= limits.compared_states) compare(*made, system, path, sources, limits.budget, poll);
+    if (made->exploration->size() <= limits.compared_states)
+        check_bisimilar(*made, system, path, sources, limits.budget, poll);
     return made;
 }
 

@@ -6,14 +6,14 @@
 #include <memory>
 #include <vector>
 
-#include "checker/cspm/session.hpp"
-#include "csp_emit/base/emission.hpp"
 #include "base/diagnostics/budget.hpp"
 #include "base/diagnostics/source.hpp"
+#include "checker/cspm/session.hpp"
+#include "counterexample/step_reader.hpp"
+#include "csp_emit/base/emission.hpp"
 #include "prism/assertions/process/exploration.hpp"
 #include "prism/assertions/process/observers.hpp"
 #include "prism/assertions/process/state_reader.hpp"
-#include "counterexample/step_reader.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

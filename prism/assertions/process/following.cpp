@@ -53,9 +53,9 @@ public:
         result_.after.assign(count, std::vector<bool>(count));
         std::vector<bool> initial(process_.exploration->size());
         initial[0] = true;
-        result_.first[place(bits_[0])] = true;
-        after(place(bits_[0]), initial, units);
-        for (std::size_t from = 0; from < count; ++from) after(from, behind_time(from), units);
+        result_.first[class_index(bits_[0])] = true;
+        find_classes_after(class_index(bits_[0]), initial, units);
+        for (std::size_t from = 0; from < count; ++from) find_classes_after(from, states_after_time(from), units);
         return std::move(result_);
     }
 
@@ -67,9 +67,9 @@ private:
         const Exploration& explored = *process_.exploration;
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
             poll_();
-            if (explored.steps(state).empty()) throw Wrong("time may stop in it");
+            if (explored.steps_from(state).empty()) throw Wrong("time may stop in it");
             bool passes = false;
-            for (const Step& step : explored.steps(state)) {
+            for (const Step& step : explored.steps_from(state)) {
                 if (step.event == lts::tick) throw Wrong("it may terminate");
                 passes = passes || ticks_(step.event);
             }
@@ -80,7 +80,7 @@ private:
 
     [[nodiscard]] bool is_in_leaf(lts::StateIndex state, const std::string& machine,
                                   const std::set<std::string>& leaves) const {
-        for (const std::size_t number : process_.reader->parts(process_.exploration->state(state)))
+        for (const std::size_t number : process_.reader->parts_of_state(process_.exploration->state(state)))
             for (const runs::Call& call : process_.reader->part(number).calls)
                 if (call.definition->component == machine)
                     for (const ir::Origin& active : call.definition->active)
@@ -94,14 +94,14 @@ private:
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
             poll_();
             std::uint32_t bits = 0;
-            for (const std::size_t number : process_.reader->parts(explored.state(state)))
+            for (const std::size_t number : process_.reader->parts_of_state(explored.state(state)))
                 for (std::size_t i = 0; i < elements.size(); ++i)
                     if (process_.reader->part(number).in_state(machine, elements[i])) bits |= std::uint32_t{1} << i;
             bits_.push_back(bits);
         }
         found.push_back(bits_[0]);
         for (lts::StateIndex state = 0; state < explored.size(); ++state)
-            for (const Step& step : explored.steps(state))
+            for (const Step& step : explored.steps_from(state))
                 if (ticks_(step.event)) {
                     found.push_back(bits_[state]);
                     found.push_back(bits_[step.target]);
@@ -112,24 +112,24 @@ private:
         result_.classes = std::move(found);
     }
 
-    [[nodiscard]] std::size_t place(std::uint32_t bits) const {
+    [[nodiscard]] std::size_t class_index(std::uint32_t bits) const {
         return static_cast<std::size_t>(std::ranges::lower_bound(result_.classes, bits) - result_.classes.begin());
     }
 
     /// Returns the states after each time unit whose class, before or after the step, is the class `from`.
-    [[nodiscard]] std::vector<bool> behind_time(std::size_t from) {
+    [[nodiscard]] std::vector<bool> states_after_time(std::size_t from) {
         const Exploration& explored = *process_.exploration;
         std::vector<bool> result(explored.size());
         const std::uint32_t bits = result_.classes[from];
         for (lts::StateIndex state = 0; state < explored.size(); ++state)
-            for (const Step& step : explored.steps(state))
+            for (const Step& step : explored.steps_from(state))
                 if (ticks_(step.event) && (bits_[state] == bits || bits_[step.target] == bits))
                     result[step.target] = true;
         return result;
     }
 
     /// Adds the states that are reachable without time.
-    void close(std::vector<bool>& states) {
+    void add_untimed_successors(std::vector<bool>& states) {
         std::vector<lts::StateIndex> open;
         for (lts::StateIndex state = 0; state < states.size(); ++state)
             if (states[state]) open.push_back(state);
@@ -137,7 +137,7 @@ private:
             poll_();
             const lts::StateIndex state = open.back();
             open.pop_back();
-            for (const Step& step : process_.exploration->steps(state))
+            for (const Step& step : process_.exploration->steps_from(state))
                 if (!ticks_(step.event) && !states[step.target]) {
                     states[step.target] = true;
                     open.push_back(step.target);
@@ -147,26 +147,26 @@ private:
 
     /// Advances by one time unit, to the states after the step. Marks the classes before and after it.
     template <class Mark>
-    std::vector<bool> mark(std::vector<bool> states, const Mark& seen) {
-        close(states);
+    std::vector<bool> mark_next_unit(std::vector<bool> states, const Mark& seen) {
+        add_untimed_successors(states);
         std::vector<bool> next(states.size());
         for (lts::StateIndex state = 0; state < states.size(); ++state) {
             if (!states[state]) continue;
-            for (const Step& step : process_.exploration->steps(state))
+            for (const Step& step : process_.exploration->steps_from(state))
                 if (ticks_(step.event)) {
                     next[step.target] = true;
-                    seen(place(bits_[state]));
-                    seen(place(bits_[step.target]));
+                    seen(class_index(bits_[state]));
+                    seen(class_index(bits_[step.target]));
                 }
         }
         return next;
     }
 
-    void after(std::size_t from, std::vector<bool> states, std::uint64_t units) {
+    void find_classes_after(std::size_t from, std::vector<bool> states, std::uint64_t units) {
         std::vector<bool> found;
         for (std::uint64_t unit = 0; unit < units; ++unit) {
             found.assign(result_.classes.size(), false);
-            std::vector<bool> next = mark(states, [&](std::size_t each) { found[each] = true; });
+            std::vector<bool> next = mark_next_unit(states, [&](std::size_t each) { found[each] = true; });
             const bool same = next == states;
             states = std::move(next);
             if (same) break;  // a fixed point, so the classes do not change
@@ -202,7 +202,7 @@ void check_values(const ir::System& system, const ir::Machine& machine) {
 std::set<std::string> leaves_of(const ir::Machine& machine) {
     std::set<std::string> leaves;
     for (const ir::Node& each : machine.nodes)
-        if (each.kind == ir::NodeKind::state && !each.composite()) leaves.insert(each.origin.element);
+        if (each.kind == ir::NodeKind::state && !each.is_composite()) leaves.insert(each.origin.element);
     return leaves;
 }
 
@@ -214,8 +214,9 @@ void check_finite(const ir::System& system, const ir::ComponentRef& subject) {
         if (each.kind == ir::MachineKind::operation) check_values(system, each);
 }
 
-Following following(const ExploredProcess& process, const ir::System& system, const ir::ComponentRef& subject,
-                    const std::vector<std::string>& states, std::uint64_t units, const std::function<void()>& poll) {
+Following find_following(const ExploredProcess& process, const ir::System& system, const ir::ComponentRef& subject,
+                         const std::vector<std::string>& states, std::uint64_t units,
+                         const std::function<void()>& poll) {
     const std::vector<Seat> seats = seats_in(system, subject);
     if (seats.empty()) throw Wrong("the component has no machine");
     std::vector<std::string> elements;

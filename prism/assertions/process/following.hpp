@@ -28,8 +28,8 @@ void check_finite(const ir::System&, const ir::ComponentRef& subject);
 /// cycle is one of them, whether generated code is observed before or after the step. Throws Wrong if the machine has
 /// no such state, or if generated code may do something that the process does not: values are missing, the component
 /// may terminate, time may stop, or time may pass while a transition is taken.
-[[nodiscard]] Following following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
-                                  const std::vector<std::string>& states, std::uint64_t units,
-                                  const std::function<void()>& poll);
+[[nodiscard]] Following find_following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
+                                       const std::vector<std::string>& states, std::uint64_t units,
+                                       const std::function<void()>& poll);
 
 }  // namespace robochart::probability

@@ -52,26 +52,26 @@ public:
           known_(fmt::format("Observer{}__", number)),
           first_(fmt::format("FirstObserver{}__", number)) {}
 
-    [[nodiscard]] std::vector<DeclPtr> in(const std::vector<DeclPtr>& decls, std::size_t depth = 0) {
+    [[nodiscard]] std::vector<DeclPtr> add_to(const std::vector<DeclPtr>& decls, std::size_t depth = 0) {
         const std::vector<std::string> path = parts_of(event_.component);
         std::vector<DeclPtr> result = decls;
         for (DeclPtr& decl : result) {
             if (depth == path.size()) {
-                if (decl->kind == DeclKind::function && decl->names.front() == process_name) observed(decl);
+                if (decl->kind == DeclKind::function && decl->names.front() == process_name) observe_definition(decl);
             } else if (decl->kind == DeclKind::module && decl->names.front() == path[depth]) {
                 cspm::Decl inner = *decl;
-                inner.exports = in(decl->exports, depth + 1);
-                inner.decls = in(decl->decls, depth + 1);
+                inner.exports = add_to(decl->exports, depth + 1);
+                inner.decls = add_to(decl->decls, depth + 1);
                 decl = std::make_shared<const cspm::Decl>(std::move(inner));
             }
         }
-        if (depth == path.size() && done_ && !declared_) declare(result);
+        if (depth == path.size() && done_ && !declared_) declare_observer(result);
         return result;
     }
 
-    [[nodiscard]] bool done() const { return done_; }
+    [[nodiscard]] bool is_done() const { return done_; }
 
-    void mean(csp_emit::Provenance& provenance) const {
+    void add_meaning(csp_emit::Provenance& provenance) const {
         csp_emit::DefinitionMeaning meaning;
         meaning.text = event_.event + " is observed";
         meaning.component = event_.name();
@@ -87,21 +87,23 @@ public:
 
 private:
     /// "e.in" as an expression of the script.
-    [[nodiscard]] cspm::ExprPtr channel() const {
+    [[nodiscard]] cspm::ExprPtr channel_expression() const {
         const std::size_t dot = channel_.find('.');
         return b::dot({b::name(channel_.substr(0, dot)), b::name(channel_.substr(dot + 1))});
     }
 
     /// Adds the observer to the component's definition.
-    void observed(DeclPtr& decl) {
+    void observe_definition(DeclPtr& decl) {
         cspm::Decl made = *decl;
         const cspm::ExprPtr observer = b::call(first_, {b::number(0)});
         const cspm::ExprPtr end = b::productions({b::name("terminate")});
         if (event_.module) {
             const cspm::ExprPtr ending = b::sequential({decl->body, end_of_module()});
-            made.body = b::hide(b::parallel(ending, b::productions({channel(), b::name("terminate")}), observer), end);
+            made.body = b::hide(
+                b::parallel(ending, b::productions({channel_expression(), b::name("terminate")}), observer), end);
         } else {
-            made.body = b::exception(b::parallel(decl->body, b::productions({channel()}), observer), end, b::skip());
+            made.body =
+                b::exception(b::parallel(decl->body, b::productions({channel_expression()}), observer), end, b::skip());
         }
         decl = std::make_shared<const cspm::Decl>(std::move(made));
         done_ = true;
@@ -112,12 +114,12 @@ private:
         return event_.module ? b::choice({step, end_of_module()}) : step;
     }
 
-    void declare(std::vector<DeclPtr>& decls) {
+    void declare_observer(std::vector<DeclPtr>& decls) {
         declared_ = true;
         const cspm::ExprPtr other = b::binary(cspm::ExprKind::minus, b::number(1), b::name(parity_parameter));
-        if (event_.type.valid()) {
+        if (event_.type.is_valid()) {
             const auto step = [&] {
-                return or_end(b::prefix(channel(), {b::input(next_value_parameter)},
+                return or_end(b::prefix(channel_expression(), {b::input(next_value_parameter)},
                                         b::call(known_, {other, b::name(next_value_parameter)})));
             };
             decls.push_back(b::function_decl(first_, b::variables({parity_parameter}), step()));
@@ -127,7 +129,7 @@ private:
         std::vector<cspm::Field> any;
         if (event_.valued) any.push_back(b::input(b::wildcard()));
         decls.push_back(b::function_decl(first_, b::variables({parity_parameter}),
-                                         or_end(b::prefix(channel(), any, b::call(first_, {other})))));
+                                         or_end(b::prefix(channel_expression(), any, b::call(first_, {other})))));
     }
 
     const ObservedEvent& event_;
@@ -138,12 +140,12 @@ private:
 
 }  // namespace
 
-void observe(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events) {
+void add_observers(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         Observing observing(events[i], name_in_script(emission.provenance, events[i]), i);
-        emission.script.decls = observing.in(emission.script.decls);
-        if (!observing.done()) throw Wrong(fmt::format("{} has no process of its own", events[i].component));
-        observing.mean(emission.provenance);
+        emission.script.decls = observing.add_to(emission.script.decls);
+        if (!observing.is_done()) throw Wrong(fmt::format("{} has no process of its own", events[i].component));
+        observing.add_meaning(emission.provenance);
     }
 }
 

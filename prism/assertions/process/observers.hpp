@@ -36,6 +36,6 @@ inline constexpr const char* observed_value = "x";
 
 /// Adds the observers to the definitions D__ of their components, and adds their meanings. Each component must be
 /// written out in the script (Options::share_modules). Throws Wrong if there is no such component or event.
-void observe(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events);
+void add_observers(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events);
 
 }  // namespace robochart::probability

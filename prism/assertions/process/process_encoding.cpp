@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "prism/checks/check.hpp"
 #include "prism/assertions/process/explored_process.hpp"
 #include "prism/assertions/process/observers.hpp"
 #include "prism/assertions/process/subgraph.hpp"
+#include "prism/checks/check.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
@@ -19,12 +19,12 @@ namespace robochart::probability {
 namespace {
 
 std::string first_error(const diagnostics::Diagnostics& diagnostics) {
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error) return each.message();
     return "";
 }
 
-std::string magnitude(const boost::multiprecision::cpp_int& value) {
+std::string magnitude_digits(const boost::multiprecision::cpp_int& value) {
     std::string digits = value.str();
     return value < 0 ? digits.substr(1) : digits;
 }
@@ -44,7 +44,7 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
     constexpr unsigned most_places = 18;
     for (unsigned places = 0; places <= most_places; ++places, rest *= 10)
         if (denominator(rest) == 1) {
-            std::string digits = magnitude(numerator(rest));
+            std::string digits = magnitude_digits(numerator(rest));
             if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
             if (places > 0) digits.insert(digits.size() - places, ".");
             return (rest < 0 ? "-" : "") + digits;
@@ -52,9 +52,9 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
     throw Wrong(fmt::format("the value {} of {} is no decimal number", value.text(), constant.name));
 }
 
-prism::ExprPtr number(const Rational& value) {
+prism::ExprPtr number_expression(const Rational& value) {
     const auto whole = [](const boost::multiprecision::cpp_int& part) {
-        return prism::make_expr(prism::Op::real, {}, {}, magnitude(part) + ".0");
+        return prism::make_expr(prism::Op::real, {}, {}, magnitude_digits(part) + ".0");
     };
     const prism::ExprPtr fraction =
         prism::make_expr(prism::Op::divide, {}, {whole(numerator(value)), whole(denominator(value))});
@@ -90,11 +90,11 @@ Elements& ProcessEncoding::elements() {
     return *names_;
 }
 
-std::uint64_t ProcessEncoding::compared() const {
+std::uint64_t ProcessEncoding::compared_state_count() const {
     return explored_ ? explored_->process->compared : 0;
 }
 
-prism::Constant ProcessEncoding::constant(const std::string& path) {
+prism::Constant ProcessEncoding::prism_constant(const std::string& path) {
     const ConstantHere found = names_->find_constant(path);
     const ir::Type& type = system_.type(found.seat->machine->constants[found.id.index].type);
     return {type.kind == ir::TypeKind::boolean ? prism::Type::boolean
@@ -104,7 +104,7 @@ prism::Constant ProcessEncoding::constant(const std::string& path) {
             nullptr};
 }
 
-const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& constants) {
+const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Values& constants) {
     ir::GivenConstants chosen;
     std::string text;
     for (const auto& [path, value] : constants) {
@@ -117,18 +117,18 @@ const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& 
             if (each.name == source.name) chosen[each.path] = literal_of(system_, declared, value);
         text += fmt::format("{}={};", path, value.text());
     }
-    for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.valid() ? ".val;" : ";");
+    for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.is_valid() ? ".val;" : ";");
     if (explored_ && explored_->constants == text) return *explored_;
     answered_.reset();
     explored_.reset();  // frees memory for the next
     auto made = std::make_unique<Explored>();
     made->constants = text;
     diagnostics::Diagnostics findings;
-    if (options_.budget != nullptr) findings.within(options_.budget);
+    if (options_.budget != nullptr) findings.set_budget(options_.budget);
     ir::InstantiationOptions wanted = options_.instantiation;
     wanted.constants = ir::not_overridden(system_, options_.instantiation.constants, chosen);
     wanted.constants.merge(chosen);
-    ir::Instantiation instantiation = ir::instantiate(system_, wanted, findings);
+    ir::Instantiation instantiation = ir::instantiate_system(system_, wanted, findings);
     if (!findings.ok()) throw Wrong(first_error(findings));
     made->process = explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
                                     {options_.max_states, options_.compared_states, options_.budget});
@@ -157,18 +157,19 @@ void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happe
 }  // namespace
 
 /// The declarations that PRISM's language needs: names of observables, and rewards.
-prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question,
-                                               const std::vector<EventSet>& happening) const {
+prism::ModelFile ProcessEncoding::model_declarations(const Explored& found, const Question& question,
+                                                     const std::vector<EventSet>& happening) const {
     const Weights weights(system_, found.process->instantiation);
     prism::ModelFile file;
     file.kind = prism::ModelKind::mdp;
     file.kind_given = true;
     file.constants = question.model_constants;
     file.constants.push_back(
-        {prism::Type::real, {ProcessNames::units, {}}, number(found.process->instantiation.scale)});
+        {prism::Type::real, {ProcessNames::units, {}}, number_expression(found.process->instantiation.scale)});
     for (const ConstantHere& each : names_->constants())
-        file.constants.push_back(
-            {prism::Type::real, {each.name, {}}, number(weights.constant(*each.seat->machine, each.id, *each.seat))});
+        file.constants.push_back({prism::Type::real,
+                                  {each.name, {}},
+                                  number_expression(weights.constant_value(*each.seat->machine, each.id, *each.seat))});
     for (const Observable& each : names_->observables())
         file.globals.push_back(
             {{each.name, {}}, each.boolean ? prism::Type::boolean : prism::Type::integer, nullptr, nullptr, nullptr});
@@ -184,14 +185,15 @@ prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Ques
 
 /// The value of an observable in a state. Throws Wrong if it has none.
 std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const {
-    const std::vector<std::size_t>& parts = found.process->reader->parts(found.process->exploration->state(state));
+    const std::vector<std::size_t>& parts =
+        found.process->reader->parts_of_state(found.process->exploration->state(state));
     for (const std::size_t number : parts) {
         const Part& part = found.process->reader->part(number);
         if (asked.variable.empty()) {
             if (part.in_state(asked.component, asked.state)) return 1;
             continue;
         }
-        const auto held = part.variable(asked.component, asked.variable);
+        const auto held = part.find_variable(asked.component, asked.variable);
         const auto value = held ? number_of(system_, found.process->instantiation, *held) : std::nullopt;
         if (!value) continue;
         if (*value < std::numeric_limits<std::int32_t>::min() || *value > std::numeric_limits<std::int32_t>::max())
@@ -203,7 +205,7 @@ std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex st
                             found.process->system->describe(found.process->exploration->state(state))));
 }
 
-DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
+DecisionProcess ProcessEncoding::make_decision_process(const Explored& found) const {
     const auto poll = [budget = options_.budget] {
         if (budget != nullptr) budget->poll();
     };
@@ -216,11 +218,12 @@ DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
     DecisionProcess result = under(options_.scheduler);
     const bool compared = found.process->exploration->size() <= options_.compared_states;
     if (compared && options_.scheduler == Scheduler::urgent && !is_subgraph(result, under(Scheduler::any), poll))
-        throw std::logic_error(fmt::format("the urgent steps of {} are not among its steps", ir::qualified(subject_)));
+        throw std::logic_error(
+            fmt::format("the urgent steps of {} are not among its steps", ir::qualified_name(subject_)));
     return result;
 }
 
-prism::GivenSpace ProcessEncoding::states(const Explored& found, DecisionProcess process) const {
+prism::GivenSpace ProcessEncoding::make_space(const Explored& found, DecisionProcess process) const {
     const auto poll = [budget = options_.budget] {
         if (budget != nullptr) budget->poll();
     };
@@ -233,25 +236,25 @@ prism::GivenSpace ProcessEncoding::states(const Explored& found, DecisionProcess
     return result;
 }
 
-Unexplored ProcessEncoding::unexplored(const Question& /*question*/, const prism::Values& /*constants*/) {
+Unexplored ProcessEncoding::unexplored_model(const Question& /*question*/, const prism::Values& /*constants*/) {
     throw NotExpressed(
         "random paths of a decision process depend on who chooses: they are taken in RoboTool's encoding");
 }
 
-const prism::StateSpace& ProcessEncoding::space(const Question& question, const prism::Values& constants) {
+const prism::StateSpace& ProcessEncoding::explore_space(const Question& question, const prism::Values& constants) {
     if (!question.modules.empty())
         throw NotExpressed(
             "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");
-    const Explored& found = explored(constants);
+    const Explored& found = find_explored(constants);
     auto made = std::make_unique<Answered>();
-    DecisionProcess process = decisions(found);
-    made->model = prism::check_model(declarations(found, question, process.happening), made->findings);
+    DecisionProcess process = make_decision_process(found);
+    made->model = prism::check_model(model_declarations(found, question, process.happening), made->findings);
     if (!made->model) throw Wrong(first_error(made->findings));
     prism::Values of_file;
     for (const auto& [name, value] : constants)
         if (name.find("::") == std::string::npos) of_file.emplace(name, value);
     made->space = std::make_unique<prism::StateSpace>(
-        *made->model, of_file, states(found, std::move(process)),
+        *made->model, of_file, make_space(found, std::move(process)),
         prism::ExploreOptions{options_.max_states, options_.exact, options_.budget}, made->findings);
     answered_ = std::move(made);
     return *answered_->space;

@@ -36,24 +36,24 @@ public:
     ~ProcessEncoding() override;
 
     [[nodiscard]] Elements& elements() override;
-    [[nodiscard]] prism::Constant constant(const std::string& path) override;
-    [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    [[nodiscard]] prism::Constant prism_constant(const std::string& path) override;
+    [[nodiscard]] const prism::StateSpace& explore_space(const Question&, const prism::Values&) override;
     /// Throws NotExpressed.
-    [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
+    [[nodiscard]] Unexplored unexplored_model(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
     /// The number of states that were compared with the process for refinement checks; 0 if they were not compared.
-    [[nodiscard]] std::uint64_t compared() const;
+    [[nodiscard]] std::uint64_t compared_state_count() const;
 
 private:
     struct Explored;
     struct Answered;
 
-    const Explored& explored(const prism::Values&);
-    [[nodiscard]] prism::ModelFile declarations(const Explored& found, const Question& question,
-                                                const std::vector<EventSet>& happening) const;
+    const Explored& find_explored(const prism::Values&);
+    [[nodiscard]] prism::ModelFile model_declarations(const Explored& found, const Question& question,
+                                                      const std::vector<EventSet>& happening) const;
     [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const;
-    [[nodiscard]] DecisionProcess decisions(const Explored& found) const;
-    [[nodiscard]] prism::GivenSpace states(const Explored& found, DecisionProcess process) const;
+    [[nodiscard]] DecisionProcess make_decision_process(const Explored& found) const;
+    [[nodiscard]] prism::GivenSpace make_space(const Explored& found, DecisionProcess process) const;
 
     const ir::System& system_;
     const ir::ComponentRef& subject_;

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "prism/syntax/lexer.hpp"
 #include "prism/assertions/process/decision_process.hpp"
+#include "prism/syntax/lexer.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::probability {
@@ -16,7 +16,7 @@ namespace {
 using prism::ExprPtr;
 using prism::Op;
 
-[[noreturn]] void absent(const std::string& what, const std::string& path) {
+[[noreturn]] void throw_absent(const std::string& what, const std::string& path) {
     throw NotExpressed(fmt::format("the process has no {} `{}`", what, path));
 }
 
@@ -29,7 +29,7 @@ std::string last_of(const std::string& path) {
     return path.substr(path.rfind(':') + 1);
 }
 
-ExprPtr named(const std::string& name) {
+ExprPtr name_expression(const std::string& name) {
     return prism::make_expr(Op::name, {}, {}, name);
 }
 
@@ -46,12 +46,12 @@ bool is_number(const ir::System& system, ir::TypeId id) {
 ProcessNames::ProcessNames(const ir::System& system, const ir::ComponentRef& subject)
     : system_(system), subject_(subject), seats_(seats_in(system, subject)) {}
 
-const Seat* ProcessNames::seat(const std::string& path) const {
+const Seat* ProcessNames::find_seat(const std::string& path) const {
     const auto found = std::ranges::find_if(seats_, [&](const Seat& each) { return each.path == path; });
     return found == seats_.end() ? nullptr : &*found;
 }
 
-bool ProcessNames::taken(const std::string& name) const {
+bool ProcessNames::is_name_taken(const std::string& name) const {
     return name == units || std::ranges::any_of(observables_, [&](const auto& each) { return each.name == name; }) ||
            std::ranges::any_of(constants_, [&](const auto& each) { return each.name == name; });
 }
@@ -59,7 +59,7 @@ bool ProcessNames::taken(const std::string& name) const {
 std::string ProcessNames::free_name(const std::string& path) const {
     std::string name = path;
     for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::")) name.replace(at, 2, "_");
-    while (prism::is_reserved(name) || taken(name)) name += "_";
+    while (prism::is_reserved(name) || is_name_taken(name)) name += "_";
     return name;
 }
 
@@ -67,25 +67,25 @@ ExprPtr ProcessNames::observed(Observable observable) {
     for (const Observable& each : observables_)
         if (each.component == observable.component && each.variable == observable.variable &&
             each.state == observable.state)
-            return named(each.name);
+            return name_expression(each.name);
     observables_.push_back(std::move(observable));
-    return named(observables_.back().name);
+    return name_expression(observables_.back().name);
 }
 
-ExprPtr ProcessNames::variable(const std::string& path) {
+ExprPtr ProcessNames::variable_expression(const std::string& path) {
     const std::string name = last_of(path);
-    const Seat* const where = seat(owner_of(path));
+    const Seat* const where = find_seat(owner_of(path));
     if (where == nullptr) return shared_variable(path, name);
     const auto& variables = where->machine->variables;
     const auto found = std::ranges::find_if(variables, [&](const ir::Variable& each) { return each.name == name; });
-    if (found == variables.end()) absent("variable", path);
+    if (found == variables.end()) throw_absent("variable", path);
     const bool boolean = system_.type(found->type).kind == ir::TypeKind::boolean;
     if (!boolean && !is_number(system_, found->type))
         throw NotExpressed(fmt::format("`{}` has the type {}, which is none of numbers, truths and plain literals",
                                        path, system_.type(found->type).name));
     const ExprPtr read = observed({free_name(path), where->component, name, "", boolean});
     if (system_.type(found->type).kind != ir::TypeKind::real) return read;
-    return prism::make_expr(Op::divide, {}, {read, named(units)});
+    return prism::make_expr(Op::divide, {}, {read, name_expression(units)});
 }
 
 /// The machines that require a variable of the platform or of a controller hold its value. If one machine requires it,
@@ -102,8 +102,8 @@ ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string
                                     path, only->path, each.path));
                 only = &each;
             }
-    if (only == nullptr) absent("variable", path);
-    return variable(only->path + "::" + name);
+    if (only == nullptr) throw_absent("variable", path);
+    return variable_expression(only->path + "::" + name);
 }
 
 ConstantHere ProcessNames::find_constant(const std::string& path) const {
@@ -118,25 +118,25 @@ ConstantHere ProcessNames::find_constant(const std::string& path) const {
             if (constants[i].name == name && (each.path == owner || constants[i].required))
                 return {"", &each, {i}, system_.type(constants[i].type).kind == ir::TypeKind::real};
     }
-    absent("constant", path);
+    throw_absent("constant", path);
 }
 
-ExprPtr ProcessNames::constant(const std::string& path) {
+ExprPtr ProcessNames::constant_expression(const std::string& path) {
     ConstantHere found = find_constant(path);
     for (const ConstantHere& each : constants_)
-        if (each.seat == found.seat && each.id.index == found.id.index) return named(each.name);
+        if (each.seat == found.seat && each.id.index == found.id.index) return name_expression(each.name);
     found.name = free_name(path);
     constants_.push_back(found);
-    return named(found.name);
+    return name_expression(found.name);
 }
 
 ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& state) {
-    const Seat* const where = seat(machine);
-    if (where == nullptr) absent("state machine", machine);
+    const Seat* const where = find_seat(machine);
+    if (where == nullptr) throw_absent("state machine", machine);
     for (const ir::Node& node : where->machine->nodes)
         if (node.path == state)
             return observed({free_name(machine + "::" + state), where->component, "", node.origin.element, true});
-    absent("state", machine + "::" + state);
+    throw_absent("state", machine + "::" + state);
 }
 
 /// The direction is seen from the declaration of the event: `in` means into the software, so out of the platform.
@@ -151,21 +151,21 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
         event = &*found;
         component = of;
     };
-    if (const Seat* const where = seat(owner_of(path))) {
+    if (const Seat* const where = find_seat(owner_of(path))) {
         look(where->machine->events, where->component);
     } else if (subject_.kind == ir::ComponentKind::module) {
         const ir::Platform& platform = system_.modules[subject_.definition].platform;
-        if (owner_of(path) == subject_.path + "::" + platform.name) look(platform.events, ir::qualified(subject_));
+        if (owner_of(path) == subject_.path + "::" + platform.name) look(platform.events, ir::qualified_name(subject_));
         inwards = !inwards;
     }
-    if (event == nullptr || !(inwards ? event->input : event->output)) absent("event", path + "." + direction);
+    if (event == nullptr || !(inwards ? event->input : event->output)) throw_absent("event", path + "." + direction);
     if (valued && !event->type) throw NotExpressed(fmt::format("the value of `{}`, which has none", path));
     ObservedEvent wanted;
     wanted.component = component;
     wanted.event = name + (inwards ? ".in" : ".out");
     wanted.origin = event->origin;
     wanted.valued = event->type.has_value();
-    wanted.module = seat(owner_of(path)) == nullptr;
+    wanted.module = find_seat(owner_of(path)) == nullptr;
     for (std::size_t i = 0; i < observed_.size(); ++i) {
         if (observed_[i].name() != wanted.name()) continue;
         if (valued) observed_[i].type = *event->type;
@@ -178,11 +178,11 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
     return observed_.size() - 1;
 }
 
-std::string ProcessNames::action(const std::string& path, const std::string& direction) {
+std::string ProcessNames::event_action(const std::string& path, const std::string& direction) {
     return observed_action(EventSet{1} << observed_event(path, direction, false));
 }
 
-ExprPtr ProcessNames::value(const std::string& path, const std::string& direction) {
+ExprPtr ProcessNames::event_value(const std::string& path, const std::string& direction) {
     const ObservedEvent& event = observed_[observed_event(path, direction, true)];
     const bool boolean = system_.type(event.type).kind == ir::TypeKind::boolean;
     if (!boolean && !is_number(system_, event.type))
@@ -192,7 +192,7 @@ ExprPtr ProcessNames::value(const std::string& path, const std::string& directio
                         path, system_.type(event.type).name));
     const bool real = system_.type(event.type).kind == ir::TypeKind::real;
     const ExprPtr read = observed({free_name(path + "_" + direction), event.name(), observed_value, "", boolean, true});
-    return real ? prism::make_expr(Op::divide, {}, {read, named(units)}) : read;
+    return real ? prism::make_expr(Op::divide, {}, {read, name_expression(units)}) : read;
 }
 
 prism::RewardItem ProcessNames::of_state(prism::RewardItem item) {

@@ -33,14 +33,14 @@ class ProcessNames final : public Elements {
 public:
     ProcessNames(const ir::System& system, const ir::ComponentRef& subject);
 
-    [[nodiscard]] prism::ExprPtr variable(const std::string& path) override;
-    [[nodiscard]] prism::ExprPtr constant(const std::string& path) override;
+    [[nodiscard]] prism::ExprPtr variable_expression(const std::string& path) override;
+    [[nodiscard]] prism::ExprPtr constant_expression(const std::string& path) override;
     [[nodiscard]] prism::ExprPtr in_state(const std::string& machine, const std::string& state) override;
-    [[nodiscard]] std::string action(const std::string& path, const std::string& direction) override;
-    [[nodiscard]] prism::ExprPtr value(const std::string& path, const std::string& direction) override;
+    [[nodiscard]] std::string event_action(const std::string& path, const std::string& direction) override;
+    [[nodiscard]] prism::ExprPtr event_value(const std::string& path, const std::string& direction) override;
     /// State rewards are earned per time unit that begins in the state.
     [[nodiscard]] prism::RewardItem of_state(prism::RewardItem item) override;
-    [[nodiscard]] bool taken(const std::string& name) const override;
+    [[nodiscard]] bool is_name_taken(const std::string& name) const override;
 
     [[nodiscard]] const std::vector<Seat>& seats() const { return seats_; }
     [[nodiscard]] const std::vector<Observable>& observables() const { return observables_; }
@@ -53,7 +53,7 @@ public:
     static constexpr const char* units = "units__";
 
 private:
-    [[nodiscard]] const Seat* seat(const std::string& path) const;
+    [[nodiscard]] const Seat* find_seat(const std::string& path) const;
     [[nodiscard]] std::string free_name(const std::string& path) const;
     [[nodiscard]] prism::ExprPtr observed(Observable observable);
     /// Returns the index of an event in `observed`. `valued` is true if the property uses the values of the event.

@@ -7,27 +7,27 @@
 namespace robochart::probability {
 namespace {
 
-std::string below(const std::string& path, const std::string& name) {
+std::string path_below(const std::string& path, const std::string& name) {
     return path.empty() ? name : path + "::" + name;
 }
 
 void add_machines(const ir::System& system, const ir::Module* module, const ir::Controller& controller,
                   const std::string& path, const std::string& component, std::vector<Seat>& result) {
     for (const ir::MachineInstance& each : controller.machines)
-        result.push_back({module, &controller, each.name, &system.machine(each.machine), below(path, each.name),
-                          below(component, each.name)});
+        result.push_back({module, &controller, each.name, &system.machine(each.machine), path_below(path, each.name),
+                          path_below(component, each.name)});
 }
 
 }  // namespace
 
 std::vector<Seat> seats_in(const ir::System& system, const ir::ComponentRef& subject) {
     std::vector<Seat> result;
-    const std::string component = ir::qualified(subject);
+    const std::string component = ir::qualified_name(subject);
     if (subject.kind == ir::ComponentKind::module) {
         const ir::Module& module = system.modules[subject.definition];
         for (const ir::ControllerInstance& each : module.controllers)
-            add_machines(system, &module, system.controller(each.controller), below(subject.path, each.name),
-                         below(component, each.name), result);
+            add_machines(system, &module, system.controller(each.controller), path_below(subject.path, each.name),
+                         path_below(component, each.name), result);
     } else if (subject.kind == ir::ComponentKind::controller) {
         add_machines(system, nullptr, system.controllers[subject.definition], subject.path, component, result);
     } else if (subject.kind == ir::ComponentKind::machine) {

@@ -21,7 +21,7 @@ bool Part::in_state(const std::string& machine, const std::string& element) cons
     });
 }
 
-std::optional<Held> Part::variable(const std::string& machine, const std::string& name) const {
+std::optional<Held> Part::find_variable(const std::string& machine, const std::string& name) const {
     std::optional<Held> found;
     for (const runs::Call& call : calls)
         for (std::size_t i = 0; i < call.arguments.size() && i < call.definition->parameters.size(); ++i) {
@@ -56,7 +56,7 @@ bool is_around(process::Op op) {
 }  // namespace
 
 /// Initially, a component is inside nested definitions without a meaning in the model, which are unfolded.
-void StateReader::collect(process::TermId term, int levels, std::vector<runs::Call>& calls) {
+void StateReader::collect_calls(process::TermId term, int levels, std::vector<runs::Call>& calls) {
     process::TermStore& terms = reader_.context().session.terms();
     const process::Op op = terms[term].op;
     const bool around = is_around(op);
@@ -66,9 +66,10 @@ void StateReader::collect(process::TermId term, int levels, std::vector<runs::Ca
         if (!known.empty() || op != process::Op::call) return;
     }
     if (levels == 0) return;
-    if (!around) return collect(terms.unfolded(term, 1), levels - 1, calls);
+    if (!around) return collect_calls(terms.unfold_calls(term, 1), levels - 1, calls);
     const std::vector<process::TermId> operands = terms[term].children;  // a copy, because terms may be added
-    for (std::size_t i = 0; i < (is_parallel(op) ? operands.size() : 1); ++i) collect(operands[i], levels - 1, calls);
+    for (std::size_t i = 0; i < (is_parallel(op) ? operands.size() : 1); ++i)
+        collect_calls(operands[i], levels - 1, calls);
 }
 
 std::size_t StateReader::number_of(process::TermId term) {
@@ -76,12 +77,12 @@ std::size_t StateReader::number_of(process::TermId term) {
     if (!added) return known->second;
     constexpr int most_levels = 60;
     Part part;
-    collect(term, most_levels, part.calls);
+    collect_calls(term, most_levels, part.calls);
     parts_.push_back(std::move(part));
     return known->second;
 }
 
-const std::vector<std::size_t>& StateReader::parts(lts::StateView state) {
+const std::vector<std::size_t>& StateReader::parts_of_state(lts::StateView state) {
     found_.clear();
     if (compiled_ == nullptr) {
         found_.push_back(number_of(static_cast<process::TermId>(state[0])));
@@ -92,14 +93,14 @@ const std::vector<std::size_t>& StateReader::parts(lts::StateView state) {
         const machine::Field& field = combined.fields[slot];
         const machine::Local local = (state[field.word] >> field.shift) & field.mask;
         if (local < combined.components[slot]->size())
-            found_.push_back(number_of(combined.components[slot]->meaning(local)));
+            found_.push_back(number_of(combined.components[slot]->term_of(local)));
     }
     return found_;
 }
 
 std::optional<std::int64_t> number_of(const ir::System& system, const ir::Instantiation& instantiation,
                                       const Held& held) {
-    if (!held.type.valid()) return std::nullopt;
+    if (!held.type.is_valid()) return std::nullopt;
     const ir::Type& type = system.type(held.type);
     switch (type.kind) {
         case ir::TypeKind::boolean:

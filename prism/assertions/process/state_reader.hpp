@@ -25,7 +25,7 @@ struct Part {
 
     [[nodiscard]] bool in_state(const std::string& machine, const std::string& element) const;
     /// Returns a variable or constant by name; no value if there is none, or if it has two possible values.
-    [[nodiscard]] std::optional<Held> variable(const std::string& machine, const std::string& name) const;
+    [[nodiscard]] std::optional<Held> find_variable(const std::string& machine, const std::string& name) const;
 };
 
 /// Reads packed states. The components of a process have few states compared with the whole, so each is read once and
@@ -37,12 +37,12 @@ public:
 
     /// Returns the numbers of the parts of a state. A part has the same number in every state. The result is valid
     /// until the next call.
-    [[nodiscard]] const std::vector<std::size_t>& parts(lts::StateView state);
+    [[nodiscard]] const std::vector<std::size_t>& parts_of_state(lts::StateView state);
     [[nodiscard]] const Part& part(std::size_t number) const { return parts_[number]; }
 
 private:
     [[nodiscard]] std::size_t number_of(process::TermId term);
-    void collect(process::TermId term, int levels, std::vector<runs::Call>& calls);
+    void collect_calls(process::TermId term, int levels, std::vector<runs::Call>& calls);
 
     const machine::SupercombinatorSystem* compiled_;  ///< null: the states are terms
     runs::StepReader& reader_;

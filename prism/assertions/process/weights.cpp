@@ -30,13 +30,13 @@ Rational floor_of(const Rational& value) {
     return quotient;
 }
 
-Rational truth(bool value) {
+Rational truth_number(bool value) {
     return value ? 1 : 0;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw) {
+std::vector<std::uint32_t> equivalent_branches(const ir::System& system, const csp_emit::Draw& draw) {
     const auto& transitions = system.machine(draw.machine).transitions;
     const ir::Transition& way = transitions[draw.transition.index];
     std::vector<std::uint32_t> result;
@@ -49,13 +49,13 @@ std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw&
     return result;
 }
 
-Rational Weights::of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const {
+Rational Weights::branch_probability(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const {
     const ir::Machine& machine = system_.machine(draw.machine);
     Rational result;
-    for (const std::uint32_t each : alike(system_, draw)) {
+    for (const std::uint32_t each : equivalent_branches(system_, draw)) {
         const ir::Transition& way = machine.transitions[each];
         const Rational weight =
-            way.probability ? value({machine, seat, &draw, &value_of}, *way.probability) : Rational(1);
+            way.probability ? expression_value({machine, seat, &draw, &value_of}, *way.probability) : Rational(1);
         if (weight < 0 || weight > 1)
             throw Wrong(fmt::format("the probability of {} is {}", ir::text_of(machine, way), weight.str()));
         result += weight;
@@ -63,13 +63,13 @@ Rational Weights::of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf
     return result;
 }
 
-Rational Weights::constant(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const {
-    return constant({machine, seat, nullptr, nullptr}, id);
+Rational Weights::constant_value(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const {
+    return constant_value({machine, seat, nullptr, nullptr}, id);
 }
 
 /// The instantiation overrides the value in the model. The values of the instantiation are in units of the scale, which
 /// represents every decimal exactly.
-Rational Weights::constant(const Scope& scope, ir::ConstantId id) const {
+Rational Weights::constant_value(const Scope& scope, ir::ConstantId id) const {
     const ir::Constant& declared = scope.machine.constants[id.index];
     std::string part = scope.seat.part;
     if (scope.seat.controller != nullptr && &scope.machine != scope.seat.machine)
@@ -87,11 +87,11 @@ Rational Weights::constant(const Scope& scope, ir::ConstantId id) const {
     if (!defined || scope.depth > most_depth) throw Wrong(fmt::format("the constant {} has no value", declared.name));
     Scope inner = scope;
     ++inner.depth;
-    return value(inner, *defined);
+    return expression_value(inner, *defined);
 }
 
-Rational Weights::value(const Scope& scope, const ir::Expr& expr) const {
-    const auto arg = [&](std::size_t i) { return value(scope, *expr.args[i]); };
+Rational Weights::expression_value(const Scope& scope, const ir::Expr& expr) const {
+    const auto arg = [&](std::size_t i) { return expression_value(scope, *expr.args[i]); };
     switch (expr.kind) {
         case ExprKind::boolean:
         case ExprKind::integer:
@@ -100,7 +100,7 @@ Rational Weights::value(const Scope& scope, const ir::Expr& expr) const {
         case ExprKind::real:
             return Rational(expr.decimal.unscaled) / power_of_ten(expr.decimal.decimals);
         case ExprKind::constant:
-            return constant(scope, expr.constant);
+            return constant_value(scope, expr.constant);
         case ExprKind::variable: {
             if (scope.value_of == nullptr) break;
             const std::int64_t units = (*scope.value_of)(scope.draw->variables[expr.variable.index]);
@@ -110,26 +110,26 @@ Rational Weights::value(const Scope& scope, const ir::Expr& expr) const {
         case ExprKind::negate:
             return -arg(0);
         case ExprKind::logical_not:
-            return truth(arg(0) == 0);
+            return truth_number(arg(0) == 0);
         case ExprKind::iff:
         case ExprKind::equal:
-            return truth(arg(0) == arg(1));
+            return truth_number(arg(0) == arg(1));
         case ExprKind::not_equal:
-            return truth(arg(0) != arg(1));
+            return truth_number(arg(0) != arg(1));
         case ExprKind::implies:
-            return truth(arg(0) == 0 || arg(1) != 0);
+            return truth_number(arg(0) == 0 || arg(1) != 0);
         case ExprKind::disjunction:
-            return truth(arg(0) != 0 || arg(1) != 0);
+            return truth_number(arg(0) != 0 || arg(1) != 0);
         case ExprKind::conjunction:
-            return truth(arg(0) != 0 && arg(1) != 0);
+            return truth_number(arg(0) != 0 && arg(1) != 0);
         case ExprKind::greater:
-            return truth(arg(0) > arg(1));
+            return truth_number(arg(0) > arg(1));
         case ExprKind::greater_equal:
-            return truth(arg(0) >= arg(1));
+            return truth_number(arg(0) >= arg(1));
         case ExprKind::less:
-            return truth(arg(0) < arg(1));
+            return truth_number(arg(0) < arg(1));
         case ExprKind::less_equal:
-            return truth(arg(0) <= arg(1));
+            return truth_number(arg(0) <= arg(1));
         case ExprKind::plus:
             return arg(0) + arg(1);
         case ExprKind::minus:

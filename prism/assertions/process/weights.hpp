@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "prism/markov/model/model.hpp"
 #include "csp_emit/base/emission.hpp"
 #include "prism/assertions/process/seats.hpp"
+#include "prism/markov/model/model.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -28,9 +28,10 @@ public:
 
     /// The probability of a branch together with its equivalent branches, if its machine has this seat. Throws Wrong if
     /// it is not a computable fraction from 0 to 1.
-    [[nodiscard]] Rational of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const;
+    [[nodiscard]] Rational branch_probability(const csp_emit::Draw& draw, const Seat& seat,
+                                              const ValueOf& value_of) const;
     /// The value of a constant of a machine with this seat.
-    [[nodiscard]] Rational constant(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const;
+    [[nodiscard]] Rational constant_value(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const;
 
 private:
     struct Scope {
@@ -40,8 +41,8 @@ private:
         const ValueOf* value_of;
         unsigned depth = 0;
     };
-    [[nodiscard]] Rational value(const Scope& scope, const ir::Expr& expr) const;
-    [[nodiscard]] Rational constant(const Scope& scope, ir::ConstantId id) const;
+    [[nodiscard]] Rational expression_value(const Scope& scope, const ir::Expr& expr) const;
+    [[nodiscard]] Rational constant_value(const Scope& scope, ir::ConstantId id) const;
 
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
@@ -49,6 +50,6 @@ private:
 
 /// Returns the branches that no step distinguishes from this one, including the branch itself. They lead from the same
 /// junction to the same target, without actions and resets.
-[[nodiscard]] std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw);
+[[nodiscard]] std::vector<std::uint32_t> equivalent_branches(const ir::System& system, const csp_emit::Draw& draw);
 
 }  // namespace robochart::probability

@@ -31,18 +31,18 @@ public:
     Elements(const Elements&) = delete;
     Elements& operator=(const Elements&) = delete;
 
-    [[nodiscard]] virtual prism::ExprPtr variable(const std::string& path) = 0;
-    [[nodiscard]] virtual prism::ExprPtr constant(const std::string& path) = 0;
+    [[nodiscard]] virtual prism::ExprPtr variable_expression(const std::string& path) = 0;
+    [[nodiscard]] virtual prism::ExprPtr constant_expression(const std::string& path) = 0;
     /// The condition that a machine is in a state, given by its path from the top of the machine: "Composite::Inner".
     [[nodiscard]] virtual prism::ExprPtr in_state(const std::string& machine, const std::string& state) = 0;
     /// The action of the steps with this event; `direction` is "in" or "out", as seen from the component.
-    [[nodiscard]] virtual std::string action(const std::string& path, const std::string& direction) = 0;
+    [[nodiscard]] virtual std::string event_action(const std::string& path, const std::string& direction) = 0;
     /// The last value that the event carried.
-    [[nodiscard]] virtual prism::ExprPtr value(const std::string& path, const std::string& direction) = 0;
+    [[nodiscard]] virtual prism::ExprPtr event_value(const std::string& path, const std::string& direction) = 0;
     /// A state reward, adapted to this encoding.
     [[nodiscard]] virtual prism::RewardItem of_state(prism::RewardItem item) { return item; }
     /// True if an element of the model already has this name in PRISM.
-    [[nodiscard]] virtual bool taken(const std::string& name) const = 0;
+    [[nodiscard]] virtual bool is_name_taken(const std::string& name) const = 0;
 };
 
 }  // namespace robochart::probability

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "prism/syntax/lexer.hpp"
-#include "prism/syntax/printer.hpp"
 #include "frontend/resolve/component_paths.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"
 #include "frontend/types/types.hpp"
+#include "prism/syntax/lexer.hpp"
+#include "prism/syntax/printer.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -29,11 +29,11 @@ using prism::Op;
 /// Nesting of definitions; a greater depth means that a definition uses itself.
 constexpr unsigned most_depth = 50;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void throw_not_expressed(const std::string& what) {
     throw NotExpressed(what);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
+std::string join_parts(const std::vector<std::string>& parts) {
     std::string result;
     for (const std::string& part : parts) result += (result.empty() ? "" : "::") + part;
     return result;
@@ -74,7 +74,7 @@ Op operator_of(BinaryOp op) {
         case BinaryOp::concat:
             break;
     }
-    refuse(fmt::format("the operator `{}`", ast::to_text(op)));
+    throw_not_expressed(fmt::format("the operator `{}`", ast::to_text(op)));
 }
 
 Op relation_of(const std::string& text) {
@@ -94,7 +94,7 @@ public:
             if (other.get() != &file) add(*other);
     }
 
-    [[nodiscard]] const std::vector<const ProbabilisticDefinition*>& all() const { return found_; }
+    [[nodiscard]] const std::vector<const ProbabilisticDefinition*>& all_definitions() const { return found_; }
     /// Null if there is none.
     [[nodiscard]] const ProbabilisticDefinition* find(ProbabilisticKind kind, const std::string& name) const {
         for (const ProbabilisticDefinition* each : found_)
@@ -102,17 +102,17 @@ public:
         return nullptr;
     }
     /// The definition that a clause names or contains.
-    [[nodiscard]] const ProbabilisticDefinition* of(const ast::ProbabilisticClause& clause) const {
+    [[nodiscard]] const ProbabilisticDefinition* definition_of(const ast::ProbabilisticClause& clause) const {
         return clause.name.empty() ? &clause.definition : find(clause.definition.kind, clause.name.parts.back());
     }
-    [[nodiscard]] const ast::ProbabilisticFunction* function(const std::string& name) const {
+    [[nodiscard]] const ast::ProbabilisticFunction* find_function(const std::string& name) const {
         for (const ProbabilisticDefinition* each : found_)
             for (const ast::ProbabilisticFunction& function : each->functions)
                 if (function.name == name && function.result) return &function;
         return nullptr;
     }
     /// True if the constant is one of an assertion file.
-    [[nodiscard]] bool defines(const ast::Declaration* constant) const {
+    [[nodiscard]] bool defines_constant(const ast::Declaration* constant) const {
         return std::ranges::any_of(found_, [&](const auto* each) { return each->constant.get() == constant; });
     }
 
@@ -130,36 +130,36 @@ public:
 
     Question operator()(const ast::ProbabilisticAssertion& assertion) {
         for (const ast::ProbabilisticClause& clause : assertion.clauses) {
-            const ProbabilisticDefinition* const definition = definitions_.of(clause);
+            const ProbabilisticDefinition* const definition = definitions_.definition_of(clause);
             if (definition == nullptr) continue;  // reported by the resolver
-            if (definition->kind == ProbabilisticKind::constants) settings(*definition);
-            if (definition->kind == ProbabilisticKind::modules) modules(*definition);
+            if (definition->kind == ProbabilisticKind::constants) add_settings(*definition);
+            if (definition->kind == ProbabilisticKind::modules) add_modules(*definition);
         }
-        if (!assertion.property) return generation(assertion.path);
-        question_.property = expression(*assertion.property);
+        if (!assertion.property) return translate_generation(assertion.path);
+        question_.property = translate_expression(*assertion.property);
         if (question_.simulation && question_.property != simulated_)
-            refuse("`using sim` inside another expression: random paths answer one probability or reward");
+            throw_not_expressed("`using sim` inside another expression: random paths answer one probability or reward");
         return std::move(question_);
     }
 
-    Question generation(const ast::PathGeneration& path) {
+    Question translate_generation(const ast::PathGeneration& path) {
         const auto number = [&](const char* what, const ast::ExprPtr& expr) {
-            return expr ? this->number(what, *expr) : "";
+            return expr ? this->add_number(what, *expr) : "";
         };
         question_.path =
             Generation{number("for", path.steps), number("repeats", path.repeats), number("up to", path.limit)};
         return std::move(question_);
     }
 
-    ExprPtr apply(const ast::ProbabilisticFunction& function, std::vector<ExprPtr> arguments) {
+    ExprPtr apply_function(const ast::ProbabilisticFunction& function, std::vector<ExprPtr> arguments) {
         if (arguments.size() != function.parameters.size())
-            refuse(fmt::format("`&{}` with {} arguments, which has {} parameters", function.name, arguments.size(),
-                               function.parameters.size()));
+            throw_not_expressed(fmt::format("`&{}` with {} arguments, which has {} parameters", function.name,
+                                            arguments.size(), function.parameters.size()));
         const Deeper deeper(depth_);
         std::map<const ast::Declaration*, ExprPtr> bound;
         for (std::size_t i = 0; i < arguments.size(); ++i) bound[function.parameters[i].get()] = arguments[i];
         std::swap(bound, bound_);
-        ExprPtr result = expression(*function.result);
+        ExprPtr result = translate_expression(*function.result);
         std::swap(bound, bound_);
         return result;
     }
@@ -168,7 +168,7 @@ private:
     class Deeper {
     public:
         explicit Deeper(unsigned& depth) : depth_(depth) {
-            if (++depth_ > most_depth) refuse("a definition that uses itself");
+            if (++depth_ > most_depth) throw_not_expressed("a definition that uses itself");
         }
         ~Deeper() { --depth_; }
         Deeper(const Deeper&) = delete;
@@ -179,43 +179,43 @@ private:
     };
 
     // expressions
-    ExprPtr expression(const ast::Expr& expr);
-    ExprPtr node(const ast::Expr& expr, Op op, std::vector<ExprPtr> parts, std::string text = {}) {
+    ExprPtr translate_expression(const ast::Expr& expr);
+    ExprPtr make_node(const ast::Expr& expr, Op op, std::vector<ExprPtr> parts, std::string text = {}) {
         return prism::make_expr(op, expr.span, std::move(parts), std::move(text));
     }
-    std::vector<ExprPtr> operands(const ast::Expr& expr) {
+    std::vector<ExprPtr> translate_operands(const ast::Expr& expr) {
         std::vector<ExprPtr> result;
-        for (const auto& each : expr.args) result.push_back(expression(*each));
+        for (const auto& each : expr.args) result.push_back(translate_expression(*each));
         return result;
     }
-    ExprPtr unary(const ast::Expr& expr);
-    ExprPtr binary(const ast::Expr& expr);
+    ExprPtr translate_unary(const ast::Expr& expr);
+    ExprPtr translate_binary(const ast::Expr& expr);
     ExprPtr name(const ast::Expr& expr);
-    ExprPtr constant(const ast::Expr& expr);
-    ExprPtr marked(const ast::Expr& expr);
-    ExprPtr call(const ast::Expr& expr);
-    ExprPtr defined(const ast::Expr& expr, ProbabilisticKind kind);
+    ExprPtr translate_constant(const ast::Expr& expr);
+    ExprPtr translate_marked(const ast::Expr& expr);
+    ExprPtr translate_call(const ast::Expr& expr);
+    ExprPtr translate_defined(const ast::Expr& expr, ProbabilisticKind kind);
     ExprPtr in_state(const ast::Expr& expr);
-    ExprPtr path(const ast::Expr& expr);
-    ExprPtr quantitative(const ast::Expr& expr);
-    std::string number(const std::string& what, const ast::Expr& expr);
-    void simulate(const ast::Expr& simulation);
-    std::shared_ptr<const prism::StepBound> steps(const ast::Expr& path);
+    ExprPtr translate_path(const ast::Expr& expr);
+    ExprPtr translate_quantitative(const ast::Expr& expr);
+    std::string add_number(const std::string& what, const ast::Expr& expr);
+    void read_simulation(const ast::Expr& simulation);
+    std::shared_ptr<const prism::StepBound> step_bound(const ast::Expr& path);
 
     // names
     std::string full_path(const ast::QualifiedName& name);
-    static std::string direction(const ast::Expr& event) { return event.text.substr(0, event.text.find('.')); }
-    std::string action(const ast::ExprPtr& event);
+    static std::string event_direction(const ast::Expr& event) { return event.text.substr(0, event.text.find('.')); }
+    std::string translate_event(const ast::ExprPtr& event);
     std::string free_name(const std::string& wanted) const;
 
     // definitions
-    void settings(const ProbabilisticDefinition& definition);
-    std::vector<std::string> values(const ast::Expr& value);
-    void rewards(const ProbabilisticDefinition& definition);
-    void modules(const ProbabilisticDefinition& definition);
-    prism::Module module(const ast::ProbabilisticModule& module);
-    prism::Command command(const ast::Command& command);
-    prism::Assignment assignment(const ast::Update& update);
+    void add_settings(const ProbabilisticDefinition& definition);
+    std::vector<std::string> constant_values(const ast::Expr& value);
+    void add_rewards(const ProbabilisticDefinition& definition);
+    void add_modules(const ProbabilisticDefinition& definition);
+    prism::Module translate_module(const ast::ProbabilisticModule& module);
+    prism::Command translate_command(const ast::Command& command);
+    prism::Assignment translate_assignment(const ast::Update& update);
 
     const Assertions& all_;
     const ast::File& file_;
@@ -229,72 +229,74 @@ private:
     unsigned depth_ = 0;
 };
 
-ExprPtr Translator::expression(const ast::Expr& expr) {
+ExprPtr Translator::translate_expression(const ast::Expr& expr) {
     switch (expr.kind) {
         case ExprKind::integer:
-            return node(expr, Op::integer, {}, expr.text);
+            return make_node(expr, Op::integer, {}, expr.text);
         case ExprKind::real:
-            return node(expr, Op::real, {}, expr.text);
+            return make_node(expr, Op::real, {}, expr.text);
         case ExprKind::boolean:
-            return node(expr, Op::boolean, {}, expr.text);
+            return make_node(expr, Op::boolean, {}, expr.text);
         case ExprKind::parenthesised:
-            return expression(*expr.args.front());
+            return translate_expression(*expr.args.front());
         case ExprKind::unary:
-            return unary(expr);
+            return translate_unary(expr);
         case ExprKind::binary:
-            return binary(expr);
+            return translate_binary(expr);
         case ExprKind::if_then_else:
-            return node(expr, Op::conditional, operands(expr));
+            return make_node(expr, Op::conditional, translate_operands(expr));
         case ExprKind::name:
             return name(expr);
         case ExprKind::marked:
-            return marked(expr);
+            return translate_marked(expr);
         case ExprKind::call:
-            return call(expr);
+            return translate_call(expr);
         case ExprKind::in_state:
             return in_state(expr);
         case ExprKind::event:
-            if (!expr.text.ends_with(".val")) refuse(fmt::format("the event `{}` as a value", ast::to_text(expr)));
-            return elements_.value(full_path(expr.name), direction(expr));
+            if (!expr.text.ends_with(".val"))
+                throw_not_expressed(fmt::format("the event `{}` as a value", ast::to_text(expr)));
+            return elements_.event_value(full_path(expr.name), event_direction(expr));
         case ExprKind::path:
-            return path(expr);
+            return translate_path(expr);
         case ExprKind::probability:
         case ExprKind::reward:
-            return quantitative(expr);
+            return translate_quantitative(expr);
         case ExprKind::all_paths:
         case ExprKind::some_path:
-            return node(expr, expr.kind == ExprKind::all_paths ? Op::forall_paths : Op::exists_path, operands(expr));
+            return make_node(expr, expr.kind == ExprKind::all_paths ? Op::forall_paths : Op::exists_path,
+                             translate_operands(expr));
         default:
-            refuse(fmt::format("`{}`", ast::to_text(expr)));
+            throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
     }
 }
 
-ExprPtr Translator::unary(const ast::Expr& expr) {
-    return node(expr, expr.unary == ast::UnaryOp::negate ? Op::minus : Op::negation, operands(expr));
+ExprPtr Translator::translate_unary(const ast::Expr& expr) {
+    return make_node(expr, expr.unary == ast::UnaryOp::negate ? Op::minus : Op::negation, translate_operands(expr));
 }
 
-ExprPtr Translator::binary(const ast::Expr& expr) {
-    if (expr.binary == BinaryOp::modulus) return node(expr, Op::call, operands(expr), "mod");
-    return node(expr, operator_of(*expr.binary), operands(expr));
+ExprPtr Translator::translate_binary(const ast::Expr& expr) {
+    if (expr.binary == BinaryOp::modulus) return make_node(expr, Op::call, translate_operands(expr), "mod");
+    return make_node(expr, operator_of(*expr.binary), translate_operands(expr));
 }
 
 // ---------------------------------------------------------------- names
 
 std::string Translator::full_path(const ast::QualifiedName& name) {
-    Beginning begin = beginning(all_, file_, name);
-    if (begin.used == 0) refuse(fmt::format("`{}`, which begins with no component", name.text()));
+    Beginning begin = path_beginning(all_, file_, name);
+    if (begin.used == 0) throw_not_expressed(fmt::format("`{}`, which begins with no component", name.text()));
     for (std::size_t i = begin.used; i < name.parts.size(); ++i) {
         // A platform is identified by its own name and not by that of the reference.
         const ast::Context* const platform = i == begin.used ? ast::platform_of(begin.end, name.parts[i]) : nullptr;
         begin.parts.push_back(platform != nullptr ? platform->name : name.parts[i]);
     }
-    return joined(begin.parts);
+    return join_parts(begin.parts);
 }
 
 /// A name that is neither used in the model nor a keyword of PRISM.
 std::string Translator::free_name(const std::string& wanted) const {
     std::string name = wanted;
-    while (prism::is_reserved(name) || elements_.taken(name)) name += "_";
+    while (prism::is_reserved(name) || elements_.is_name_taken(name)) name += "_";
     return name;
 }
 
@@ -303,23 +305,24 @@ ExprPtr Translator::name(const ast::Expr& expr) {
     if (target == nullptr) {
         const std::string& label = expr.name.parts.front();
         if (expr.name.parts.size() == 1 && (label == "deadlock" || label == "init"))
-            return node(expr, Op::label, {}, label);
-        refuse(fmt::format("`{}`", expr.name.text()));
+            return make_node(expr, Op::label, {}, label);
+        throw_not_expressed(fmt::format("`{}`", expr.name.text()));
     }
     if (target->kind == ast::DeclKind::enum_literal) {
         // In every encoding, literals are numbered in the order of their declaration.
         const auto* type = dynamic_cast<const ast::TypeDeclaration*>(target->parent);
         for (std::size_t i = 0; type != nullptr && i < type->literals.size(); ++i)
-            if (type->literals[i].get() == target) return node(expr, Op::integer, {}, fmt::format("{}", i));
-        refuse(fmt::format("the literal `{}`", expr.name.text()));
+            if (type->literals[i].get() == target) return make_node(expr, Op::integer, {}, fmt::format("{}", i));
+        throw_not_expressed(fmt::format("the literal `{}`", expr.name.text()));
     }
-    if (definitions_.defines(target)) return constant(expr);
+    if (definitions_.defines_constant(target)) return translate_constant(expr);
     const std::string path = full_path(expr.name);
-    return target->kind == ast::DeclKind::constant ? elements_.constant(path) : elements_.variable(path);
+    return target->kind == ast::DeclKind::constant ? elements_.constant_expression(path)
+                                                   : elements_.variable_expression(path);
 }
 
 /// `const t : T` of an assertion file: an open constant.
-ExprPtr Translator::constant(const ast::Expr& expr) {
+ExprPtr Translator::translate_constant(const ast::Expr& expr) {
     const auto* declared = static_cast<const ast::Variable*>(expr.target);
     const auto [known, added] = known_.try_emplace(declared);
     if (added) known->second = free_name(declared->name);
@@ -330,7 +333,8 @@ ExprPtr Translator::constant(const ast::Expr& expr) {
     else if (form == ast::TypeForm::real)
         made.type = prism::Type::real;
     else if (form != ast::TypeForm::nat && form != ast::TypeForm::integer)
-        refuse(fmt::format("the constant `{}` of type {}", declared->name, ast::to_string(declared->type)));
+        throw_not_expressed(
+            fmt::format("the constant `{}` of type {}", declared->name, ast::to_string(declared->type)));
     const auto same = [&](const prism::Constant& each) { return each.name.text == made.name.text; };
     auto& model = question_.model_constants;
     auto& own = question_.constants;
@@ -339,76 +343,76 @@ ExprPtr Translator::constant(const ast::Expr& expr) {
         auto& list = in_model_ ? model : own;
         if (std::ranges::none_of(list, same)) list.push_back(made);
     }
-    return node(expr, Op::name, {}, made.name.text);
+    return make_node(expr, Op::name, {}, made.name.text);
 }
 
-ExprPtr Translator::defined(const ast::Expr& expr, ProbabilisticKind kind) {
+ExprPtr Translator::translate_defined(const ast::Expr& expr, ProbabilisticKind kind) {
     const ProbabilisticDefinition* const found = definitions_.find(kind, expr.name.parts.back());
-    if (found == nullptr || !found->value) refuse(fmt::format("`{}`", ast::to_text(expr)));
+    if (found == nullptr || !found->value) throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
     const Deeper deeper(depth_);
-    return expression(*found->value);
+    return translate_expression(*found->value);
 }
 
-ExprPtr Translator::marked(const ast::Expr& expr) {
-    if (expr.text == "#") return defined(expr, ProbabilisticKind::label);
-    if (expr.text == "$") return defined(expr, ProbabilisticKind::formula);
-    if (expr.text == "@") return node(expr, Op::name, {}, expr.name.parts.back());
+ExprPtr Translator::translate_marked(const ast::Expr& expr) {
+    if (expr.text == "#") return translate_defined(expr, ProbabilisticKind::label);
+    if (expr.text == "$") return translate_defined(expr, ProbabilisticKind::formula);
+    if (expr.text == "@") return make_node(expr, Op::name, {}, expr.name.parts.back());
     if (expr.text == "$$") {
         const auto found = bound_.find(expr.target);
         if (found != bound_.end()) return found->second;
     }
-    refuse(fmt::format("`{}`", ast::to_text(expr)));
+    throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
 }
 
-ExprPtr Translator::call(const ast::Expr& expr) {
+ExprPtr Translator::translate_call(const ast::Expr& expr) {
     const bool function = expr.callee && expr.callee->kind == ExprKind::marked && expr.callee->text == "&";
     const ast::ProbabilisticFunction* const found =
-        function ? definitions_.function(expr.callee->name.parts.back()) : nullptr;
-    if (found == nullptr) refuse(fmt::format("`{}`", ast::to_text(expr)));
-    return apply(*found, operands(expr));
+        function ? definitions_.find_function(expr.callee->name.parts.back()) : nullptr;
+    if (found == nullptr) throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
+    return apply_function(*found, translate_operands(expr));
 }
 
 /// The path of a state from the top of its machine.
 ExprPtr Translator::in_state(const ast::Expr& expr) {
     const auto* state = dynamic_cast<const ast::State*>(expr.args.front()->target);
-    const Beginning machine = beginning(all_, file_, expr.name);
-    if (state == nullptr || machine.used == 0) refuse(fmt::format("`{}`", ast::to_text(expr)));
+    const Beginning machine = path_beginning(all_, file_, expr.name);
+    if (state == nullptr || machine.used == 0) throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
     std::string path = state->name;
     for (const auto* above = dynamic_cast<const ast::State*>(state->parent); above != nullptr;
          above = dynamic_cast<const ast::State*>(above->parent))
         path = above->name + "::" + path;
-    return elements_.in_state(joined(machine.parts), path);
+    return elements_.in_state(join_parts(machine.parts), path);
 }
 
-std::string Translator::action(const ast::ExprPtr& event) {
+std::string Translator::translate_event(const ast::ExprPtr& event) {
     if (!event) return "";
     if (event->kind != ExprKind::event || event->text.ends_with(".val"))
-        refuse(fmt::format("the event `{}` without `.in` or `.out`", ast::to_text(*event)));
-    return elements_.action(full_path(event->name), direction(*event));
+        throw_not_expressed(fmt::format("the event `{}` without `.in` or `.out`", ast::to_text(*event)));
+    return elements_.event_action(full_path(event->name), event_direction(*event));
 }
 
 // ---------------------------------------------------------------- questions
 
 /// `<=n`, `[a, b]`
-std::shared_ptr<const prism::StepBound> Translator::steps(const ast::Expr& path) {
+std::shared_ptr<const prism::StepBound> Translator::step_bound(const ast::Expr& path) {
     const ast::ExprPtr& bound = path.args.front();
     if (!bound) return nullptr;
     auto result = std::make_shared<prism::StepBound>();
     if (bound->kind == ExprKind::range) {
-        result->low = expression(*bound->args[0]);
-        result->high = expression(*bound->args[1]);
+        result->low = translate_expression(*bound->args[0]);
+        result->high = translate_expression(*bound->args[1]);
         return result;
     }
     const Op relation = relation_of(path.text);
     const bool upper = relation == Op::less || relation == Op::less_equal;
-    (upper ? result->high : result->low) = expression(*bound);
+    (upper ? result->high : result->low) = translate_expression(*bound);
     (upper ? result->high_strict : result->low_strict) = relation == Op::less || relation == Op::greater;
     return result;
 }
 
-ExprPtr Translator::path(const ast::Expr& expr) {
+ExprPtr Translator::translate_path(const ast::Expr& expr) {
     std::vector<ExprPtr> parts;
-    for (std::size_t i = 1; i < expr.args.size(); ++i) parts.push_back(expression(*expr.args[i]));
+    for (std::size_t i = 1; i < expr.args.size(); ++i) parts.push_back(translate_expression(*expr.args[i]));
     prism::Expr made;
     made.span = expr.span;
     switch (*expr.path) {
@@ -435,52 +439,52 @@ ExprPtr Translator::path(const ast::Expr& expr) {
             return parts.front();
         case PathOp::weak_until:
         case PathOp::release:
-            refuse(fmt::format("`{}` with one formula", ast::to_text(*expr.path)));
+            throw_not_expressed(fmt::format("`{}` with one formula", ast::to_text(*expr.path)));
     }
     made.parts = std::move(parts);
-    made.steps = steps(expr);
+    made.steps = step_bound(expr);
     return prism::make_expr(std::move(made));
 }
 
-ExprPtr Translator::quantitative(const ast::Expr& expr) {
+ExprPtr Translator::translate_quantitative(const ast::Expr& expr) {
     const bool reward = expr.kind == ExprKind::reward;
     auto query = std::make_shared<prism::Query>();
     if (expr.args[1]) {
         query->relation = relation_of(expr.text);
-        query->bound = expression(*expr.args[1]);
+        query->bound = translate_expression(*expr.args[1]);
     } else if (expr.text != "=?") {
         query->optimum = expr.text == "min=?" ? prism::Optimum::minimum : prism::Optimum::maximum;
     }
     if (reward) {
         const std::string wanted = expr.name.empty() ? "" : expr.name.parts.back();
         const ProbabilisticDefinition* const found = definitions_.find(ProbabilisticKind::rewards, wanted);
-        if (found == nullptr) refuse(fmt::format("`{}`: there is no such reward", ast::to_text(expr)));
-        rewards(*found);
+        if (found == nullptr) throw_not_expressed(fmt::format("`{}`: there is no such reward", ast::to_text(expr)));
+        add_rewards(*found);
         query->reward = {found->name, expr.span};
     }
     prism::Expr made;
     made.op = reward ? Op::reward : Op::probability;
     made.span = expr.span;
-    made.parts = {expression(*expr.args[0])};
+    made.parts = {translate_expression(*expr.args[0])};
     made.query = std::move(query);
     ExprPtr result = prism::make_expr(std::move(made));
     if (expr.args[2]) {
-        simulate(*expr.args[2]);
+        read_simulation(*expr.args[2]);
         simulated_ = result;
     }
     return result;
 }
 
 /// Adds a number in `using` as a constant with that value. The name of the constant cannot clash with PRISM's names.
-std::string Translator::number(const std::string& what, const ast::Expr& expr) {
+std::string Translator::add_number(const std::string& what, const ast::Expr& expr) {
     std::string name = fmt::format("`{} {}`", what, ast::to_text(expr));
-    question_.constants.push_back({prism::Type::real, {name, expr.span}, expression(expr)});
+    question_.constants.push_back({prism::Type::real, {name, expr.span}, translate_expression(expr)});
     return name;
 }
 
 /// PRISM's methods, with RoboTool's parameter names: `-simwidth` is `w` or `epsilon`, `-simconf` is `alpha` or `delta`,
 /// `-simsamples` is `n`, `-simpathlen` is `pathlen`. For SPRT, `delta` is half of the indifference region.
-void Translator::simulate(const ast::Expr& simulation) {
+void Translator::read_simulation(const ast::Expr& simulation) {
     using Names = std::map<std::string, std::string>;
     static const std::map<std::string, Names> parameters{
         {"CI", {{"w", "width"}, {"alpha", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
@@ -502,46 +506,46 @@ void Translator::simulate(const ast::Expr& simulation) {
         }
         if (!given.insert(name).second)
             throw Wrong(fmt::format("`sim with {}`: `{}` is given twice", simulation.text, name));
-        sampling.parameters.emplace_back(known->second, number(name + " =", *each.value));
+        sampling.parameters.emplace_back(known->second, add_number(name + " =", *each.value));
     }
     question_.simulation = std::move(sampling);
 }
 
 // ---------------------------------------------------------------- definitions
 
-void Translator::settings(const ProbabilisticDefinition& definition) {
+void Translator::add_settings(const ProbabilisticDefinition& definition) {
     for (const ast::ConstantValues& each : definition.constants) {
         Setting setting;
         setting.name = each.constant->name.text();
-        if (definitions_.defines(each.constant->target)) {
+        if (definitions_.defines_constant(each.constant->target)) {
             const auto [known, added] = known_.try_emplace(each.constant->target);
             if (added) known->second = free_name(each.constant->target->name);
             setting.constant = known->second;
         } else {
             setting.path = full_path(each.constant->name);
         }
-        setting.values =
-            each.from_set ? values(*each.value) : std::vector<std::string>{prism::print(expression(*each.value))};
+        setting.values = each.from_set ? constant_values(*each.value)
+                                       : std::vector<std::string>{prism::print(translate_expression(*each.value))};
         question_.settings.push_back(std::move(setting));
     }
 }
 
 /// `{1, 2, 5}`, `{1 to 9 by step 2}`
-std::vector<std::string> Translator::values(const ast::Expr& value) {
+std::vector<std::string> Translator::constant_values(const ast::Expr& value) {
     std::vector<std::string> result;
     if (value.kind == ExprKind::set_range) {
-        const std::string low = prism::print(expression(*value.args[0]));
-        const std::string high = prism::print(expression(*value.args[1]));
+        const std::string low = prism::print(translate_expression(*value.args[0]));
+        const std::string high = prism::print(translate_expression(*value.args[1]));
         const bool step = value.args.size() > 2 && value.args[2];
-        return {fmt::format("{}:{}:{}", low, step ? prism::print(expression(*value.args[2])) : "1", high)};
+        return {fmt::format("{}:{}:{}", low, step ? prism::print(translate_expression(*value.args[2])) : "1", high)};
     }
     if (value.kind != ExprKind::set || value.args.empty())
-        refuse(fmt::format("`{}` as a set of values", ast::to_text(value)));
-    for (const auto& each : value.args) result.push_back(prism::print(expression(*each)));
+        throw_not_expressed(fmt::format("`{}` as a set of values", ast::to_text(value)));
+    for (const auto& each : value.args) result.push_back(prism::print(translate_expression(*each)));
     return result;
 }
 
-void Translator::rewards(const ProbabilisticDefinition& definition) {
+void Translator::add_rewards(const ProbabilisticDefinition& definition) {
     const auto same = [&](const auto& each) { return each.name.text == definition.name; };
     if (std::ranges::any_of(question_.rewards, same)) return;
     prism::RewardStructure made{{definition.name, definition.name_span}, {}};
@@ -550,82 +554,87 @@ void Translator::rewards(const ProbabilisticDefinition& definition) {
         prism::RewardItem item;
         item.transition = each.of_step;
         item.span = each.guard->span;
-        item.action = {each.of_step ? action(each.event) : "", item.span};
-        item.guard = expression(*each.guard);
-        item.value = expression(*each.value);
+        item.action = {each.of_step ? translate_event(each.event) : "", item.span};
+        item.guard = translate_expression(*each.guard);
+        item.value = translate_expression(*each.value);
         made.items.push_back(each.of_step ? std::move(item) : elements_.of_state(std::move(item)));
     }
     in_model_ = before;
     question_.rewards.push_back(std::move(made));
 }
 
-void Translator::modules(const ProbabilisticDefinition& definition) {
+void Translator::add_modules(const ProbabilisticDefinition& definition) {
     const bool before = std::exchange(in_model_, true);
-    for (const ast::ProbabilisticModule& each : definition.modules) question_.modules.push_back(module(each));
+    for (const ast::ProbabilisticModule& each : definition.modules) question_.modules.push_back(translate_module(each));
     in_model_ = before;
 }
 
-prism::Module Translator::module(const ast::ProbabilisticModule& source) {
+prism::Module Translator::translate_module(const ast::ProbabilisticModule& source) {
     prism::Module made;
     made.name = {source.name, source.name_span};
     for (const ast::ModuleVariable& each : source.variables) {
         prism::Variable variable{{each.variable->name, each.variable->name_span}, prism::Type::boolean, {}, {}, {}};
         if (each.low) {
             variable.type = prism::Type::integer;
-            variable.low = expression(*each.low);
-            variable.high = expression(*each.high);
+            variable.low = translate_expression(*each.low);
+            variable.high = translate_expression(*each.high);
         }
-        if (each.variable->initial) variable.initial = expression(*each.variable->initial);
+        if (each.variable->initial) variable.initial = translate_expression(*each.variable->initial);
         made.variables.push_back(std::move(variable));
     }
-    for (const ast::Command& each : source.commands) made.commands.push_back(command(each));
+    for (const ast::Command& each : source.commands) made.commands.push_back(translate_command(each));
     return made;
 }
 
 /// `(p : @x = e)` begins a branch. Updates without a probability belong to the branch before them.
-prism::Command Translator::command(const ast::Command& source) {
+prism::Command Translator::translate_command(const ast::Command& source) {
     prism::Command made;
     made.span = source.guard->span;
-    made.action = {action(source.event), made.span};
-    made.guard = expression(*source.guard);
+    made.action = {translate_event(source.event), made.span};
+    made.guard = translate_expression(*source.guard);
     for (const ast::Update& each : source.updates) {
         const bool begins = made.branches.empty() || each.probability;
         if (begins && !made.branches.empty() && !made.branches.front().probability)
-            refuse("a probability behind an update without one");
+            throw_not_expressed("a probability behind an update without one");
         if (begins)
-            made.branches.push_back({each.probability ? expression(*each.probability) : nullptr, {}, made.span});
-        made.branches.back().assignments.push_back(assignment(each));
+            made.branches.push_back(
+                {each.probability ? translate_expression(*each.probability) : nullptr, {}, made.span});
+        made.branches.back().assignments.push_back(translate_assignment(each));
     }
     if (made.branches.empty()) made.branches.push_back({nullptr, {}, made.span});
     return made;
 }
 
-prism::Assignment Translator::assignment(const ast::Update& update) {
-    return {{update.variable->name.parts.back(), update.variable->span}, expression(*update.value)};
+prism::Assignment Translator::translate_assignment(const ast::Update& update) {
+    return {{update.variable->name.parts.back(), update.variable->span}, translate_expression(*update.value)};
 }
 
 /// Records the components with which paths begin.
 class Recorder final : public Elements {
 public:
-    ExprPtr variable(const std::string& path) override { return number(path); }
-    ExprPtr constant(const std::string& path) override { return number(path); }
-    ExprPtr in_state(const std::string& machine, const std::string& /*state*/) override { return number(machine); }
-    std::string action(const std::string& path, const std::string& /*direction*/) override {
-        note(path);
+    ExprPtr variable_expression(const std::string& path) override { return record_number(path); }
+    ExprPtr constant_expression(const std::string& path) override { return record_number(path); }
+    ExprPtr in_state(const std::string& machine, const std::string& /*state*/) override {
+        return record_number(machine);
+    }
+    std::string event_action(const std::string& path, const std::string& /*direction*/) override {
+        record_path(path);
         return "";
     }
-    ExprPtr value(const std::string& path, const std::string& /*direction*/) override { return number(path); }
-    [[nodiscard]] bool taken(const std::string& /*name*/) const override { return false; }
+    ExprPtr event_value(const std::string& path, const std::string& /*direction*/) override {
+        return record_number(path);
+    }
+    [[nodiscard]] bool is_name_taken(const std::string& /*name*/) const override { return false; }
 
-    void note(const std::string& path) {
+    void record_path(const std::string& path) {
         const std::string first = path.substr(0, path.find("::"));
         if (std::ranges::find(found, first) == found.end()) found.push_back(first);
     }
     std::vector<std::string> found;
 
 private:
-    ExprPtr number(const std::string& path) {
-        note(path);
+    ExprPtr record_number(const std::string& path) {
+        record_path(path);
         return prism::make_expr(Op::integer, {}, {}, "0");
     }
 };
@@ -633,22 +642,22 @@ private:
 /// Contains no elements.
 class NoElements final : public Elements {
 public:
-    ExprPtr variable(const std::string& path) override { absent(path); }
-    ExprPtr constant(const std::string& path) override { absent(path); }
-    ExprPtr in_state(const std::string& machine, const std::string& /*state*/) override { absent(machine); }
-    std::string action(const std::string& path, const std::string& /*direction*/) override { absent(path); }
-    ExprPtr value(const std::string& path, const std::string& /*direction*/) override { absent(path); }
-    [[nodiscard]] bool taken(const std::string& /*name*/) const override { return false; }
+    ExprPtr variable_expression(const std::string& path) override { throw_absent(path); }
+    ExprPtr constant_expression(const std::string& path) override { throw_absent(path); }
+    ExprPtr in_state(const std::string& machine, const std::string& /*state*/) override { throw_absent(machine); }
+    std::string event_action(const std::string& path, const std::string& /*direction*/) override { throw_absent(path); }
+    ExprPtr event_value(const std::string& path, const std::string& /*direction*/) override { throw_absent(path); }
+    [[nodiscard]] bool is_name_taken(const std::string& /*name*/) const override { return false; }
 
 private:
-    [[noreturn]] static void absent(const std::string& path) {
-        refuse(fmt::format("`{}` in a function that the model calls", path));
+    [[noreturn]] static void throw_absent(const std::string& path) {
+        throw_not_expressed(fmt::format("`{}` in a function that the model calls", path));
     }
 };
 
 }  // namespace
 
-Beginning beginning(const Assertions& all, const ast::File& file, const ast::QualifiedName& name) {
+Beginning path_beginning(const Assertions& all, const ast::File& file, const ast::QualifiedName& name) {
     const ast::Way way = ast::component_way(all.model, all.names, file, name);
     Beginning result{{}, way.used, way.end()};
     for (const ast::Declaration* step : way.path.steps) result.parts.push_back(step->name);
@@ -664,38 +673,38 @@ bool has_simulation(const ast::Expr& expr) {
 
 }  // namespace
 
-bool simulated(const ast::ProbabilisticAssertion& assertion) {
+bool is_simulated(const ast::ProbabilisticAssertion& assertion) {
     return !assertion.property || has_simulation(*assertion.property);
 }
 
-std::vector<std::string> subjects(const Assertions& all, const ast::File& file,
-                                  const ast::ProbabilisticAssertion& assertion) {
+std::vector<std::string> subjects_of(const Assertions& all, const ast::File& file,
+                                     const ast::ProbabilisticAssertion& assertion) {
     const Definitions definitions(all, file, assertion);
     Recorder recorder;
     const Question question = Translator(all, file, definitions, recorder)(assertion);
     for (const Setting& each : question.settings)
-        if (!each.path.empty()) recorder.note(each.path);
+        if (!each.path.empty()) recorder.record_path(each.path);
     return recorder.found;
 }
 
-Question translate(const Assertions& all, const ast::File& file, const ast::ProbabilisticAssertion& assertion,
-                   Elements& elements) {
+Question translate_assertion(const Assertions& all, const ast::File& file, const ast::ProbabilisticAssertion& assertion,
+                             Elements& elements) {
     const Definitions definitions(all, file, assertion);
     return Translator(all, file, definitions, elements)(assertion);
 }
 
-std::map<std::string, Function> functions(const Assertions& all, const ast::File& file,
-                                          const ast::ProbabilisticAssertion& assertion) {
+std::map<std::string, Function> functions_of(const Assertions& all, const ast::File& file,
+                                             const ast::ProbabilisticAssertion& assertion) {
     std::map<std::string, Function> result;
     const auto definitions = std::make_shared<const Definitions>(all, file, assertion);
     for (const ast::ProbabilisticClause& clause : assertion.clauses) {
-        const ProbabilisticDefinition* const definition = definitions->of(clause);
+        const ProbabilisticDefinition* const definition = definitions->definition_of(clause);
         if (definition == nullptr || definition->kind != ProbabilisticKind::definitions) continue;
         for (const ast::ProbabilisticFunction& function : definition->functions)
             if (function.result)
                 result[function.name] = [&all, &file, definitions, &function](const std::vector<ExprPtr>& arguments) {
                     NoElements nothing;
-                    return Translator(all, file, *definitions, nothing).apply(function, arguments);
+                    return Translator(all, file, *definitions, nothing).apply_function(function, arguments);
                 };
     }
     return result;

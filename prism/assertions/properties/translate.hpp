@@ -30,24 +30,24 @@ struct Beginning {
     std::size_t used = 0;
     const frontend::Declaration* end = nullptr;  ///< the element at the end of the path
 };
-[[nodiscard]] Beginning beginning(const Assertions&, const frontend::File&, const frontend::QualifiedName&);
+[[nodiscard]] Beginning path_beginning(const Assertions&, const frontend::File&, const frontend::QualifiedName&);
 
 /// The components that an assertion refers to: the outermost parts of its paths, without duplicates.
-[[nodiscard]] std::vector<std::string> subjects(const Assertions&, const frontend::File&,
-                                                const frontend::ProbabilisticAssertion&);
+[[nodiscard]] std::vector<std::string> subjects_of(const Assertions&, const frontend::File&,
+                                                   const frontend::ProbabilisticAssertion&);
 
 /// Returns true if random paths answer the assertion: `using sim with`, `prob generate path`.
-[[nodiscard]] bool simulated(const frontend::ProbabilisticAssertion&);
+[[nodiscard]] bool is_simulated(const frontend::ProbabilisticAssertion&);
 
 /// The translated property. Throws NotExpressed, and Wrong if a simulation has wrong parameters.
-[[nodiscard]] Question translate(const Assertions&, const frontend::File&, const frontend::ProbabilisticAssertion&,
-                                 Elements&);
+[[nodiscard]] Question translate_assertion(const Assertions&, const frontend::File&,
+                                           const frontend::ProbabilisticAssertion&, Elements&);
 
 /// A function that assertions define, applied to arguments. The function must not use elements of the model. Throws
 /// NotExpressed.
 using Function = std::function<prism::ExprPtr(const std::vector<prism::ExprPtr>&)>;
 /// Returns the functions in the `with` clauses of an assertion, by name. The result keeps references to the arguments.
-[[nodiscard]] std::map<std::string, Function> functions(const Assertions&, const frontend::File&,
-                                                        const frontend::ProbabilisticAssertion&);
+[[nodiscard]] std::map<std::string, Function> functions_of(const Assertions&, const frontend::File&,
+                                                           const frontend::ProbabilisticAssertion&);
 
 }  // namespace robochart::probability

@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "prism/assertions/robotool/wording.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/session/experiment.hpp"
 #include "prism/syntax/printer.hpp"
-#include "prism/assertions/robotool/wording.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -19,12 +19,12 @@ namespace {
 using prism::ExprPtr;
 
 std::string first_error(const diagnostics::Diagnostics& diagnostics) {
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error) return each.message();
     return "";
 }
 
-ExprPtr named(const std::string& name) {
+ExprPtr name_expression(const std::string& name) {
     return prism::make_expr(prism::Op::name, {}, {}, name);
 }
 
@@ -47,20 +47,20 @@ public:
         for (const prism_emit::NameOf& each : emission.names) names_[{each.kind, each.element}] = each.name;
     }
 
-    ExprPtr variable(const std::string& path) override {
+    ExprPtr variable_expression(const std::string& path) override {
         // A variable that a machine requires is that of the platform (R3).
-        const std::string shared = module_ + "::" + platform_ + "::" + last(path);
+        const std::string shared = module_ + "::" + platform_ + "::" + last_part(path);
         for (const std::string& element : {path, shared})
-            if (const std::string* name = find("variable", element)) return named(*name);
-        absent("variable", path);
+            if (const std::string* name = find("variable", element)) return name_expression(*name);
+        throw_absent("variable", path);
     }
 
-    ExprPtr constant(const std::string& path) override { return named(constant_name(path)); }
+    ExprPtr constant_expression(const std::string& path) override { return name_expression(constant_name(path)); }
 
     const std::string& constant_name(const std::string& path) const {
-        for (const std::string& element : {path, module_ + "::" + last(path)})
+        for (const std::string& element : {path, module_ + "::" + last_part(path)})
             if (const std::string* name = find("constant", element)) return *name;
-        absent("constant", path);
+        throw_absent("constant", path);
     }
 
     /// R3, R4: the counter of the state's region is at the state. If the region is not active, it is at no state.
@@ -69,31 +69,31 @@ public:
         const std::string region = inner == std::string::npos ? machine : machine + "::" + state.substr(0, inner);
         const std::string* const counter = find("variable", region + "::scpc_8");
         const std::string* const place = find("node", machine + "::" + state);
-        if (counter == nullptr || place == nullptr) absent("state", machine + "::" + state);
-        return prism::make_expr(prism::Op::equal, {}, {named(*counter), named(*place)});
+        if (counter == nullptr || place == nullptr) throw_absent("state", machine + "::" + state);
+        return prism::make_expr(prism::Op::equal, {}, {name_expression(*counter), name_expression(*place)});
     }
 
-    std::string action(const std::string& path, const std::string& direction) override {
+    std::string event_action(const std::string& path, const std::string& direction) override {
         if (const std::string* name = find("event", path + (direction == "in" ? "::IN" : "::OUT"))) return *name;
-        absent("event", path + "." + direction);
+        throw_absent("event", path + "." + direction);
     }
 
     /// R13: the variable of the value is named after the label.
-    ExprPtr value(const std::string& path, const std::string& direction) override {
-        const std::string name = "EVT__" + action(path, direction);
-        if (!taken_.contains(name)) absent("value", path + "." + direction);
-        return named(name);
+    ExprPtr event_value(const std::string& path, const std::string& direction) override {
+        const std::string name = "EVT__" + event_action(path, direction);
+        if (!taken_.contains(name)) throw_absent("value", path + "." + direction);
+        return name_expression(name);
     }
 
-    [[nodiscard]] bool taken(const std::string& name) const override { return taken_.contains(name); }
+    [[nodiscard]] bool is_name_taken(const std::string& name) const override { return taken_.contains(name); }
 
 private:
-    [[nodiscard]] static std::string last(const std::string& path) { return path.substr(path.rfind(':') + 1); }
+    [[nodiscard]] static std::string last_part(const std::string& path) { return path.substr(path.rfind(':') + 1); }
     [[nodiscard]] const std::string* find(const std::string& kind, const std::string& element) const {
         const auto found = names_.find({kind, element});
         return found == names_.end() ? nullptr : &found->second;
     }
-    [[noreturn]] static void absent(const std::string& what, const std::string& path) {
+    [[noreturn]] static void throw_absent(const std::string& what, const std::string& path) {
         throw NotExpressed(fmt::format("RoboTool's encoding has no {} `{}`", what, path));
     }
 
@@ -115,11 +115,11 @@ struct RoboToolEncoding::Prepared {
 
 namespace {
 
-prism_emit::Emission emitted(const ir::System& system, const ir::Module& module,
-                             const prism_emit::Preferences& preferences, diagnostics::Budget* budget,
-                             const std::map<std::string, Function>& functions) {
+prism_emit::Emission emit_model(const ir::System& system, const ir::Module& module,
+                                const prism_emit::Preferences& preferences, diagnostics::Budget* budget,
+                                const std::map<std::string, Function>& functions) {
     diagnostics::Diagnostics findings;
-    if (budget != nullptr) findings.within(budget);
+    if (budget != nullptr) findings.set_budget(budget);
     auto result = prism_emit::emit(system, module, preferences, findings, functions);
     if (!result) throw NotExpressed("RoboTool's encoding: " + first_error(findings));
     return std::move(*result);
@@ -133,7 +133,7 @@ RoboToolEncoding::RoboToolEncoding(const ir::System& system, const ir::Module& m
       module_(module),
       options_(std::move(options)),
       functions_(functions),
-      emission_(emitted(system, module, options_.preferences, options_.budget, functions)),
+      emission_(emit_model(system, module, options_.preferences, options_.budget, functions)),
       emitted_for_(options_.preferences),
       names_(std::make_unique<Names>(emission_, module)),
       wording_(wording_of(emission_)) {}
@@ -144,7 +144,7 @@ Elements& RoboToolEncoding::elements() {
     return *names_;
 }
 
-prism::Constant RoboToolEncoding::constant(const std::string& path) {
+prism::Constant RoboToolEncoding::prism_constant(const std::string& path) {
     const std::string& name = names_->constant_name(path);
     const auto& all = emission_.model.constants;
     prism::Constant found =
@@ -175,7 +175,7 @@ std::vector<std::int64_t> whole_values(prism::Constant constant, const std::vect
     return result;
 }
 
-void hold(prism_emit::Range& range, std::int64_t value) {
+void widen_range(prism_emit::Range& range, std::int64_t value) {
     if (range.asked) return;
     range.low = std::min(range.low, value);
     range.high = std::max(range.high, value + 1);
@@ -187,20 +187,20 @@ prism_emit::Preferences RoboToolEncoding::ranges_for(const Question& question) {
     prism_emit::Preferences result = options_.preferences;
     for (const Setting& each : question.settings) {
         if (each.path.empty()) continue;
-        const prism::Constant set = constant(each.path);
+        const prism::Constant set = prism_constant(each.path);
         if (set.type == prism::Type::boolean) continue;
         for (const std::int64_t value : whole_values(set, each.values)) {
-            hold(set.type == prism::Type::real ? result.real : result.integer, value);
-            if (set.type == prism::Type::integer && value >= 0) hold(result.nat, value);
+            widen_range(set.type == prism::Type::real ? result.real : result.integer, value);
+            if (set.type == prism::Type::integer && value >= 0) widen_range(result.nat, value);
         }
     }
     return result;
 }
 
 /// If a constant gets values from the question, its value in the model is removed.
-prism::ModelFile RoboToolEncoding::model(const Question& question) {
+prism::ModelFile RoboToolEncoding::model_for(const Question& question) {
     if (const prism_emit::Preferences wanted = ranges_for(question); wanted != emitted_for_) {
-        emission_ = emitted(system_, module_, wanted, options_.budget, functions_);
+        emission_ = emit_model(system_, module_, wanted, options_.budget, functions_);
         emitted_for_ = wanted;
     }
     prism::ModelFile result = emission_.model;
@@ -240,8 +240,8 @@ prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const 
     return result;
 }
 
-RoboToolEncoding::Prepared& RoboToolEncoding::prepared(const Question& question, const prism::Values& constants) {
-    const prism::ModelFile whole = model(question);
+RoboToolEncoding::Prepared& RoboToolEncoding::prepare_model(const Question& question, const prism::Values& constants) {
+    const prism::ModelFile whole = model_for(question);
     prism::Values values = all_values(whole, constants);
     std::string text = prism::print(whole);
     for (const auto& [name, value] : values) text += fmt::format("{}={}\n", name, value.text());
@@ -256,8 +256,8 @@ RoboToolEncoding::Prepared& RoboToolEncoding::prepared(const Question& question,
     return *prepared_;
 }
 
-const prism::StateSpace& RoboToolEncoding::space(const Question& question, const prism::Values& constants) {
-    Prepared& found = prepared(question, constants);
+const prism::StateSpace& RoboToolEncoding::explore_space(const Question& question, const prism::Values& constants) {
+    Prepared& found = prepare_model(question, constants);
     if (!found.space)
         found.space = std::make_unique<prism::StateSpace>(
             *found.model, found.values, prism::ExploreOptions{options_.max_states, options_.exact, options_.budget},
@@ -265,10 +265,10 @@ const prism::StateSpace& RoboToolEncoding::space(const Question& question, const
     return *found.space;
 }
 
-Unexplored RoboToolEncoding::unexplored(const Question& question, const prism::Values& constants) {
+Unexplored RoboToolEncoding::unexplored_model(const Question& question, const prism::Values& constants) {
     if (emission_.model.kind != prism::ModelKind::dtmc)
         throw NotExpressed("random paths of an mdp, which the preferences ask for, depend on who chooses");
-    Prepared& found = prepared(question, constants);
+    Prepared& found = prepare_model(question, constants);
     if (!found.instance) found.instance = std::make_unique<prism::Instance>(*found.model, found.values);
     return {*found.instance, wording_};
 }

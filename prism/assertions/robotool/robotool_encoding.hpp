@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "prism/emit/emit.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
 #include "prism/assertions/properties/translate.hpp"
+#include "prism/emit/emit.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::probability {
@@ -34,18 +34,18 @@ public:
     ~RoboToolEncoding() override;
 
     [[nodiscard]] Elements& elements() override;
-    [[nodiscard]] prism::Constant constant(const std::string& path) override;
-    [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
-    [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
+    [[nodiscard]] prism::Constant prism_constant(const std::string& path) override;
+    [[nodiscard]] const prism::StateSpace& explore_space(const Question&, const prism::Values&) override;
+    [[nodiscard]] Unexplored unexplored_model(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return false; }
     /// The model with the additions of the question.
-    [[nodiscard]] prism::ModelFile model(const Question&);
+    [[nodiscard]] prism::ModelFile model_for(const Question&);
 
 private:
     class Names;
     struct Prepared;
 
-    Prepared& prepared(const Question&, const prism::Values&);
+    Prepared& prepare_model(const Question&, const prism::Values&);
     /// Ranges that contain the values that a question gives to constants, and one value more. The additional value is
     /// needed because counters reach a limit and must be able to exceed it.
     [[nodiscard]] prism_emit::Preferences ranges_for(const Question&);

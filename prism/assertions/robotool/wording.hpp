@@ -2,8 +2,8 @@
 // Translates names of RoboTool's encoding to terms of the model.
 #pragma once
 
-#include "prism/emit/emission.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
+#include "prism/emit/emission.hpp"
 
 namespace robochart::probability {
 

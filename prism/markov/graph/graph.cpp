@@ -29,7 +29,7 @@ public:
 
     std::vector<EndComponent> find() {
         remove_what_leaves();
-        do divide();
+        do split_into_components();
         while (remove_between_components());
         return collect();
     }
@@ -68,7 +68,7 @@ private:
         removed_.push_back(source);
     }
 
-    void divide() {
+    void split_into_components() {
         std::uint32_t count = 0;
         const auto successors = [this](State state, std::vector<State>& to) {
             for (std::uint32_t choice = model_.first_choice[state]; choice < model_.first_choice[state + 1]; ++choice)

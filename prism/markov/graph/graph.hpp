@@ -44,14 +44,14 @@ struct EndComponent {
     std::vector<std::uint32_t> choices;  ///< choices that stay inside, ascending
 };
 
-/// The maximal end components whose states and choices are in `within`; disjoint, in ascending order of their first
-/// states (de Alfaro, Formal Verification of Probabilistic Systems, 1997).
+/// Returns the maximal end components whose states and choices are in `within`. They are disjoint, in ascending order
+/// of their first states (de Alfaro, Formal Verification of Probabilistic Systems, 1997).
 [[nodiscard]] std::vector<EndComponent> end_components(const Graph& graph, const SubModel& within);
 /// The maximal end components of the whole model.
 [[nodiscard]] std::vector<EndComponent> end_components(const Graph& graph);
 
-/// The strongly connected components of a dtmc that no branch leaves; states ascending, components sorted by their
-/// first state.
+/// Returns the strongly connected components of a dtmc that no branch leaves. States are ascending, and components are
+/// sorted by their first state.
 [[nodiscard]] std::vector<std::vector<State>> bottom_components(const Model& model);
 
 }  // namespace robochart::markov

@@ -11,7 +11,7 @@ StateSet complement(StateSet set) {
     return set;
 }
 
-StateSet all(const Graph& graph) {
+StateSet all_states(const Graph& graph) {
     return StateSet(graph.states(), true);
 }
 
@@ -64,11 +64,12 @@ StateSet every_choice_may(const Graph& graph, const StateSet& left, const StateS
 /// The choices whose branches all lead into a shrinking set.
 class Inside {
 public:
-    Inside(const Graph& graph, const std::vector<bool>& choices) : graph_(graph), set_(all(graph)), choices_(choices) {}
+    Inside(const Graph& graph, const std::vector<bool>& choices)
+        : graph_(graph), set_(all_states(graph)), choices_(choices) {}
 
     [[nodiscard]] bool holds(std::uint32_t choice) const { return choices_[choice]; }
     /// Removes choices that leave `set`; returns whether any was removed.
-    bool shrink(const StateSet& set) {
+    bool shrink_to(const StateSet& set) {
         bool any = false;
         for (State state = 0; state < set.size(); ++state) {
             if (set[state] || !set_[state]) continue;
@@ -107,7 +108,7 @@ StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right,
         StateSet reached = BackwardSearch(graph, right).run([&](std::uint32_t choice) {
             return left[graph.source(choice)] && inside.holds(choice);
         });
-        if (!inside.shrink(reached)) return reached;
+        if (!inside.shrink_to(reached)) return reached;
     }
 }
 
@@ -145,11 +146,11 @@ StateSet always_until(const Graph& graph, const StateSet& left, const StateSet& 
 }
 
 StateSet exists_finally(const Graph& graph, const StateSet& set) {
-    return exists_until(graph, all(graph), set);
+    return exists_until(graph, all_states(graph), set);
 }
 
 StateSet always_finally(const Graph& graph, const StateSet& set) {
-    return always_until(graph, all(graph), set);
+    return always_until(graph, all_states(graph), set);
 }
 
 StateSet exists_globally(const Graph& graph, const StateSet& set) {

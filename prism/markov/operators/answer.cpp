@@ -18,7 +18,7 @@ std::vector<Enclosure> enclosures(const Result<Interval>& result) {
     return values;
 }
 
-double widest(const std::vector<Enclosure>& values) {
+double greatest_width(const std::vector<Enclosure>& values) {
     double width = 0;
     for (const Enclosure& value : values) width = std::max(width, value.relative_width());
     return width;
@@ -26,7 +26,8 @@ double widest(const std::vector<Enclosure>& values) {
 
 }  // namespace
 
-Solution answer(const Precision& precision, const std::function<Result<Interval>(const Precision&)>& operation) {
+Solution solve_precisely(const Precision& precision,
+                         const std::function<Result<Interval>(const Precision&)>& operation) {
     constexpr double share = 64;
     constexpr double finest = 1e-15;
     Precision asked = precision;
@@ -38,7 +39,7 @@ Solution answer(const Precision& precision, const std::function<Result<Interval>
             result = operation(asked);
         }
         Solution solution{enclosures(result), std::move(result.strategy), std::move(result.shortfall)};
-        const double width = widest(solution.values);
+        const double width = greatest_width(solution.values);
         if (width <= precision.relative) {
             solution.shortfall.clear();
             return solution;

@@ -10,7 +10,7 @@ namespace robochart::markov {
 
 /// Runs the operator with upward rounding. Repeats it with a higher precision if values lose too much precision between
 /// components.
-[[nodiscard]] Solution answer(const Precision& precision,
-                              const std::function<Result<Interval>(const Precision& precision)>& operation);
+[[nodiscard]] Solution solve_precisely(const Precision& precision,
+                                       const std::function<Result<Interval>(const Precision& precision)>& operation);
 
 }  // namespace robochart::markov

@@ -16,7 +16,7 @@ Precision of_steps(diagnostics::Budget* budget) {
 }  // namespace
 
 std::vector<Enclosure> next(const Model& model, const StateSet& set, Direction direction, diagnostics::Budget* budget) {
-    return answer(
+    return solve_precisely(
                of_steps(budget),
                [&](const Precision& asked) { return BoundedOperators<Interval>::next(model, set, direction, asked); })
         .values;
@@ -24,26 +24,28 @@ std::vector<Enclosure> next(const Model& model, const StateSet& set, Direction d
 
 Solution bounded_until(const Model& model, const StateSet& left, const StateSet& right, std::uint64_t from,
                        std::optional<std::uint64_t> to, Direction direction, const Precision& precision) {
-    return answer(to ? of_steps(precision.budget) : precision, [&](const Precision& asked) {
+    return solve_precisely(to ? of_steps(precision.budget) : precision, [&](const Precision& asked) {
         return BoundedOperators<Interval>::until(model, left, right, from, to, direction, asked);
     });
 }
 
 std::vector<Enclosure> cumulative_reward(const Model& model, const Rewards& rewards, std::uint64_t steps,
                                          Direction direction, diagnostics::Budget* budget) {
-    return answer(of_steps(budget),
-                  [&](const Precision& asked) {
-                      return BoundedOperators<Interval>::cumulative_reward(model, rewards, steps, direction, asked);
-                  })
+    return solve_precisely(of_steps(budget),
+                           [&](const Precision& asked) {
+                               return BoundedOperators<Interval>::cumulative_reward(model, rewards, steps, direction,
+                                                                                    asked);
+                           })
         .values;
 }
 
 std::vector<Enclosure> instantaneous_reward(const Model& model, const Rewards& rewards, std::uint64_t steps,
                                             Direction direction, diagnostics::Budget* budget) {
-    return answer(of_steps(budget),
-                  [&](const Precision& asked) {
-                      return BoundedOperators<Interval>::instantaneous_reward(model, rewards, steps, direction, asked);
-                  })
+    return solve_precisely(of_steps(budget),
+                           [&](const Precision& asked) {
+                               return BoundedOperators<Interval>::instantaneous_reward(model, rewards, steps, direction,
+                                                                                       asked);
+                           })
         .values;
 }
 

@@ -14,7 +14,7 @@ public:
         : model_(model),
           direction_(direction),
           budget_(precision.budget),
-          numbers_(converted(model.numbers, model.exact, Value{})) {}
+          numbers_(convert_numbers(model.numbers, model.exact, Value{})) {}
 
     /// Returns, for one state, the optimal expectation of these values after one step, plus the reward of the step.
     [[nodiscard]] Value expectation(State state, const std::vector<Value>& values,
@@ -22,14 +22,14 @@ public:
         const std::uint32_t first = model_.first_choice[state];
         Value result = of_choice(state, first, values, earnings);
         for (std::uint32_t choice = first + 1; choice < model_.first_choice[state + 1]; ++choice)
-            result = best(result, of_choice(state, choice, values, earnings), direction_);
+            result = best_of(result, of_choice(state, choice, values, earnings), direction_);
         return result;
     }
 
     /// `step(state, values)` computes the value of a state from the values of the previous sweep. Ends early if no
     /// value changes.
     template <class Step>
-    void repeat(std::uint64_t times, std::vector<Value>& values, Step step) const {
+    void repeat_step(std::uint64_t times, std::vector<Value>& values, Step step) const {
         std::vector<Value> after(values.size());
         for (bool changed = true; changed && times > 0; --times) {
             if (budget_ != nullptr) budget_->check();
@@ -71,7 +71,7 @@ Rational probability(Rational value) {
 template <class Value>
 std::vector<Value> indicator(const StateSet& set) {
     std::vector<Value> values(set.size());
-    for (State state = 0; state < set.size(); ++state) values[state] = whole<Value>(set[state] ? 1 : 0);
+    for (State state = 0; state < set.size(); ++state) values[state] = whole_number<Value>(set[state] ? 1 : 0);
     return values;
 }
 
@@ -87,7 +87,7 @@ Result<Value> BoundedOperators<Value>::next(const Model& model, const StateSet& 
                                             const Precision& precision) {
     const Sweeps<Value> sweeps(model, direction, precision);
     std::vector<Value> values = indicator<Value>(set);
-    sweeps.repeat(1, values, [&](State state, const std::vector<Value>& before) {
+    sweeps.repeat_step(1, values, [&](State state, const std::vector<Value>& before) {
         return probability(sweeps.expectation(state, before, {}));
     });
     return result_of(std::move(values));
@@ -105,10 +105,10 @@ Result<Value> BoundedOperators<Value>::until(const Model& model, const StateSet&
     Result<Value> result = to ? result_of(indicator<Value>(right))
                               : UnboundedOperators<Value>::until(model, left, right, direction, precision);
     if (to)
-        sweeps.repeat(*to - from, result.values, [&](State state, const std::vector<Value>& before) {
-            return right[state] ? whole<Value>(1) : on_the_way(state, before);
+        sweeps.repeat_step(*to - from, result.values, [&](State state, const std::vector<Value>& before) {
+            return right[state] ? whole_number<Value>(1) : on_the_way(state, before);
         });
-    sweeps.repeat(from, result.values, on_the_way);
+    sweeps.repeat_step(from, result.values, on_the_way);
     result.strategy.clear();
     return result;
 }
@@ -118,9 +118,9 @@ Result<Value> BoundedOperators<Value>::cumulative_reward(const Model& model, con
                                                          std::uint64_t steps, Direction direction,
                                                          const Precision& precision) {
     const Sweeps<Value> sweeps(model, direction, precision);
-    const Earnings<Value> earned = earnings<Value>(rewards);
+    const Earnings<Value> earned = make_earnings<Value>(rewards);
     std::vector<Value> values(model.states());
-    sweeps.repeat(steps, values, [&](State state, const std::vector<Value>& before) {
+    sweeps.repeat_step(steps, values, [&](State state, const std::vector<Value>& before) {
         return sweeps.expectation(state, before, earned);
     });
     return result_of(std::move(values));
@@ -131,10 +131,11 @@ Result<Value> BoundedOperators<Value>::instantaneous_reward(const Model& model, 
                                                             std::uint64_t steps, Direction direction,
                                                             const Precision& precision) {
     const Sweeps<Value> sweeps(model, direction, precision);
-    std::vector<Value> values = earnings<Value>(rewards).state;
+    std::vector<Value> values = make_earnings<Value>(rewards).state;
     values.resize(model.states());
-    sweeps.repeat(steps, values,
-                  [&](State state, const std::vector<Value>& before) { return sweeps.expectation(state, before, {}); });
+    sweeps.repeat_step(steps, values, [&](State state, const std::vector<Value>& before) {
+        return sweeps.expectation(state, before, {});
+    });
     return result_of(std::move(values));
 }
 

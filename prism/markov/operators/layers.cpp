@@ -29,11 +29,11 @@ Layers layers(const Model& model, std::uint64_t last, bool stays, diagnostics::B
                 const bool out = counts && count == last && !stays;
                 const std::uint64_t next = counts && count < last ? count + 1 : count;
                 for (std::uint64_t i = model.first_branch[choice]; i < model.first_branch[choice + 1] && !out; ++i) {
-                    made.target.push_back(result.at(model.target[i], next));
+                    made.target.push_back(result.state_in_layer(model.target[i], next));
                     made.number.push_back(model.number[i]);
                 }
                 if (out) {
-                    made.target.push_back(result.beyond());
+                    made.target.push_back(result.first_state_beyond());
                     made.number.push_back(static_cast<std::uint32_t>(made.numbers.size()));
                 }
                 made.first_branch.push_back(made.target.size());
@@ -41,7 +41,7 @@ Layers layers(const Model& model, std::uint64_t last, bool stays, diagnostics::B
             }
             made.first_choice.push_back(static_cast<std::uint32_t>(made.choices()));
         }
-    made.target.push_back(result.beyond());
+    made.target.push_back(result.first_state_beyond());
     made.number.push_back(static_cast<std::uint32_t>(made.numbers.size()));
     made.first_branch.push_back(made.target.size());
     if (!model.action.empty()) made.action.push_back(0);

@@ -3,8 +3,8 @@
 // occurs once for every count up to a bound. Properties with a bound then become properties without one.
 #pragma once
 
-#include "prism/markov/model/model.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "prism/markov/model/model.hpp"
 
 namespace robochart::markov {
 
@@ -13,17 +13,18 @@ struct Layers {
     Model model;
     std::size_t states = 0;  ///< states in a layer
     std::uint64_t last = 0;  ///< the greatest count
-    [[nodiscard]] State at(State state, std::uint64_t count) const {
+    [[nodiscard]] State state_in_layer(State state, std::uint64_t count) const {
         return static_cast<State>(count * states + state);
     }
-    [[nodiscard]] State beyond() const { return static_cast<State>((last + 1) * states); }
+    [[nodiscard]] State first_state_beyond() const { return static_cast<State>((last + 1) * states); }
 };
 
-/// Counts from 0 to `last`. A counted choice at the last count leads to the last state, or with `stays` back into the
-/// last layer, which then represents all counts from `last` on. Throws LimitReached if there are too many states.
+/// Unfolds counts from 0 to `last`. A counted choice at the last count leads to the last state. With `stays` it leads
+/// back into the last layer, which then represents all counts from `last` on. Throws LimitReached if there are too many
+/// states.
 [[nodiscard]] Layers layers(const Model& model, std::uint64_t last, bool stays, diagnostics::Budget* budget);
 
-/// The rewards of the model in every layer; the last state has none.
+/// Returns the rewards of the model in every layer. The last state has none.
 [[nodiscard]] Rewards in_layers(const Layers& layers, const Rewards& rewards);
 
 }  // namespace robochart::markov

@@ -6,13 +6,13 @@
 namespace robochart::markov {
 
 Solution long_run_probability(const Model& model, const StateSet& set, const Precision& precision) {
-    return answer(precision,
-                  [&](const Precision& asked) { return LongRunOperators<Interval>::probability(model, set, asked); });
+    return solve_precisely(
+        precision, [&](const Precision& asked) { return LongRunOperators<Interval>::probability(model, set, asked); });
 }
 
 Solution long_run_reward(const Model& model, const Rewards& rewards, const Precision& precision) {
-    return answer(precision,
-                  [&](const Precision& asked) { return LongRunOperators<Interval>::reward(model, rewards, asked); });
+    return solve_precisely(
+        precision, [&](const Precision& asked) { return LongRunOperators<Interval>::reward(model, rewards, asked); });
 }
 
 }  // namespace robochart::markov

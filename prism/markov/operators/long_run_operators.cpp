@@ -3,6 +3,8 @@
 // a state divided by the expected number of steps between them. Equations give the probabilities to reach each
 // component.
 #include "prism/markov/operators/operators.hpp"
+
+#include <algorithm>
 #include "prism/markov/solve/arithmetic.hpp"
 #include "prism/markov/solve/earnings.hpp"
 #include "prism/markov/solve/equations.hpp"
@@ -40,16 +42,16 @@ public:
         : graph_(model),
           model_(model),
           precision_(precision),
-          numbers_(converted(model.numbers, model.exact, Value{})) {
+          numbers_(convert_numbers(model.numbers, model.exact, Value{})) {
         if (model.kind != Kind::dtmc)
             throw Unsupported("long-run averages are supported for a dtmc only: an mdp has no answer yet");
     }
 
-    Result<Value> average(const Earnings<Value>& earnings) {
+    Result<Value> average_earnings(const Earnings<Value>& earnings) {
         const std::vector<std::vector<State>> components = bottom_components(model_);
         const std::vector<Value> earned = between_visits(components, earnings);
         const std::vector<Value> steps =
-            between_visits(components, {std::vector<Value>(model_.states(), whole<Value>(1)), {}});
+            between_visits(components, {std::vector<Value>(model_.states(), whole_number<Value>(1)), {}});
         result_.values.assign(model_.states(), Value{});
         StateSet open(model_.states(), true);
         for (std::size_t index = 0; index < components.size(); ++index)
@@ -77,7 +79,7 @@ private:
         values = std::move(equations.values);
     }
 
-    [[nodiscard]] Value earned(State state, const Earnings<Value>& earnings) const {
+    [[nodiscard]] Value earned_in(State state, const Earnings<Value>& earnings) const {
         Value sum{};
         if (!earnings.state.empty()) sum += earnings.state[state];
         if (!earnings.choice.empty()) sum += earnings.choice[state];
@@ -95,7 +97,7 @@ private:
         std::vector<Value> sums;
         for (const std::vector<State>& component : components) {
             const State first = component.front();
-            sums.push_back(earned(first, earnings));
+            sums.push_back(earned_in(first, earnings));
             for (std::uint64_t branch = model_.first_branch[first]; branch < model_.first_branch[first + 1]; ++branch)
                 sums.back() += numbers_[model_.number[branch]] * values[model_.target[branch]];
         }
@@ -115,22 +117,24 @@ template <class Value>
 Result<Value> LongRunOperators<Value>::probability(const Model& model, const StateSet& set,
                                                    const Precision& precision) {
     Earnings<Value> earnings;
-    for (State state = 0; state < set.size(); ++state) earnings.state.push_back(whole<Value>(set[state] ? 1 : 0));
-    Result<Value> result = LongRun<Value>(model, precision).average(earnings);
-    for (Value& value : result.values) value = best(value, whole<Value>(1), Direction::minimum);
+    for (State state = 0; state < set.size(); ++state)
+        earnings.state.push_back(whole_number<Value>(set[state] ? 1 : 0));
+    Result<Value> result = LongRun<Value>(model, precision).average_earnings(earnings);
+    for (Value& value : result.values) value = best_of(value, whole_number<Value>(1), Direction::minimum);
     return result;
 }
 
 template <class Value>
 Result<Value> LongRunOperators<Value>::reward(const Model& model, const Rewards& rewards, const Precision& precision) {
-    const Earnings<Value> all = earnings<Value>(rewards);
-    Result<Value> earned =
-        LongRun<Value>(model, precision).average({positive_parts(all.state, false), positive_parts(all.choice, false)});
+    const Earnings<Value> all = make_earnings<Value>(rewards);
+    Result<Value> earned = LongRun<Value>(model, precision)
+                               .average_earnings({positive_parts(all.state, false), positive_parts(all.choice, false)});
     const bool loses = std::ranges::any_of(rewards.state, [](const Number& number) { return number.low < 0; }) ||
                        std::ranges::any_of(rewards.choice, [](const Number& number) { return number.low < 0; });
     if (!loses) return earned;
     const Result<Value> lost =
-        LongRun<Value>(model, precision).average({positive_parts(all.state, true), positive_parts(all.choice, true)});
+        LongRun<Value>(model, precision)
+            .average_earnings({positive_parts(all.state, true), positive_parts(all.choice, true)});
     for (State state = 0; state < model.states(); ++state)
         earned.values[state] = earned.values[state] - lost.values[state];
     if (earned.shortfall.empty()) earned.shortfall = lost.shortfall;

@@ -25,11 +25,11 @@ std::vector<std::size_t> by_worth(const UncertainRow& row, const std::vector<dou
 Interval point(double value) {
     return {value, value};
 }
-Interval smaller(const Interval& a, const Interval& b) {
+Interval lesser_bounds(const Interval& a, const Interval& b) {
     return {std::min(a.low(), b.low()), std::min(a.high, b.high)};
 }
 /// Subtracts a part from a mass. Rounding does not make the result negative.
-Interval rest(const Interval& whole, const Interval& part) {
+Interval remaining_mass(const Interval& whole, const Interval& part) {
     const Interval left = whole - part;
     return {std::max(0.0, left.low()), std::max(0.0, left.high)};
 }
@@ -44,12 +44,12 @@ double within_bounds(const UncertainRow& row, const std::vector<double>& worth) 
         left = left - point(each.low);
     }
     if (left.high < 0) throw std::invalid_argument("the least probabilities of a state are more than 1 together");
-    left = rest(left, point(0));
+    left = remaining_mass(left, point(0));
     for (const std::size_t at : by_worth(row, worth)) {
         const UncertainBranch& each = row.branches[at];
-        const Interval more = smaller(left, point(each.high) - point(each.low));
+        const Interval more = lesser_bounds(left, point(each.high) - point(each.low));
         sum += more * point(worth[each.target]);
-        left = rest(left, more);
+        left = remaining_mass(left, more);
     }
     if (left.low() > 0) throw std::invalid_argument("the greatest probabilities of a state are less than 1 together");
     return sum.high;
@@ -63,12 +63,12 @@ double within_ball(const UncertainRow& row, const std::vector<double>& worth) {
     for (std::size_t at = 0; at < row.branches.size(); ++at)
         sum += point(row.centre[at]) * point(worth[row.branches[at].target]);
     const double best = worth[row.branches[order.front()].target];
-    Interval moved = smaller(point(row.radius / 2), rest(point(1), point(row.centre[order.front()])));
+    Interval moved = lesser_bounds(point(row.radius / 2), remaining_mass(point(1), point(row.centre[order.front()])));
     for (std::size_t k = order.size(); k-- > 1;) {
         const std::size_t at = order[k];
-        const Interval taken = smaller(moved, point(row.centre[at]));
+        const Interval taken = lesser_bounds(moved, point(row.centre[at]));
         sum += taken * (point(best) - point(worth[row.branches[at].target]));
-        moved = rest(moved, taken);
+        moved = remaining_mass(moved, taken);
     }
     return sum.high;
 }
@@ -85,7 +85,7 @@ double sign_of(Direction direction) {
 
 /// Returns the states outside `goal` in which nature can keep the chain forever: the greatest set that it need not
 /// leave. If rounding prevents a decision, the result may be larger.
-StateSet endless(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
+StateSet states_kept_forever(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
     std::vector<double> inside(chain.size());
     for (std::size_t state = 0; state < chain.size(); ++state) inside[state] = goal[state] ? 0 : 1;
     for (bool changed = true; changed;) {
@@ -127,7 +127,7 @@ std::vector<double> costs_behind(const UncertainChain& chain, const StateSet& do
     return next;
 }
 
-double change(const std::vector<double>& before, const std::vector<double>& now) {
+double greatest_change(const std::vector<double>& before, const std::vector<double>& now) {
     double most = 0;
     for (std::size_t state = 0; state < now.size(); ++state)
         most = std::max(most, std::abs(now[state] - before[state]) / std::max(1e-300, std::abs(now[state])));
@@ -218,14 +218,14 @@ std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goa
     StateSet done = goal;
     StateSet infinite(chain.size());
     if (direction == Direction::maximum) {
-        infinite = leading_to(chain, goal, endless(chain, goal, budget), budget);
+        infinite = leading_to(chain, goal, states_kept_forever(chain, goal, budget), budget);
         for (std::size_t state = 0; state < chain.size(); ++state) done[state] = goal[state] || infinite[state];
     }
     std::vector<double> worth(chain.size());
     for (std::uint64_t round = 0; round < most_rounds; ++round) {
         poll(budget);
         std::vector<double> next = costs_behind(chain, done, cost, worth, sign);
-        const bool settled = change(worth, next) < near;
+        const bool settled = greatest_change(worth, next) < near;
         worth = std::move(next);
         if (settled) break;
     }

@@ -7,20 +7,20 @@ namespace robochart::markov {
 
 Solution until(const Model& model, const StateSet& left, const StateSet& right, Direction direction,
                const Precision& precision) {
-    return answer(precision, [&](const Precision& asked) {
+    return solve_precisely(precision, [&](const Precision& asked) {
         return UnboundedOperators<Interval>::until(model, left, right, direction, asked);
     });
 }
 
 Solution reachability_reward(const Model& model, const Rewards& rewards, const StateSet& target, Direction direction,
                              const Precision& precision) {
-    return answer(precision, [&](const Precision& asked) {
+    return solve_precisely(precision, [&](const Precision& asked) {
         return UnboundedOperators<Interval>::reachability_reward(model, rewards, target, direction, asked);
     });
 }
 
 Solution total_reward(const Model& model, const Rewards& rewards, Direction direction, const Precision& precision) {
-    return answer(precision, [&](const Precision& asked) {
+    return solve_precisely(precision, [&](const Precision& asked) {
         return UnboundedOperators<Interval>::total_reward(model, rewards, direction, asked);
     });
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// until, reachability_reward, total_reward: the graph decides where the result is 0, 1 or infinite; equations give the
-// other values.
+// Implements until, reachability_reward and total_reward. The graph decides where the result is 0, 1 or infinite;
+// equations give the other values.
 #include "prism/markov/graph/qualitative.hpp"
+
+#include <algorithm>
 #include "prism/markov/operators/operators.hpp"
 #include "prism/markov/solve/arithmetic.hpp"
 #include "prism/markov/solve/earnings.hpp"
@@ -44,22 +46,22 @@ public:
         const StateSet zero = greatest ? prob0a(graph_, left, right) : prob0e(graph_, left, right);
         const StateSet one = greatest ? prob1e(graph_, left, right) : prob1a(graph_, left, right);
         for (State state = 0; state < model_.states(); ++state)
-            if (one[state]) result_.values[state] = whole<Value>(1);
+            if (one[state]) result_.values[state] = whole_number<Value>(1);
         StateSet open = states_where(model_.states(), [&](State state) { return !zero[state] && !one[state]; });
         if (greatest)
-            strategy_.reach(right, one, every_choice(graph_));
+            strategy_.reach_goal(right, one, every_choice(graph_));
         else
-            strategy_.stay(zero);
+            strategy_.stay_in_set(zero);
         std::vector<EndComponent> collapsed;
         if (greatest && model_.kind == Kind::mdp) collapsed = end_components(graph_, {open, every_choice(graph_)});
-        return solved({graph_,
-                       std::move(open),
-                       every_choice(graph_),
-                       std::move(collapsed),
-                       {},
-                       {},
-                       {direction_, precision_},
-                       true});
+        return solve_equations({graph_,
+                                std::move(open),
+                                every_choice(graph_),
+                                std::move(collapsed),
+                                {},
+                                {},
+                                {direction_, precision_},
+                                true});
     }
 
     Result<Value> reachability_reward(const Rewards& rewards, const StateSet& target) {
@@ -72,18 +74,18 @@ public:
             const StateSet before = states_where(model_.states(), [&](State state) { return !target[state]; });
             const StateSet never = prob0e(graph_, every_state(graph_), target);
             strategy_.may_reach(never, before);
-            strategy_.stay(never);
+            strategy_.stay_in_set(never);
             StateSet pays = payments.states();
             for (State state = 0; state < model_.states(); ++state) pays[state] = pays[state] && before[state];
-            return earn(rewards, finite, std::move(admitted), prob0a(graph_, before, pays), {});
+            return expected_earnings(rewards, finite, std::move(admitted), prob0a(graph_, before, pays), {});
         }
         const std::vector<bool> free = payments.free_choices(admitted);
         const StateSet zero = prob1e(graph_, every_state(graph_), target, free);
-        strategy_.reach(target, finite, admitted);
-        strategy_.reach(target, zero, free);
+        strategy_.reach_goal(target, finite, admitted);
+        strategy_.reach_goal(target, zero, free);
         const StateSet rest = states_where(model_.states(), [&](State state) { return finite[state] && !zero[state]; });
         std::vector<EndComponent> collapsed = end_components(graph_, {rest, free});
-        return earn(rewards, finite, std::move(admitted), zero, std::move(collapsed));
+        return expected_earnings(rewards, finite, std::move(admitted), zero, std::move(collapsed));
     }
 
     /// If the maximum is finite, staying in an end component earns nothing. A scheduler leaves it only to earn more.
@@ -97,7 +99,7 @@ public:
         const StateSet zero = prob0a(graph_, every_state(graph_), payments.states());
         const StateSet rest = states_where(model_.states(), [&](State state) { return finite[state] && !zero[state]; });
         std::vector<EndComponent> collapsed = end_components(graph_, {rest, every_choice(graph_)});
-        return earn(rewards, finite, every_choice(graph_), zero, std::move(collapsed));
+        return expected_earnings(rewards, finite, every_choice(graph_), zero, std::move(collapsed));
     }
 
 private:
@@ -113,7 +115,7 @@ private:
             paying.emplace_back(std::move(component), *paid);
         }
         strategy_.may_reach(endless, every_state(graph_));
-        for (const auto& [component, choice] : paying) strategy_.repeat(component, choice);
+        for (const auto& [component, choice] : paying) strategy_.repeat_choice(component, choice);
         return endless;
     }
 
@@ -131,22 +133,22 @@ private:
     }
 
     /// Returns the values of the states in `finite`; they are 0 in `zero`.
-    Result<Value> earn(const Rewards& rewards, const StateSet& finite, std::vector<bool> admitted, const StateSet& zero,
-                       std::vector<EndComponent> collapsed) {
+    Result<Value> expected_earnings(const Rewards& rewards, const StateSet& finite, std::vector<bool> admitted,
+                                    const StateSet& zero, std::vector<EndComponent> collapsed) {
         result_.infinite = finite;
         result_.infinite.flip();
         StateSet open = states_where(model_.states(), [&](State state) { return finite[state] && !zero[state]; });
-        return solved({graph_,
-                       std::move(open),
-                       std::move(admitted),
-                       std::move(collapsed),
-                       earnings<Value>(rewards),
-                       {},
-                       {direction_, precision_},
-                       false});
+        return solve_equations({graph_,
+                                std::move(open),
+                                std::move(admitted),
+                                std::move(collapsed),
+                                make_earnings<Value>(rewards),
+                                {},
+                                {direction_, precision_},
+                                false});
     }
 
-    Result<Value> solved(Equations<Value> equations) {
+    Result<Value> solve_equations(Equations<Value> equations) {
         equations.values = std::move(result_.values);
         solve(equations, result_.strategy, result_.shortfall);
         result_.values = std::move(equations.values);

@@ -28,14 +28,14 @@ public:
           toward_(model_.states(), nowhere) {}
 
     PathSet operator()() {
-        measure();
+        measure_distances();
         PathSet result;
         Interval total;
         if (cost_[wanted_.from] == infinity) return result;
         push(wanted_.from, none, 0, 0);
         const RoundUpward rounding;
         while (!queue_.empty() && result.paths.size() < wanted_.most && beginnings_.size() < most_beginnings) {
-            const std::optional<Path> path = follow(queue_.top().second);
+            const std::optional<Path> path = extend_to_target(queue_.top().second);
             if (!path) continue;
             result.paths.push_back(*path);
             total += Interval(path->probability.low, path->probability.high);
@@ -62,8 +62,12 @@ private:
         return left * found.paths.back().probability.high < wanted_.bound - found.total.low;
     }
 
-    [[nodiscard]] Number number(std::uint64_t branch) const { return model_.numbers[model_.number[branch]]; }
-    [[nodiscard]] double cost(std::uint64_t branch) const { return -std::log(std::min(1.0, number(branch).high)); }
+    [[nodiscard]] Number branch_probability(std::uint64_t branch) const {
+        return model_.numbers[model_.number[branch]];
+    }
+    [[nodiscard]] double branch_cost(std::uint64_t branch) const {
+        return -std::log(std::min(1.0, branch_probability(branch).high));
+    }
 
     void poll() const {
         if (wanted_.budget != nullptr) wanted_.budget->poll();
@@ -77,7 +81,7 @@ private:
                static_cast<std::uint64_t>(std::ranges::lower_bound(all, to) - all.begin());
     }
 
-    void measure() {
+    void measure_distances() {
         std::priority_queue<std::pair<double, State>, std::vector<std::pair<double, State>>, std::greater<>> queue;
         for (State state = 0; state < model_.states(); ++state)
             if (wanted_.right[state]) {
@@ -92,7 +96,7 @@ private:
             for (const std::uint32_t choice : wanted_.graph.choices_to(state)) {
                 const State source = wanted_.graph.source(choice);
                 if (wanted_.strategy[source] != choice || !wanted_.left[source] || wanted_.right[source]) continue;
-                const double found = known + cost(branch(source, state));
+                const double found = known + branch_cost(branch(source, state));
                 if (!(found < cost_[source])) continue;
                 cost_[source] = found;
                 toward_[source] = state;
@@ -110,7 +114,7 @@ private:
 
     /// Returns the cheapest path with this prefix. Stores the prefixes that deviate from it. No value if the path is
     /// too long.
-    std::optional<Path> follow(std::uint32_t number) {
+    std::optional<Path> extend_to_target(std::uint32_t number) {
         queue_.pop();
         while (!wanted_.right[beginnings_[number].state]) {
             poll();
@@ -119,22 +123,23 @@ private:
             const std::uint32_t choice = wanted_.strategy[at.state];
             for (std::uint64_t i = model_.first_branch[choice]; i < model_.first_branch[choice + 1]; ++i) {
                 const State to = model_.target[i];
-                if (to != toward_[at.state] && cost_[to] < infinity) push(to, number, at.steps + 1, at.cost + cost(i));
+                if (to != toward_[at.state] && cost_[to] < infinity)
+                    push(to, number, at.steps + 1, at.cost + branch_cost(i));
             }
             const State next = toward_[at.state];
-            beginnings_.push_back({next, number, at.steps + 1, at.cost + cost(branch(at.state, next))});
+            beginnings_.push_back({next, number, at.steps + 1, at.cost + branch_cost(branch(at.state, next))});
             number = static_cast<std::uint32_t>(beginnings_.size() - 1);
         }
-        return path(number);
+        return path_to(number);
     }
 
-    [[nodiscard]] Path path(std::uint32_t number) const {
+    [[nodiscard]] Path path_to(std::uint32_t number) const {
         Path result;
         for (; number != none; number = beginnings_[number].before) result.states.push_back(beginnings_[number].state);
         std::ranges::reverse(result.states);
         Interval probability(1, 1);
         for (std::size_t i = 0; i + 1 < result.states.size(); ++i) {
-            const Number factor = this->number(branch(result.states[i], result.states[i + 1]));
+            const Number factor = this->branch_probability(branch(result.states[i], result.states[i + 1]));
             probability = Interval(factor.low, factor.high) * probability;
         }
         result.probability = probability.enclosure();

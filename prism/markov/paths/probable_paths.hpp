@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/diagnostics/budget.hpp"
 #include "prism/markov/graph/graph.hpp"
 #include "prism/markov/solve/enclosure.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace robochart::markov {
 

@@ -12,12 +12,12 @@
 namespace robochart::markov {
 
 /// Returns the numbers of a model in another arithmetic. A double is an arbitrary value of the enclosure.
-[[nodiscard]] std::vector<Interval> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
-                                              const Interval&);
-[[nodiscard]] std::vector<Rational> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
-                                              const Rational&);
+[[nodiscard]] std::vector<Interval> convert_numbers(const std::vector<Number>& numbers,
+                                                    const std::vector<Rational>& exact, const Interval&);
+[[nodiscard]] std::vector<Rational> convert_numbers(const std::vector<Number>& numbers,
+                                                    const std::vector<Rational>& exact, const Rational&);
 
-[[nodiscard]] inline Interval best(const Interval& left, const Interval& right, Direction direction) {
+[[nodiscard]] inline Interval best_of(const Interval& left, const Interval& right, Direction direction) {
     Interval result;
     const bool greater = direction == Direction::maximum;
     result.negated_low =
@@ -26,17 +26,17 @@ namespace robochart::markov {
     return result;
 }
 template <class Value>
-[[nodiscard]] Value best(const Value& left, const Value& right, Direction direction) {
+[[nodiscard]] Value best_of(const Value& left, const Value& right, Direction direction) {
     return (direction == Direction::maximum) == (left < right) ? right : left;
 }
 
 /// Whether `left` is strictly better. Intervals are compared by some value in them, which affects only the choice of a
 /// strategy.
-[[nodiscard]] inline bool better(const Interval& left, const Interval& right, Direction direction) {
+[[nodiscard]] inline bool is_better(const Interval& left, const Interval& right, Direction direction) {
     return direction == Direction::maximum ? left.middle() > right.middle() : left.middle() < right.middle();
 }
 template <class Value>
-[[nodiscard]] bool better(const Value& left, const Value& right, Direction direction) {
+[[nodiscard]] bool is_better(const Value& left, const Value& right, Direction direction) {
     return direction == Direction::maximum ? left > right : left < right;
 }
 
@@ -58,11 +58,11 @@ template <class Value>
 }
 
 template <class Value>
-[[nodiscard]] Value whole(int value) {
+[[nodiscard]] Value whole_number(int value) {
     return Value(value);
 }
 template <>
-[[nodiscard]] inline Interval whole<Interval>(int value) {
+[[nodiscard]] inline Interval whole_number<Interval>(int value) {
     return {static_cast<double>(value), static_cast<double>(value)};
 }
 

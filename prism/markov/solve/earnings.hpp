@@ -16,7 +16,7 @@ struct Earnings {
 };
 
 template <class Value>
-[[nodiscard]] Earnings<Value> earnings(const Rewards& rewards);
+[[nodiscard]] Earnings<Value> make_earnings(const Rewards& rewards);
 
 /// The places of positive rewards. Throws Unsupported if a reward is negative.
 class Payments {
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] std::vector<bool> free_choices(std::vector<bool> choices) const;
 
 private:
-    [[nodiscard]] bool pays(State state, std::uint32_t choice) const;
+    [[nodiscard]] bool pays_reward(State state, std::uint32_t choice) const;
 
     const Model& model_;
     const Rewards& rewards_;

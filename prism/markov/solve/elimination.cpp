@@ -30,12 +30,13 @@ public:
     }
 
     std::optional<Factors<Value>> run() {
-        for (std::uint32_t unknown = 0; unknown < rows_.size(); ++unknown) queue_.emplace(cost(unknown), unknown);
+        for (std::uint32_t unknown = 0; unknown < rows_.size(); ++unknown)
+            queue_.emplace(elimination_cost(unknown), unknown);
         while (!queue_.empty()) {
             const auto [expected, unknown] = queue_.top();
             queue_.pop();
             if (gone_[unknown]) continue;
-            if (const std::uint64_t now = cost(unknown); now > expected) {
+            if (const std::uint64_t now = elimination_cost(unknown); now > expected) {
                 queue_.emplace(now, unknown);
                 continue;
             }
@@ -81,7 +82,7 @@ private:
         for (const Entry& entry : row.entries) place_[entry.unknown] = nowhere;
     }
 
-    [[nodiscard]] std::uint64_t cost(std::uint32_t unknown) const {
+    [[nodiscard]] std::uint64_t elimination_cost(std::uint32_t unknown) const {
         return (std::uint64_t{1} + rows_[unknown].entries.size()) * incoming_count_[unknown];
     }
 

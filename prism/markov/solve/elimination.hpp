@@ -57,8 +57,8 @@ template <class Value>
 [[nodiscard]] std::optional<Factors<Value>> factorize(const System<Value>& system, const Policy& policy,
                                                       const EliminationLimit& limit);
 
-/// For each right side (a value for each unknown), the solution of x = right side + A x, where A has the rows of the
-/// policy. No value if the limit is reached, or if the policy may stay forever.
+/// Solves x = right side + A x for each right side, which has a value for each unknown. A has the rows of the policy.
+/// No value if the limit is reached, or if the policy may stay forever.
 template <class Value>
 [[nodiscard]] std::optional<std::vector<std::vector<Value>>> eliminate(const System<Value>& system,
                                                                        const Policy& policy,

@@ -8,11 +8,11 @@
 namespace robochart::markov {
 namespace {
 
-double below(double value) {
+double next_below(double value) {
     return std::nextafter(value, -infinity);
 }
 
-double above(double value) {
+double next_above(double value) {
     return std::nextafter(value, infinity);
 }
 
@@ -22,7 +22,7 @@ Enclosure sum(double left, double right) {
     if (std::isinf(left) || std::isinf(right)) return {rounded, rounded};
     const double part = rounded - left;
     const double error = (left - (rounded - part)) + (right - part);  // NaN near overflow
-    return {error >= 0 ? rounded : below(rounded), error <= 0 ? rounded : above(rounded)};
+    return {error >= 0 ? rounded : next_below(rounded), error <= 0 ? rounded : next_above(rounded)};
 }
 
 /// 0 * infinity is 0, because an infinite bound is the limit of finite ones.
@@ -33,7 +33,7 @@ Enclosure product(double left, double right) {
     // The error of a product is a double only if the product is far from underflow.
     const bool error_is_exact = std::abs(rounded) > 1e-250 && !std::isinf(rounded);
     if (error_is_exact && std::fma(left, right, -rounded) == 0) return {rounded, rounded};
-    return {below(rounded), above(rounded)};
+    return {next_below(rounded), next_above(rounded)};
 }
 
 Enclosure quotient(double left, double right) {
@@ -43,12 +43,12 @@ Enclosure quotient(double left, double right) {
     if (std::isinf(right)) return {0, 0};
     const bool error_is_exact = std::abs(rounded) > 1e-250 && std::abs(left) > 1e-250 && !std::isinf(rounded);
     if (error_is_exact && std::fma(rounded, right, -left) == 0) return {rounded, rounded};
-    return {below(rounded), above(rounded)};
+    return {next_below(rounded), next_above(rounded)};
 }
 
 /// The hull of an operation's results over the corners of two enclosures.
 template <class Operation>
-Enclosure hull(Enclosure left, Enclosure right, Operation operation) {
+Enclosure hull_of_corners(Enclosure left, Enclosure right, Operation operation) {
     const Enclosure corners[] = {operation(left.low, right.low), operation(left.low, right.high),
                                  operation(left.high, right.low), operation(left.high, right.high)};
     Enclosure result = corners[0];
@@ -67,10 +67,10 @@ double Enclosure::middle() const {
 }
 
 double Enclosure::relative_width() const {
-    if (exact()) return 0;
+    if (is_exact()) return 0;
     const double greatest = std::max(std::abs(low), std::abs(high));
     if (std::isinf(greatest)) return infinity;
-    return above(above(high - low) / greatest);
+    return next_above(next_above(high - low) / greatest);
 }
 
 Enclosure operator+(Enclosure left, Enclosure right) {
@@ -82,12 +82,12 @@ Enclosure operator-(Enclosure left, Enclosure right) {
 }
 
 Enclosure operator*(Enclosure left, Enclosure right) {
-    return hull(left, right, product);
+    return hull_of_corners(left, right, product);
 }
 
 Enclosure operator/(Enclosure left, Enclosure right) {
     if (right.low <= 0 && right.high >= 0) return {-infinity, infinity};
-    return hull(left, right, quotient);
+    return hull_of_corners(left, right, quotient);
 }
 
 Enclosure complement(Enclosure probability) {

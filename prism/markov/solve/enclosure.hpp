@@ -13,7 +13,7 @@ struct Enclosure {
     double low = 0;
     double high = 0;
 
-    [[nodiscard]] bool exact() const { return low == high; }
+    [[nodiscard]] bool is_exact() const { return low == high; }
     [[nodiscard]] double middle() const;
     /// (high - low) / the greater absolute bound, rounded up; 0 if exact.
     [[nodiscard]] double relative_width() const;

@@ -24,7 +24,7 @@ public:
         collapsed_ = &collapsed;
     }
 
-    [[nodiscard]] State of(State state) const {
+    [[nodiscard]] State representative_of(State state) const {
         return component(state) == none ? state : (*collapsed_)[component_[state]].states.front();
     }
     template <class Visit>
@@ -43,12 +43,12 @@ private:
     const std::vector<EndComponent>* collapsed_ = nullptr;
 };
 
-Interval limited(Interval value, bool probability) {
+Interval limit_probability(Interval value, bool probability) {
     if (probability) value.high = std::min(value.high, 1.0);
     return value;
 }
 
-Rational limited(Rational value, bool) {
+Rational limit_probability(Rational value, bool) {
     return value;
 }
 
@@ -70,17 +70,17 @@ public:
           strategy_(strategy),
           shortfall_(shortfall),
           classes_(equations.collapsed, model_.states()),
-          numbers_(converted(model_.numbers, model_.exact, Value{})),
+          numbers_(convert_numbers(model_.numbers, model_.exact, Value{})),
           place_(model_.states(), none) {}
 
     void run() {
         std::vector<State> roots;
         for (State state = 0; state < model_.states(); ++state)
-            if (equations_.open[state] && classes_.of(state) == state) roots.push_back(state);
+            if (equations_.open[state] && classes_.representative_of(state) == state) roots.push_back(state);
         const auto successors = [this](State first, std::vector<State>& to) {
             for_each_choice(first, [&](State, std::uint32_t choice) {
                 for (const State target : targets(model_, choice))
-                    if (equations_.open[target]) to.push_back(classes_.of(target));
+                    if (equations_.open[target]) to.push_back(classes_.representative_of(target));
             });
         };
         lts::strong_components({model_.states(), successors}, roots, [this](std::span<const State> members, bool) {
@@ -101,14 +101,14 @@ private:
                  ++choice) {
                 if (!equations_.admitted[choice]) continue;
                 const auto stays = [&](State target) {
-                    return equations_.open[target] && classes_.of(target) == first;
+                    return equations_.open[target] && classes_.representative_of(target) == first;
                 };
                 if (!std::ranges::all_of(targets(model_, choice), stays)) visit(member, choice);
             }
         });
     }
 
-    [[nodiscard]] Value earned(State state, std::uint32_t choice) const {
+    [[nodiscard]] Value earned_by(State state, std::uint32_t choice) const {
         const Earnings<Value>& earnings = equations_.earnings;
         Value sum{};
         if (!earnings.state.empty()) sum += earnings.state[state];
@@ -123,21 +123,21 @@ private:
         std::uint32_t taken = none;
         for_each_choice(first, [&](State member, std::uint32_t choice) {
             const Value offered = worth_alone(first, member, choice);
-            value = taken == none ? offered : best(value, offered, direction);
-            if (taken != none && !better(offered, of_taken, direction)) return;
+            value = taken == none ? offered : best_of(value, offered, direction);
+            if (taken != none && !is_better(offered, of_taken, direction)) return;
             of_taken = offered;
             taken = choice;
         });
-        set(first, limited(std::move(value), equations_.probabilities), taken);
+        set(first, limit_probability(std::move(value), equations_.probabilities), taken);
     }
 
     [[nodiscard]] Value worth_alone(State first, State member, std::uint32_t choice) const {
-        Value sum = earned(member, choice);
+        Value sum = earned_by(member, choice);
         Value leaving{};
         bool returns = false;
         for (std::uint64_t branch = model_.first_branch[choice]; branch < model_.first_branch[choice + 1]; ++branch) {
             const State target = model_.target[branch];
-            if (equations_.open[target] && classes_.of(target) == first) {
+            if (equations_.open[target] && classes_.representative_of(target) == first) {
                 returns = true;
                 continue;
             }
@@ -166,11 +166,11 @@ private:
     }
 
     void add_row(System<Value>& system, State member, std::uint32_t choice) {
-        Value constant = earned(member, choice);
+        Value constant = earned_by(member, choice);
         Value outside{};
         for (std::uint64_t branch = model_.first_branch[choice]; branch < model_.first_branch[choice + 1]; ++branch) {
             const State target = model_.target[branch];
-            const std::uint32_t unknown = equations_.open[target] ? place_[classes_.of(target)] : none;
+            const std::uint32_t unknown = equations_.open[target] ? place_[classes_.representative_of(target)] : none;
             if (unknown != none) {
                 system.unknown.push_back(unknown);
                 system.number.push_back(model_.number[branch]);

@@ -17,7 +17,7 @@ struct Scales {
 };
 
 /// Both arguments are rounded up already. The results are rounded to the safe side as well.
-Scales scales(double excess, double growth) {
+Scales scales_for(double excess, double growth) {
     if (growth < 0) return {excess > 0 ? excess / -growth : 0, infinity};
     if (excess > 0) return {infinity, 0};
     return {0, growth > 0 ? -(excess / growth) : infinity};
@@ -29,18 +29,18 @@ public:
         : system_(system), direction_(direction), guesses_(guesses) {}
 
     /// Returns a scale for which the proof succeeds. No value if there is none.
-    std::optional<double> scale() {
+    std::optional<double> find_scale() {
         for (std::uint32_t unknown = 0; unknown < system_.size(); ++unknown) {
             Scales one{infinity, 0};  // for the bound for which one choice suffices
             for (std::uint32_t choice = system_.first_choice[unknown]; choice < system_.first_choice[unknown + 1];
                  ++choice) {
-                const auto [above, below] = look(unknown, choice);
+                const auto [above, below] = choice_bounds(unknown, choice);
                 const bool greatest = direction_ == Direction::maximum;
-                require(greatest ? above : below);
+                require_scales(greatest ? above : below);
                 const Scales& enough = greatest ? below : above;
                 if (enough.least < one.least) one = enough;
             }
-            require(one);
+            require_scales(one);
             if (!(all_.least <= all_.most)) return std::nullopt;
         }
         if (!(all_.least < infinity)) return std::nullopt;
@@ -53,7 +53,7 @@ private:
         Scales below;
     };
 
-    Bounds look(std::uint32_t unknown, std::uint32_t choice) const {
+    Bounds choice_bounds(std::uint32_t unknown, std::uint32_t choice) const {
         double high = system_.constant[choice].high;
         double negated_low = system_.constant[choice].negated_low;
         double weight = 0;
@@ -66,10 +66,10 @@ private:
         }
         const Guess& own = guesses_[unknown];
         const double growth = weight - own.weight;
-        return {scales(high - own.high, growth), scales(negated_low + own.low, growth)};
+        return {scales_for(high - own.high, growth), scales_for(negated_low + own.low, growth)};
     }
 
-    void require(const Scales& scales) {
+    void require_scales(const Scales& scales) {
         all_.least = std::max(all_.least, scales.least);
         all_.most = std::min(all_.most, scales.most);
     }
@@ -89,7 +89,7 @@ std::optional<std::vector<Interval>> prove(const System<Interval>& system, Direc
                guess.high < infinity && guess.weight < infinity;
     };
     if (!std::ranges::all_of(guesses, usable)) return std::nullopt;
-    const std::optional<double> scale = Proof(system, direction, guesses).scale();
+    const std::optional<double> scale = Proof(system, direction, guesses).find_scale();
     if (!scale) return std::nullopt;
     std::vector<Interval> values(guesses.size());
     for (std::size_t unknown = 0; unknown < values.size(); ++unknown) {
@@ -114,7 +114,7 @@ GuessIteration::GuessIteration(const System<Interval>& system, Direction directi
     for (const Interval& number : system.numbers) numbers_.push_back(number.middle());
 }
 
-GuessIteration::Worth GuessIteration::worth(std::uint32_t unknown, std::uint32_t choice) const {
+GuessIteration::Worth GuessIteration::choice_worth(std::uint32_t unknown, std::uint32_t choice) const {
     Worth sum{system_.constant[choice].low(), system_.constant[choice].high, 0, system_.outside[choice].middle()};
     for (std::uint64_t entry = system_.first_entry[choice]; entry < system_.first_entry[choice + 1]; ++entry) {
         const std::uint32_t to = system_.unknown[entry];
@@ -130,14 +130,14 @@ GuessIteration::Worth GuessIteration::worth(std::uint32_t unknown, std::uint32_t
     return sum;
 }
 
-Guess GuessIteration::improved(std::uint32_t unknown) {
+Guess GuessIteration::improve_guess(std::uint32_t unknown) {
     offers_.clear();
     for (std::uint32_t choice = system_.first_choice[unknown]; choice < system_.first_choice[unknown + 1]; ++choice)
-        offers_.push_back(worth(unknown, choice));
+        offers_.push_back(choice_worth(unknown, choice));
     Guess result{offers_.front().low, offers_.front().high, 0};
     for (const Worth& offer : offers_) {
-        result.low = best(result.low, offer.low, direction_);
-        result.high = best(result.high, offer.high, direction_);
+        result.low = best_of(result.low, offer.low, direction_);
+        result.high = best_of(result.high, offer.high, direction_);
     }
     for (const Worth& offer : offers_)
         if (std::abs(offer.high - result.high) <= tie_ * result.high)
@@ -148,7 +148,7 @@ Guess GuessIteration::improved(std::uint32_t unknown) {
 double GuessIteration::sweep() {
     double change = 0;
     for (std::uint32_t unknown = static_cast<std::uint32_t>(system_.size()); unknown-- > 0;) {
-        const Guess now = improved(unknown);
+        const Guess now = improve_guess(unknown);
         Guess& before = guesses_[unknown];
         if (now.high != before.high) change = std::max(change, std::abs(now.high - before.high) / now.high);
         if (now.weight != before.weight) change = std::max(change, std::abs(now.weight - before.weight) / now.weight);
@@ -161,10 +161,10 @@ Policy GuessIteration::policy() const {
     Policy policy(system_.size());
     for (std::uint32_t unknown = 0; unknown < system_.size(); ++unknown) {
         policy[unknown] = system_.first_choice[unknown];
-        double value = worth(unknown, policy[unknown]).high;
+        double value = choice_worth(unknown, policy[unknown]).high;
         for (std::uint32_t choice = policy[unknown] + 1; choice < system_.first_choice[unknown + 1]; ++choice) {
-            const double offered = worth(unknown, choice).high;
-            if (!better(offered, value, direction_)) continue;
+            const double offered = choice_worth(unknown, choice).high;
+            if (!is_better(offered, value, direction_)) continue;
             value = offered;
             policy[unknown] = choice;
         }

@@ -50,8 +50,8 @@ private:
         double weight;  // weight of the targets
         double leaving;
     };
-    [[nodiscard]] Worth worth(std::uint32_t unknown, std::uint32_t choice) const;
-    [[nodiscard]] Guess improved(std::uint32_t unknown);
+    [[nodiscard]] Worth choice_worth(std::uint32_t unknown, std::uint32_t choice) const;
+    [[nodiscard]] Guess improve_guess(std::uint32_t unknown);
 
     const System<Interval>& system_;
     const Direction direction_;

@@ -15,7 +15,7 @@ Integer common_multiple(const Integer& left, const Rational& right) {
     return left % denominator_of_right == 0 ? left : lcm(left, denominator_of_right);
 }
 
-Integer times(const Integer& multiplier, const Rational& value) {
+Integer scale_rational(const Integer& multiplier, const Rational& value) {
     return multiplier / denominator(value) * numerator(value);
 }
 
@@ -53,10 +53,10 @@ private:
             multiplier = common_multiple(multiplier, system.numbers[system.number[entry]]);
         for (std::uint64_t entry = system.first_entry[choice]; entry < system.first_entry[choice + 1]; ++entry) {
             unknown_.push_back(system.unknown[entry]);
-            factor_.push_back(times(multiplier, system.numbers[system.number[entry]]));
+            factor_.push_back(scale_rational(multiplier, system.numbers[system.number[entry]]));
         }
         first_.push_back(unknown_.size());
-        constant_.push_back(times(scale_, system.constant[choice]) * multiplier);
+        constant_.push_back(scale_rational(scale_, system.constant[choice]) * multiplier);
         multiplier_.push_back(std::move(multiplier));
     }
 
@@ -80,11 +80,11 @@ class RowsModulo {
 public:
     RowsModulo(const System<Rational>& system, const Policy& policy) {
         for (const std::uint32_t choice : policy) {
-            rows_.outside.push_back(of(system.outside[choice]));
+            rows_.outside.push_back(residue_of(system.outside[choice]));
             for (std::uint64_t entry = system.first_entry[choice]; entry < system.first_entry[choice + 1]; ++entry) {
                 rows_.unknown.push_back(system.unknown[entry]);
                 rows_.number.push_back(static_cast<std::uint32_t>(numbers_.size()));
-                numbers_.push_back(of(system.numbers[system.number[entry]]));
+                numbers_.push_back(residue_of(system.numbers[system.number[entry]]));
             }
             rows_.first_entry.push_back(rows_.unknown.size());
             rows_.first_choice.push_back(static_cast<std::uint32_t>(rows_.choices()));
@@ -93,7 +93,7 @@ public:
     }
 
     /// Returns no value if the prime divides a denominator or a pivot, or if the limit is reached.
-    [[nodiscard]] std::optional<Factors<Residue<prime>>> factors(const EliminationLimit& limit) const {
+    [[nodiscard]] std::optional<Factors<Residue<prime>>> factorize_rows(const EliminationLimit& limit) const {
         if (!exist_) return std::nullopt;
         Policy all(rows_.size());
         std::iota(all.begin(), all.end(), 0U);
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    Residue<prime> of(const Rational& value) {
+    Residue<prime> residue_of(const Rational& value) {
         const auto divisor = residue<prime>(denominator(value));
         exist_ = exist_ && positive(divisor);
         return residue<prime>(numerator(value)) / divisor;
@@ -132,7 +132,7 @@ public:
                 if (operations > limit_.operations) return std::nullopt;
                 find_digits();
             }
-            if (auto found = attempt()) return found;
+            if (auto found = try_reconstruction()) return found;
         }
     }
 
@@ -151,7 +151,7 @@ private:
         }
     }
 
-    std::optional<std::vector<Rational>> attempt() {
+    std::optional<std::vector<Rational>> try_reconstruction() {
         const Integer modulus = pow(Integer(prime), static_cast<unsigned>(modulus_digits_));
         const CommonFractions found = common_fractions(rows_.size(), doubtful_, modulus, [&](std::size_t row) {
             poll(limit_.budget);
@@ -187,16 +187,16 @@ private:
 template <std::uint32_t prime>
 std::optional<std::vector<Rational>> lift_with(const WholeRows& rows, const System<Rational>& system,
                                                const Policy& policy, const EliminationLimit& limit) {
-    const auto factors = RowsModulo<prime>(system, policy).factors(limit);
+    const auto factors = RowsModulo<prime>(system, policy).factorize_rows(limit);
     if (!factors) return std::nullopt;
     return Lifting<prime>(rows, *factors, limit).run();
 }
 
 }  // namespace
 
-std::optional<std::vector<Rational>> lift(const System<Rational>& system, const Policy& policy,
-                                          const EliminationLimit& limit) {
-    if (!leaves(system, policy)) return std::nullopt;
+std::optional<std::vector<Rational>> lift_solution(const System<Rational>& system, const Policy& policy,
+                                                   const EliminationLimit& limit) {
+    if (!always_leaves(system, policy)) return std::nullopt;
     const WholeRows rows(system, policy, limit.budget);
     if (auto found = lift_with<first_prime>(rows, system, policy, limit)) return found;
     if (auto found = lift_with<second_prime>(rows, system, policy, limit)) return found;

@@ -17,7 +17,7 @@ namespace robochart::markov {
 
 /// The solution of x = constant + A x, where A and the constants are those of the policy. No value if the policy may
 /// stay forever, or if the limit is reached.
-[[nodiscard]] std::optional<std::vector<Rational>> lift(const System<Rational>& system, const Policy& policy,
-                                                        const EliminationLimit& limit);
+[[nodiscard]] std::optional<std::vector<Rational>> lift_solution(const System<Rational>& system, const Policy& policy,
+                                                                 const EliminationLimit& limit);
 
 }  // namespace robochart::markov

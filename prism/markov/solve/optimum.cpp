@@ -32,7 +32,7 @@ public:
           deterministic_(system.choices() == system.size()) {}
 
     SystemSolution<Interval> solve(std::string& shortfall) {
-        if (!attempt())
+        if (!try_to_enclose())
             shortfall = fmt::format(
                 "{} sweeps over a strongly connected component of {} states reached the relative width {:.1e}", sweeps_,
                 system_.size(), width_);
@@ -54,7 +54,7 @@ private:
 
     /// Alternates elimination and sweeps, each time with eight times as much work. It is not known in advance which of
     /// them is faster, and both together take little longer than the faster one.
-    bool attempt() {
+    bool try_to_enclose() {
         if (!deterministic_ && sweep_up_to(first_sweeps))
             return true;  // eliminating a policy costs more than eliminating a chain
         for (std::uint64_t visits = first_visits;; visits *= 8) {
@@ -86,7 +86,7 @@ private:
         std::vector<double> numbers;
         System<double> system = in_doubles(system_, numbers);
         const auto improves = [this](double value, double offered) {
-            return better(offered, value, asked_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
+            return is_better(offered, value, asked_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
         };
         // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, they might
         // never leave the component.
@@ -126,8 +126,8 @@ private:
         for (std::uint32_t unknown = 0; unknown < system.size(); ++unknown)
             for (std::uint32_t choice = system.first_choice[unknown]; choice < system.first_choice[unknown + 1];
                  ++choice)
-                tie[choice] = std::abs(worth(system, unknown, choice, found.values) - found.values[unknown]) <=
-                              1e-9 * std::abs(found.values[unknown]);
+                tie[choice] = std::abs(value_of_choice(system, unknown, choice, found.values) -
+                                       found.values[unknown]) <= 1e-9 * std::abs(found.values[unknown]);
         for (std::uint32_t unknown = 0; unknown < system.size(); ++unknown)
             for (std::uint32_t choice = system.first_choice[unknown]; choice < system.first_choice[unknown + 1];
                  ++choice)
@@ -152,7 +152,7 @@ private:
             const bool still = change == 0;
             if (!still && (sweeps_ < next_proof || change > asked_.precision.relative)) continue;
             if (prove_guesses()) {
-                polish();
+                improve_bounds();
                 return true;
             }
             stands_still_ = still && failures > 8;  // further sweeps change nothing
@@ -164,7 +164,7 @@ private:
     }
 
     /// Adds half as many sweeps, which improve the bounds.
-    void polish() {
+    void improve_bounds() {
         for (std::uint64_t more = sweeps_ / 2 + 4; more > 0 && width_ > sharp; --more) {
             if (asked_.precision.budget != nullptr) asked_.precision.budget->check();
             iteration_.sweep();
@@ -207,7 +207,7 @@ private:
 
 SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked) {
     const auto improves = [&](const Rational& value, const Rational& offered) {
-        return better(offered, value, asked.direction);
+        return is_better(offered, value, asked.direction);
     };
     const EliminationLimit limit{.budget = asked.precision.budget};
     auto found = iterate_policies<Rational>(

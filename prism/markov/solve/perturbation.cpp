@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prism/markov/solve/perturbation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,7 +22,7 @@ Interval enclosing(const Rational& value) {
 }
 
 /// Returns the factor 1+d for these numbers, or infinity.
-double spread(std::span<const Interval> numbers) {
+double spread_factor(std::span<const Interval> numbers) {
     double factor = 1;
     for (const Interval& number : numbers)
         if (number.high > 0) factor = std::max(factor, number.low() > 0 ? number.high / number.low() : infinity);
@@ -49,7 +50,7 @@ System<Rational> with_low_probabilities(const System<Interval>& system, std::vec
 std::optional<SystemSolution<Interval>> rational_bounds(const System<Interval>& system, Policy first,
                                                         Direction direction, double most,
                                                         const EliminationLimit& limit) {
-    const double factor = power(std::max(spread(system.numbers), spread(system.outside)), system.size());
+    const double factor = power(std::max(spread_factor(system.numbers), spread_factor(system.outside)), system.size());
     if (!(factor < 2)) return std::nullopt;
     const auto finite = [](const Interval& constant) { return constant.high < infinity; };
     if (!std::ranges::all_of(system.constant, finite)) return std::nullopt;
@@ -60,7 +61,7 @@ std::optional<SystemSolution<Interval>> rational_bounds(const System<Interval>& 
             exact.constant[choice] = Rational(bound(system.constant[choice]));
         return iterate_policies<Rational>(
             exact, std::move(policy), limit,
-            [&](const Rational& value, const Rational& offered) { return better(offered, value, direction); },
+            [&](const Rational& value, const Rational& offered) { return is_better(offered, value, direction); },
             [](std::uint32_t) { return true; }, std::numeric_limits<std::uint64_t>::max());
     };
     const auto low = solved(std::move(first), [](const Interval& constant) { return constant.low(); });

@@ -31,7 +31,7 @@ std::optional<std::vector<Rational>> policy_values(const System<Rational>& syste
     constexpr std::uint64_t few_operations = 1'000;
     const EliminationLimit few{std::min(limit.operations, few_operations), limit.entries, limit.budget};
     if (auto solved = eliminate(system, policy, {constants(system, policy)}, few)) return std::move(solved->front());
-    return lift(system, policy, limit);
+    return lift_solution(system, policy, limit);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::optional<SystemSolution<Value>> iterate_policies(const System<Value>& syste
             for (std::uint32_t choice = system.first_choice[unknown]; choice < system.first_choice[unknown + 1];
                  ++choice) {
                 if (choice == policy[unknown] || !admitted(choice)) continue;
-                Value offered = worth(system, unknown, choice, values);
+                Value offered = value_of_choice(system, unknown, choice, values);
                 if (!improves(best, offered)) continue;
                 best = std::move(offered);
                 policy[unknown] = choice;

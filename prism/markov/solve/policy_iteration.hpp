@@ -12,8 +12,8 @@ namespace robochart::markov {
 /// Returns the worth of a choice if it is repeated until another unknown is reached. It is as accurate as the sum of
 /// the probabilities to leave. It is better than the value exactly if taking the choice once is better.
 template <class Value>
-[[nodiscard]] Value worth(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice,
-                          const std::vector<Value>& values) {
+[[nodiscard]] Value value_of_choice(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice,
+                                    const std::vector<Value>& values) {
     Value sum = system.constant[choice];
     Value leaving = system.outside[choice];
     for (std::uint64_t entry = system.first_entry[choice]; entry < system.first_entry[choice + 1]; ++entry) {

@@ -17,16 +17,16 @@ public:
             powers_.emplace_back(powers_.back() * powers_.back());
     }
 
-    [[nodiscard]] Integer all() const { return of(0, digits_.size(), powers_.size()); }
+    [[nodiscard]] Integer value_of_all_digits() const { return value_of_digits(0, digits_.size(), powers_.size()); }
 
 private:
     /// Returns the number with the digits from `begin` to `end`, at most 2^level digits.
-    [[nodiscard]] Integer of(std::size_t begin, std::size_t end, std::size_t level) const {
+    [[nodiscard]] Integer value_of_digits(std::size_t begin, std::size_t end, std::size_t level) const {
         if (begin >= end) return 0;
         if (end - begin == 1) return digits_[begin];
         const std::size_t half = begin + (std::size_t{1} << (level - 1));
-        if (half >= end) return of(begin, end, level - 1);
-        return of(begin, half, level - 1) + of(half, end, level - 1) * powers_[level - 1];
+        if (half >= end) return value_of_digits(begin, end, level - 1);
+        return value_of_digits(begin, half, level - 1) + value_of_digits(half, end, level - 1) * powers_[level - 1];
     }
 
     std::span<const std::uint32_t> digits_;
@@ -40,10 +40,10 @@ unsigned bits(const Integer& value) {
 }  // namespace
 
 Integer from_digits(std::span<const std::uint32_t> digits, std::uint32_t base) {
-    return DigitSum(digits, base).all();
+    return DigitSum(digits, base).value_of_all_digits();
 }
 
-std::optional<Fraction> reconstructed(const Integer& value, const Integer& modulus) {
+std::optional<Fraction> reconstruct_fraction(const Integer& value, const Integer& modulus) {
     // In each step, remainder = factor * value modulo `modulus`. Remainders decrease and factors grow.
     const unsigned most = (bits(modulus) - 1) / 2;
     Integer before = modulus;
@@ -76,7 +76,7 @@ CommonFractions common_fractions(std::size_t count, std::size_t first, const Int
     for (std::size_t step = 0; step < count; ++step) {
         const std::size_t at = (first + step) % count;
         // Usually the current denominator is also a denominator of this value.
-        auto fraction = reconstructed(Integer(value(at) * result.denominator % modulus), modulus);
+        auto fraction = reconstruct_fraction(Integer(value(at) * result.denominator % modulus), modulus);
         if (!fraction) {
             result.without = at;
             return result;

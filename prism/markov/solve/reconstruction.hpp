@@ -23,7 +23,7 @@ struct Fraction {
     Integer numerator;
     Integer denominator;
 };
-[[nodiscard]] std::optional<Fraction> reconstructed(const Integer& value, const Integer& modulus);
+[[nodiscard]] std::optional<Fraction> reconstruct_fraction(const Integer& value, const Integer& modulus);
 
 /// The fractions of several values with a common denominator; if one value has none, its index.
 struct CommonFractions {
@@ -32,8 +32,8 @@ struct CommonFractions {
     std::optional<std::size_t> without;
 };
 
-/// For `count` values, which the function `value` returns. Starts at `first`, which should be the value that had no
-/// fraction last time.
+/// Returns the fractions of `count` values, which the function `value` returns. Starts at index `first`, which should
+/// be the value without a fraction in the previous call.
 [[nodiscard]] CommonFractions common_fractions(std::size_t count, std::size_t first, const Integer& modulus,
                                                const std::function<Integer(std::size_t)>& value);
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/budget.hpp"
 #include "prism/markov/model/model.hpp"
 #include "prism/markov/solve/enclosure.hpp"
-#include "base/diagnostics/budget.hpp"
 
 namespace robochart::markov {
 

@@ -47,7 +47,7 @@ GraphStrategy::GraphStrategy(const Graph& graph, const Precision& precision, std
     if (asked_) strategy_.assign(graph.model().first_choice.begin(), graph.model().first_choice.end() - 1);
 }
 
-void GraphStrategy::stay(const StateSet& set) {
+void GraphStrategy::stay_in_set(const StateSet& set) {
     if (!asked_) return;
     const std::vector<bool> staying = choices_within(graph_.model(), set);
     for_each_choice_of(graph_.model(), set, [&](State state, std::uint32_t choice) {
@@ -59,7 +59,7 @@ void GraphStrategy::may_reach(const StateSet& goal, const StateSet& set) {
     if (asked_) go_back(goal, set, std::vector<bool>(graph_.model().choices(), true));
 }
 
-void GraphStrategy::reach(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted) {
+void GraphStrategy::reach_goal(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted) {
     if (!asked_) return;
     std::vector<bool> staying = choices_within(graph_.model(), set);
     for (std::size_t choice = 0; choice < staying.size(); ++choice)
@@ -83,7 +83,7 @@ void GraphStrategy::go_back(const StateSet& goal, const StateSet& set, const std
         }
 }
 
-void GraphStrategy::repeat(const EndComponent& component, std::uint32_t choice) {
+void GraphStrategy::repeat_choice(const EndComponent& component, std::uint32_t choice) {
     if (asked_) lead_to(graph_, component, choice, strategy_);
 }
 

@@ -21,14 +21,14 @@ public:
     GraphStrategy(const Graph& graph, const Precision& precision, std::vector<std::uint32_t>& strategy);
 
     /// Sets, in the states of the set, choices that stay in it.
-    void stay(const StateSet& set);
+    void stay_in_set(const StateSet& set);
     /// Sets, in the states of the set outside the goal, choices with which the goal may be reached.
     void may_reach(const StateSet& goal, const StateSet& set);
     /// Sets, in the states of the set outside the goal, admitted choices that stay in the set until the goal is
     /// reached.
-    void reach(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
+    void reach_goal(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
     /// Takes, in the end component, this choice infinitely often.
-    void repeat(const EndComponent& component, std::uint32_t choice);
+    void repeat_choice(const EndComponent& component, std::uint32_t choice);
 
 private:
     void go_back(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);

@@ -21,22 +21,22 @@ public:
           policy_(system.size(), no_choice),
           first_(system.size() + 1, 0),
           owner_(system.choices()) {
-        reverse();
+        index_sources();
     }
 
     Policy find() {
         for (std::uint32_t unknown = 0; unknown < system_.size(); ++unknown)
             for (std::uint32_t choice = system_.first_choice[unknown]; choice < system_.first_choice[unknown + 1];
                  ++choice)
-                if (!is_zero(system_.outside[choice])) take(unknown, choice);
+                if (!is_zero(system_.outside[choice])) take_choice(unknown, choice);
         for (std::size_t next = 0; next < queue_.size(); ++next)
             for (std::uint64_t at = first_[queue_[next]]; at < first_[queue_[next] + 1]; ++at)
-                take(owner_[incoming_[at]], incoming_[at]);
+                take_choice(owner_[incoming_[at]], incoming_[at]);
         return std::move(policy_);
     }
 
 private:
-    void reverse() {
+    void index_sources() {
         for (std::uint32_t unknown = 0; unknown < system_.size(); ++unknown)
             for (std::uint32_t choice = system_.first_choice[unknown]; choice < system_.first_choice[unknown + 1];
                  ++choice)
@@ -50,7 +50,7 @@ private:
                 incoming_[next[system_.unknown[entry]]++] = choice;
     }
 
-    void take(std::uint32_t unknown, std::uint32_t choice) {
+    void take_choice(std::uint32_t unknown, std::uint32_t choice) {
         if (policy_[unknown] != no_choice || (only_ != nullptr && (*only_)[unknown] != choice)) return;
         policy_[unknown] = choice;
         queue_.push_back(unknown);
@@ -73,12 +73,12 @@ Policy leaving_policy(const System<Value>& system) {
 }
 
 template <class Value>
-bool leaves(const System<Value>& system, const Policy& policy) {
+bool always_leaves(const System<Value>& system, const Policy& policy) {
     return LeavingPolicy<Value>(system, &policy).find() == policy;
 }
 
 template Policy leaving_policy(const System<Interval>&);
 template Policy leaving_policy(const System<Rational>&);
-template bool leaves(const System<Rational>&, const Policy&);
+template bool always_leaves(const System<Rational>&, const Policy&);
 
 }  // namespace robochart::markov

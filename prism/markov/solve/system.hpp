@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equations of one strongly connected component: x(i) = the best, over the choices of i, of constant + sum of p * x(j).
+// The equations of one strongly connected component: x(i) is the optimum, over the choices of i, of constant + sum of p
+// * x(j).
 #pragma once
 
 #include <cstdint>
@@ -36,7 +37,7 @@ template <class Value>
 
 /// Whether this policy leaves with probability 1 from every state.
 template <class Value>
-[[nodiscard]] bool leaves(const System<Value>& system, const Policy& policy);
+[[nodiscard]] bool always_leaves(const System<Value>& system, const Policy& policy);
 
 /// Values of unknowns, and the choices that attain them.
 template <class Value>

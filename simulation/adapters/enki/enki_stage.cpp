@@ -31,7 +31,7 @@ public:
         if (hit) nearest_ = std::min(nearest_, *hit);
     }
 
-    [[nodiscard]] Sight sight(double range, double width, double height) const {
+    [[nodiscard]] Sight nearest_sight(double range, double width, double height) const {
         const double wall = wall_distance(width, height);
         if (nearest_ < wall && nearest_ < range) return {Seen::robot, nearest_};
         return wall < range ? Sight{Seen::wall, wall} : Sight{Seen::nothing, 0};
@@ -59,7 +59,7 @@ private:
 /// An e-puck whose wheels are set between Enki's steps.
 class Puck final : public Enki::EPuck {
 public:
-    explicit Puck(const Scenario& scenario) : Enki::EPuck(CAPABILITY_NONE), ray(range(scenario), this) {
+    explicit Puck(const Scenario& scenario) : Enki::EPuck(CAPABILITY_NONE), ray(sensor_range(scenario), this) {
         const Body& body = scenario.world.body;
         distBetweenWheels = body.axle;
         maxSpeed = body.max_wheel;
@@ -70,12 +70,12 @@ public:
 
     /// Enki calls this after the sensors, but our controllers run outside of Enki.
     void controlStep(double) override {}
-    void apply(double step) { Enki::EPuck::controlStep(step); }
+    void apply_speeds(double step) { Enki::EPuck::controlStep(step); }
 
     EnkiRay ray;
 
 private:
-    static double range(const Scenario& scenario) {
+    static double sensor_range(const Scenario& scenario) {
         for (const Sensor& sensor : scenario.sensors)
             if (sensor.sight_range > 0) return sensor.sight_range + 2 * scenario.world.body.radius;
         return far_away;
@@ -135,7 +135,7 @@ public:
     void sense() override {}
     [[nodiscard]] Sight line_of_sight(std::size_t robot, const Sensor& sensor) override {
         const double range = sensor.sight_range > 0 ? sensor.sight_range : std::numeric_limits<double>::infinity();
-        return pucks_[robot].ray.sight(range, world_.w, world_.h);
+        return pucks_[robot].ray.nearest_sight(range, world_.w, world_.h);
     }
     // enki_stage rejects scenarios that need it.
     [[nodiscard]] bool somebody_within(std::size_t, const Sensor&, double) override { return false; }
@@ -150,7 +150,7 @@ public:
         pucks_[robot].rightSpeed = wheels.right;
     }
     void advance() override {
-        for (Puck& puck : pucks_) puck.apply(scenario_.world.control_step);
+        for (Puck& puck : pucks_) puck.apply_speeds(scenario_.world.control_step);
         world_.step(scenario_.world.control_step, scenario_.world.physics_steps);
     }
 

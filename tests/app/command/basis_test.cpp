@@ -177,7 +177,7 @@ TEST(GuardBasis, IsInEveryFormatWhateverIsAllowed) {
     }
     const std::string page = folder.path() + "/page.html";
     (void)testing::run({"check", folder.path(), "-q", "--html", page, "--allow", "RC-U01"});
-    EXPECT_THAT(tests::contents(page), HasSubstr("`since(T) &lt; 9`"));
+    EXPECT_THAT(tests::read_contents(page), HasSubstr("`since(T) &lt; 9`"));
 }
 
 TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {

@@ -16,7 +16,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 std::string scenario() {
-    return tests::contents(repository("corpus/foraging/chain.scenario"));
+    return tests::read_contents(repository("corpus/foraging/chain.scenario"));
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -27,8 +27,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 /// A folder with the scenario and a copy of the model.
 Folder folder_with(const std::string& text) {
-    return Folder(
-        {{"m/foraging.rct", tests::contents(repository("corpus/foraging/foraging.rct"))}, {"m/chain.scenario", text}});
+    return Folder({{"m/foraging.rct", tests::read_contents(repository("corpus/foraging/foraging.rct"))},
+                   {"m/chain.scenario", text}});
 }
 
 TEST(Chain, AnswersAndLeavesFiles) {
@@ -50,8 +50,8 @@ TEST(Chain, AnswersAndLeavesFiles) {
     EXPECT_EQ(found.at("files").size(), 5U);
     for (const json& file : found.at("files")) EXPECT_TRUE(std::filesystem::exists(file.get<std::string>()));
     const std::string out = folder / "out/simulation/ForagingChain/";
-    EXPECT_THAT(tests::contents(out + "chain.csv"), HasSubstr("from,to,count,visits,low,high\n"));
-    EXPECT_THAT(tests::contents(out + "chain-checks.csv"), HasSubstr("contradicts\n1,0,"));
+    EXPECT_THAT(tests::read_contents(out + "chain.csv"), HasSubstr("from,to,count,visits,low,high\n"));
+    EXPECT_THAT(tests::read_contents(out + "chain-checks.csv"), HasSubstr("contradicts\n1,0,"));
 }
 
 /// The time to return home depends on the distance, and a search takes at most twenty seconds. With steps of five
@@ -90,10 +90,10 @@ TEST(Chain, OfTheDecisionIsNotRefuted) {
 /// The chain does not observe the robots that say B, so it treats the start like a state in which all robots say B. The
 /// next states differ.
 TEST(Chain, OfTheDecisionIsRefutedByItsOrderWhereItTellsLessApart) {
-    std::string text = tests::contents(repository("corpus/best_of_n/chain.scenario"));
+    std::string text = tests::read_contents(repository("corpus/best_of_n/chain.scenario"));
     text.erase(text.find("abstract by"));
     text += "abstract by surveys_a, says_a, surveys_b every 10 s estimate average says_a with confidence 95 % }\n";
-    const Folder folder({{"m/best_of_n.rct", tests::contents(repository("corpus/best_of_n/best_of_n.rct"))},
+    const Folder folder({{"m/best_of_n.rct", tests::read_contents(repository("corpus/best_of_n/best_of_n.rct"))},
                          {"m/chain.scenario", text}});
     const Ran ran =
         run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "400", "--format", "json"});

@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using testing::run;
 using testing::run_shell;
-using tests::contents;
+using tests::read_contents;
 
 constexpr const char* machine =
     "stm S {\n event e\n initial i\n state A { }\n transition t { from i to A }\n transition u { from A to A trigger e "

@@ -24,7 +24,7 @@ using testing::repository;
 using testing::run;
 using ::testing::StartsWith;
 using testing::TemporaryFile;
-using tests::contents;
+using tests::read_contents;
 
 TEST(Draw, WritesADiagramForEachComponent) {
     const Folder folder;
@@ -32,7 +32,7 @@ TEST(Draw, WritesADiagramForEachComponent) {
     EXPECT_EQ(ran.exit, 0) << ran.err;
     for (const std::string name : {"AggregationFSM", "AggregationController", "Aggregation", "EPuck", "MoveClockwise",
                                    "RotateClockwise", "aggregation_types"}) {
-        EXPECT_THAT(contents(folder / ("d/" + name + ".svg")), StartsWith("<svg ")) << name;
+        EXPECT_THAT(read_contents(folder / ("d/" + name + ".svg")), StartsWith("<svg ")) << name;
         EXPECT_THAT(ran.out, HasSubstr("d/" + name + ".svg"));
     }
     EXPECT_EQ(run({"draw", repository("corpus/aggregation"), "-q", "--out", folder / "d"}).out, "");
@@ -48,7 +48,7 @@ TEST(Draw, WritesOneComponentToStandardOutputOrAFile) {
         run({"draw", repository("corpus/aggregation"), "aggregation::AggregationFSM", "-o", folder / "fsm.svg"});
     EXPECT_EQ(written.exit, 0) << written.err;
     EXPECT_EQ(written.out, "");
-    EXPECT_EQ(contents(folder / "fsm.svg"), printed.out);
+    EXPECT_EQ(read_contents(folder / "fsm.svg"), printed.out);
     EXPECT_EQ(run({"draw", repository("corpus/aggregation"), "AggregationFSM", "-o", "-"}).out, printed.out);
 }
 
@@ -147,15 +147,15 @@ TEST(Draw, FollowsNoLinkInTheFolder) {
     fs::create_directory(folder / "d");
     fs::create_symlink(folder / "kept", folder / "d/AggregationFSM.svg");
     EXPECT_EQ(run({"draw", repository("corpus/aggregation"), "-q", "-o", folder / "d"}).exit, 0);
-    EXPECT_EQ(contents(folder / "kept"), "kept");
-    EXPECT_THAT(contents(folder / "d/AggregationFSM.svg"), StartsWith("<svg "));
+    EXPECT_EQ(read_contents(folder / "kept"), "kept");
+    EXPECT_THAT(read_contents(folder / "d/AggregationFSM.svg"), StartsWith("<svg "));
 }
 
 /// The pictures in docs/diagrams.md are identical to the program's output.
 TEST(Draw, PicturesOfTheDocumentationAreUpToDate) {
     for (const auto& [component, picture] : {std::pair{"SwarmTaxisFSM", "machine"}, {"SwarmTaxis", "module"}})
         EXPECT_EQ(run({"draw", repository("corpus/swarm_taxis"), component}).out,
-                  contents(repository(std::string("docs/pictures/swarm_taxis_") + picture + ".svg")))
+                  read_contents(repository(std::string("docs/pictures/swarm_taxis_") + picture + ".svg")))
             << component;
 }
 

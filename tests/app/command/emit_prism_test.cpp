@@ -30,7 +30,7 @@ protected:
         arguments.insert(arguments.begin(), {"emit", "prism", folder_ / "counter.rct", "-o", folder_ / "out"});
         return run(arguments);
     }
-    [[nodiscard]] std::string written() const { return tests::contents(folder_ / "out/prism/M.prism"); }
+    [[nodiscard]] std::string written() const { return tests::read_contents(folder_ / "out/prism/M.prism"); }
     Folder folder_{{{"counter.rct", counter}, {"good.prefs", "INT_MIN=0\nINT_MAX=7\n"}, {"bad.prefs", "INT_MAX=x\n"}}};
 };
 

@@ -52,7 +52,7 @@ TEST(OptionTable, HasOneRowForEachOptionOfAVerb) {
     EXPECT_GT(option_table().size(), 50U);
     for (const VerbRow& verb : verb_table()) {
         Names seen;
-        for (const OptionRow* row : options_of(of(verb.verb)))
+        for (const OptionRow* row : options_of(verb_bit(verb.verb)))
             EXPECT_TRUE(seen.emplace(long_name(*row)).second) << full_name(verb) << " " << row->names;
         EXPECT_TRUE(seen.contains("--help")) << full_name(verb);
     }
@@ -70,7 +70,7 @@ TEST(OptionTable, RowsAreWritten) {
 TEST(Help, OfAVerbListsItsOptionsAndNoOthers) {
     for (const VerbRow& verb : verb_table()) {
         const std::string help = verb_help(verb);
-        EXPECT_EQ(listed(help), names_of(options_of(of(verb.verb)))) << help;
+        EXPECT_EQ(listed(help), names_of(options_of(verb_bit(verb.verb)))) << help;
         EXPECT_THAT(help, StartsWith("usage: robochart-verify " + full_name(verb) + " [OPTIONS]"));
     }
     EXPECT_EQ(listed(program_help()), (Names{"--help", "-h", "--version"}));
@@ -168,7 +168,7 @@ TEST(Completions, OfCodesInBash) {
 
 /// The installed man page and completions are identical to the program's output.
 TEST(Completions, AreKeptAsTheyAreWritten) {
-    const auto kept = [](const char* path) { return tests::contents(repository(path)); };
+    const auto kept = [](const char* path) { return tests::read_contents(repository(path)); };
     constexpr const char* how = "robochart-verify help --generate writes it anew";
     EXPECT_EQ(kept("editors/completion/robochart-verify.bash"), bash_completion()) << how;
     EXPECT_EQ(kept("editors/completion/_robochart-verify"), zsh_completion()) << how;
@@ -178,7 +178,7 @@ TEST(Completions, AreKeptAsTheyAreWritten) {
 }
 
 TEST(Documentation, NamesTheVerbsAndExitCodes) {
-    const std::string page = tests::contents(repository("docs/cli.md"));
+    const std::string page = tests::read_contents(repository("docs/cli.md"));
     for (const ExitRow& row : exit_table())
         EXPECT_THAT(page, HasSubstr("\n| " + std::to_string(static_cast<int>(row.exit)) + " | "));
     for (const VerbRow& verb : verb_table()) EXPECT_THAT(page, HasSubstr("`" + full_name(verb) + "`"));

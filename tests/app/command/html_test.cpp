@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using tests::contents;
+using tests::read_contents;
 
 struct Both {
     std::string page;
@@ -30,7 +30,7 @@ Both reported(const std::vector<std::string>& models) {
     std::vector<std::string> words{"check", "--format", "json", "--no-cache", "--html", folder / "page.html"};
     words.insert(words.end(), models.begin(), models.end());
     const Ran ran = run(words);
-    return {contents(folder / "page.html"), nlohmann::json::parse(ran.out)};
+    return {read_contents(folder / "page.html"), nlohmann::json::parse(ran.out)};
 }
 
 TEST(Html, HasTheStepsOfEachCounterexample) {
@@ -38,17 +38,17 @@ TEST(Html, HasTheStepsOfEachCounterexample) {
         const Both both =
             reported({repository("corpus/" + study), repository("corpus/false_claims/" + study + ".assertions")});
         std::size_t failing = 0;
-        const std::vector<std::string> claims = between(both.page, "<section class=\"claim\"", "</section>");
+        const std::vector<std::string> claims = texts_between(both.page, "<section class=\"claim\"", "</section>");
         for (const auto& assertion : both.json["assertions"]) {
             if (!assertion.contains("counterexample")) continue;
             ASSERT_LT(failing, claims.size());
             const std::string& claim = claims[failing++];
-            EXPECT_EQ(between(claim, "<tr class=\"step\"", ">").size(),
+            EXPECT_EQ(texts_between(claim, "<tr class=\"step\"", ">").size(),
                       assertion["counterexample"]["steps"].size() + 1);
         }
         EXPECT_GT(failing, 0U);
         EXPECT_EQ(claims.size(), failing);
-        EXPECT_EQ(between(both.page, "<td class=\"answer", ">").size(), both.json["assertions"].size());
+        EXPECT_EQ(texts_between(both.page, "<td class=\"answer", ">").size(), both.json["assertions"].size());
     }
 }
 
@@ -57,9 +57,9 @@ TEST(Html, MarksElementsOfItsDiagrams) {
     const Both both =
         reported({repository("corpus/aggregation"), repository("corpus/false_claims/aggregation.assertions")});
     std::size_t marks = 0;
-    for (const std::string& claim : between(both.page, "<section class=\"claim\"", "</section>"))
-        for (const std::string& list : all(claim, "data-(?:on|fired)=\"([^\"]*)\""))
-            for (const std::string& mark : all(list, "([0-9]+:e[0-9]+)")) {
+    for (const std::string& claim : texts_between(both.page, "<section class=\"claim\"", "</section>"))
+        for (const std::string& list : all_matches(claim, "data-(?:on|fired)=\"([^\"]*)\""))
+            for (const std::string& mark : all_matches(list, "([0-9]+:e[0-9]+)")) {
                 ++marks;
                 EXPECT_THAT(claim, HasSubstr("data-element=\"" + mark.substr(mark.find(':') + 1) + "\"")) << mark;
             }
@@ -72,15 +72,16 @@ TEST(Html, ActiveStatesAreThoseOfTheRun) {
 transition t0 { from i to A } transition t1 { from A to B trigger e } })"},
          {"m.assertions", "package q import p::* untimed assertion X : p::S::B is not reachable in p::S"}});
     const Both both = reported({folder.path()});
-    const std::string claim = between(both.page, "<section class=\"claim\"", "</section>").at(0);
+    const std::string claim = texts_between(both.page, "<section class=\"claim\"", "</section>").at(0);
     const auto id_of = [&](const std::string& name) {
-        return all(claim, "data-element=\"(e[0-9]+)\"><title>" + name + "</title>").at(0);
+        return all_matches(claim, "data-element=\"(e[0-9]+)\"><title>" + name + "</title>").at(0);
     };
-    const auto on = all(claim, "data-on=\"([^\"]*)\"");
+    const auto on = all_matches(claim, "data-on=\"([^\"]*)\"");
     EXPECT_EQ(on.front(), "") << "at the initial junction";
     EXPECT_EQ(on.back(), "0:" + id_of("state B"));
-    EXPECT_THAT(claim, HasSubstr("data-fired=\"0:" +
-                                 all(claim, "class=\"edge[^\"]*\" id=\"[^\"]*\" data-element=\"(e[0-9]+)\"").at(1)));
+    EXPECT_THAT(claim,
+                HasSubstr("data-fired=\"0:" +
+                          all_matches(claim, "class=\"edge[^\"]*\" id=\"[^\"]*\" data-element=\"(e[0-9]+)\"").at(1)));
 }
 
 // Without script the page shows the diagrams after the last step, in which t1 has led to B.
@@ -91,13 +92,13 @@ transition t0 { from i to A action x = 2 } transition t1 { from A to B trigger e
 transition t2 { from B to B trigger e condition x == 2 } })"},
          {"m.assertions", "package q import p::* untimed assertion X : p::S::B is not reachable in p::S"}});
     const Both both = reported({folder.path()});
-    const std::string claim = between(both.page, "<section class=\"claim\"", "</section>").at(0);
-    EXPECT_THAT(all(claim, "<g class=\"node on[^\"]*\"[^>]*><title>([^<]*)</title>"),
+    const std::string claim = texts_between(both.page, "<section class=\"claim\"", "</section>").at(0);
+    EXPECT_THAT(all_matches(claim, "<g class=\"node on[^\"]*\"[^>]*><title>([^<]*)</title>"),
                 ::testing::ElementsAre("state B"));
-    EXPECT_THAT(between(claim, "<p class=\"values\">", "</p>"), ::testing::ElementsAre("x = 2"));
+    EXPECT_THAT(texts_between(claim, "<p class=\"values\">", "</p>"), ::testing::ElementsAre("x = 2"));
     EXPECT_THAT(claim, Not(HasSubstr(">time</th>"))) << "untimed";
     // Only the row in which x is written marks it as changed.
-    EXPECT_EQ(all(claim, "data-values=\"([^\"]*&quot;x&quot;,&quot;2&quot;,true[^\"]*)\"").size(), 1U);
+    EXPECT_EQ(all_matches(claim, "data-values=\"([^\"]*&quot;x&quot;,&quot;2&quot;,true[^\"]*)\"").size(), 1U);
 }
 
 // The page lists the possible events at the end and the events that the specification allows. The specification forbids
@@ -109,8 +110,8 @@ transition t0 { from i to A } transition t1 { from A to B trigger e action send 
                           "package q import p::*\nuntimed csp Only csp-begin\nOnly = p::S::e.in -> Only\ncsp-end\n"
                           "untimed assertion X : p::S refines Only in the traces model"}});
     const Both both = reported({folder.path()});
-    const std::string claim = between(both.page, "<section class=\"claim\"", "</section>").at(0);
-    const std::string end = between(claim, "<summary>where it ends</summary>", "</details>").at(0);
+    const std::string claim = texts_between(both.page, "<section class=\"claim\"", "</section>").at(0);
+    const std::string end = texts_between(claim, "<summary>where it ends</summary>", "</details>").at(0);
     EXPECT_THAT(end, HasSubstr("<dt>the specification allows</dt><dd>input e</dd>"));
 }
 
@@ -120,7 +121,7 @@ TEST(Html, DiagramsAreThereAsText) {
 transition t0 { from i to A } transition t1 { from A to j trigger e condition x < 1 } transition t2 { from j to A } }
 controller C { event f sref a = S connection C on f to a on e })");
     const Both both = reported({file.path()});
-    const std::string diagrams = between(both.page, "<section id=\"diagrams\"", "</section>").at(0);
+    const std::string diagrams = texts_between(both.page, "<section id=\"diagrams\"", "</section>").at(0);
     EXPECT_THAT(diagrams, HasSubstr("<summary>transitions as text</summary>"));
     EXPECT_THAT(diagrams, HasSubstr("<li>initial junction i -&gt; A</li>"));
     EXPECT_THAT(diagrams, HasSubstr("<li>A -&gt; junction j: e[x &lt; 1]</li>"));
@@ -134,10 +135,10 @@ TEST(Html, WhatNoRunExercisesIsDashed) {
 transition t0 { from i to A } transition t1 { from A to B trigger e condition x > 1 }
 transition t2 { from A to A trigger e } })");
     const Both both = reported({file.path()});
-    const std::string diagrams = between(both.page, "<section id=\"diagrams\"", "</section>").at(0);
+    const std::string diagrams = texts_between(both.page, "<section id=\"diagrams\"", "</section>").at(0);
     EXPECT_THAT(diagrams, HasSubstr("2 elements are dashed"));
-    EXPECT_EQ(all(diagrams, "class=\"(node|edge) unexercised\"").size(), 2U);
-    EXPECT_THAT(all(diagrams, "<g class=\"node unexercised\"[^>]*><title>([^<]*)</title>"),
+    EXPECT_EQ(all_matches(diagrams, "class=\"(node|edge) unexercised\"").size(), 2U);
+    EXPECT_THAT(all_matches(diagrams, "<g class=\"node unexercised\"[^>]*><title>([^<]*)</title>"),
                 ::testing::ElementsAre("state B"));
 }
 
@@ -147,13 +148,13 @@ TEST(Html, AModelThatIsNotSchedulableIsSteppedThrough) {
 transition t0 { from i to A } transition t1 { from A to B } transition t2 { from B to A } })");
     const Folder folder;
     EXPECT_EQ(run({"conform", file.path(), "--no-cache", "--html", folder / "page.html"}).exit, 1);
-    const std::string page = contents(folder / "page.html");
-    const std::string claim = between(page, "<section class=\"claim\" id=\"c0\"", "</section>").at(0);
+    const std::string page = read_contents(folder / "page.html");
+    const std::string claim = texts_between(page, "<section class=\"claim\" id=\"c0\"", "</section>").at(0);
     EXPECT_THAT(claim, HasSubstr("S is not schedulable [RC-K01]"));
     EXPECT_THAT(claim, HasSubstr("then for ever:"));
     EXPECT_THAT(claim, HasSubstr("t1: A -&gt; B"));
     EXPECT_THAT(page, HasSubstr("0 of 1 components conform"));
-    EXPECT_THAT(between(page, "<pre tabindex=\"0\">", "</pre>").at(0), HasSubstr("\n")) << "line by line";
+    EXPECT_THAT(texts_between(page, "<pre tabindex=\"0\">", "</pre>").at(0), HasSubstr("\n")) << "line by line";
 }
 
 /// Shell commands that put a wrapper before the compiler. The wrapper changes the generated code with this sed script.
@@ -176,7 +177,7 @@ TEST(Html, CodeThatDiffersIsSteppedThrough) {
                               "\"$verify\" conform w --no-cache --html page.html > /dev/null\ncat page.html");
     EXPECT_EQ(ran.err, "");
     expect_closed(ran.out);
-    const auto claims = between(ran.out, "<section class=\"claim\" id=\"c0\"", "</section>");
+    const auto claims = texts_between(ran.out, "<section class=\"claim\" id=\"c0\"", "</section>");
     ASSERT_EQ(claims.size(), 1U);
     const std::string& claim = claims.front();
     EXPECT_THAT(claim, HasSubstr("the code writes turn(-90), which the model does not allow here"));
@@ -184,7 +185,7 @@ TEST(Html, CodeThatDiffersIsSteppedThrough) {
     EXPECT_THAT(claim, HasSubstr(">here: the code writes turn(-90)"));
     EXPECT_THAT(claim, HasSubstr("data-text=\"input obstacle (met: Driving -&gt; Turning)\""));
     EXPECT_THAT(claim, HasSubstr("<dt>possible</dt><dd>call turn(90)"));
-    EXPECT_THAT(all(claim, "<g class=\"node on[^\"]*\"[^>]*><title>([^<]*)</title>"),
+    EXPECT_THAT(all_matches(claim, "<g class=\"node on[^\"]*\"[^>]*><title>([^<]*)</title>"),
                 ::testing::ElementsAre("state Turning"));
 }
 
@@ -209,7 +210,7 @@ TEST(Html, NothingOfTheModelActs) {
     const Both both = reported({folder.path()});
     EXPECT_THAT(both.page, Not(HasSubstr("<img")));
     EXPECT_THAT(both.page, Not(HasSubstr("<b>")));
-    EXPECT_EQ(between(both.page, "<script", "</script>").size(), 1U);
+    EXPECT_EQ(texts_between(both.page, "<script", "</script>").size(), 1U);
     EXPECT_THAT(both.page, HasSubstr("&lt;img"));
 }
 
@@ -225,9 +226,9 @@ TEST(Html, LogsAreSteppedThrough) {
     ASSERT_EQ(run({"init", folder / "w"}).exit, 0);
     const Ran ran = run({"conform", folder / "w", "--traces", good, "--traces", bad, "--html", folder / "page.html"});
     EXPECT_EQ(ran.exit, 1) << ran.err;
-    const std::string page = contents(folder / "page.html");
+    const std::string page = read_contents(folder / "page.html");
     expect_closed(page);
-    const auto claims = between(page, "<section class=\"claim\"", "</section>");
+    const auto claims = texts_between(page, "<section class=\"claim\"", "</section>");
     ASSERT_EQ(claims.size(), 2U);
     EXPECT_THAT(claims[0], HasSubstr("call turn(90)"));
     EXPECT_THAT(claims[0], HasSubstr("class=\"holds\""));
@@ -241,13 +242,13 @@ TEST(Html, ShowsTheErrorsOfARefusedModel) {
     const Folder folder({{"bad.rct", bad}});
     const Ran ran = run({"check", folder / "bad.rct", "--html", folder / "page.html", "--json", folder / "r.json"});
     EXPECT_EQ(ran.exit, 2);
-    const std::string page = contents(folder / "page.html");
+    const std::string page = read_contents(folder / "page.html");
     EXPECT_THAT(page, HasSubstr("refused, with errors"));
-    const std::vector<std::string> errors = between(page, "<section id=\"errors\"", "</section>");
+    const std::vector<std::string> errors = texts_between(page, "<section id=\"errors\"", "</section>");
     ASSERT_EQ(errors.size(), 1U);
     EXPECT_THAT(errors.front(), HasSubstr("bad.rct:3:"));
     EXPECT_THAT(errors.front(), HasSubstr("lost&lt;1&gt;"));
-    EXPECT_GT(nlohmann::json::parse(contents(folder / "r.json"))["errors"], 0);
+    EXPECT_GT(nlohmann::json::parse(read_contents(folder / "r.json"))["errors"], 0);
 }
 
 // Wrong usage is no answer about the model.
@@ -281,7 +282,7 @@ std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
                                                 const std::vector<std::string>& components) {
     std::vector<std::vector<std::string>> result(components.size());
     for (const auto& machine : machines) {
-        const auto at = std::ranges::find(components, machine["component"]) - components.begin();
+        const auto at = std::ranges::find(components, machine["component"].get<std::string>()) - components.begin();
         for (const std::string element : machine["active"])
             result.at(static_cast<std::size_t>(at)).push_back(element.substr(element.rfind(':') + 1));
     }
@@ -337,7 +338,7 @@ TEST_F(HtmlInABrowser, EachStepFillsTheStatesOfItsData) {
             const bool dark = (tours.size() % 2 == 0) == (study == "aggregation");
             commands += (dark ? "scheme dark\n" : "scheme light\n") + tours.back().commands;
         }
-        const auto lines = played("(\"$verify\" check " + arguments + " --html page.html; true)", commands);
+        const auto lines = play_page("(\"$verify\" check " + arguments + " --html page.html; true)", commands);
         std::size_t at = 0;
         for (const Tour& tour : tours) at += tour.lines();
         ASSERT_EQ(lines.size(), at) << ::testing::PrintToString(lines);
@@ -363,11 +364,11 @@ controller C { event e event f opref r = op sref a = S connection C on e to a on
           "package q import p::*\nuntimed csp Only csp-begin\nOnly = p::C::e.in -> Only\ncsp-end\n"
           "untimed assertion X : p::C refines Only in the traces model"}});
     const Both both = reported({folder.path()});
-    const std::string claim = between(both.page, "<section class=\"claim\"", "</section>").at(0);
-    EXPECT_EQ(between(claim, "<figcaption>", "</figcaption>"),
+    const std::string claim = texts_between(both.page, "<section class=\"claim\"", "</section>").at(0);
+    EXPECT_EQ(texts_between(claim, "<figcaption>", "</figcaption>"),
               (std::vector<std::string>{"p::C::a", "p::C::a: operation op"}));
-    const std::string state = all(claim, "data-element=\"(e[0-9]+)\"><title>state W</title>").at(0);
-    EXPECT_THAT(all(claim, "data-on=\"([^\"]*)\""), ::testing::Contains("0:" + state));
+    const std::string state = all_matches(claim, "data-element=\"(e[0-9]+)\"><title>state W</title>").at(0);
+    EXPECT_THAT(all_matches(claim, "data-on=\"([^\"]*)\""), ::testing::Contains("0:" + state));
 }
 
 // A click on a state or transition goes to the next step that marks it. After the last such step it continues with the
@@ -381,7 +382,7 @@ TEST_F(HtmlInABrowser, AClickOnTheDiagramGoesToItsStep) {
     const auto to = [&](const std::string& name) {
         return std::regex_replace(click, std::regex("NAME"), name) + "location.hash\n";
     };
-    const auto lines = played(
+    const auto lines = play_page(
         "cat > m.rct <<'EOT'\npackage p stm S { event e initial i state A { } state B { } state C { }\n"
         "transition t0 { from i to A } transition t1 { from A to B trigger e } }\nEOT\n"
         "cat > m.assertions <<'EOT'\npackage q import p::* untimed assertion X : p::S::B is not reachable in "
@@ -412,9 +413,9 @@ TEST_F(HtmlInABrowser, PlaysFromTheBeginningToTheEnd) {
     const std::string speed =
         "print void (document.querySelector('#a0 .speed').value = '250')\nclick #a0 .play\nprint asked\n";
     const auto lines =
-        played(reached_page, "open #a0/s/1\n" + clock + "click #a0 .play\n" + look + "print void due()\n" + look +
-                                 "key ArrowLeft\n" + look + "key p\n" + look + "key End\n" + look + speed + look +
-                                 "print void due()\nclick #a0 .play\ncalm\nclick #a0 .play\nprint asked\n" + look);
+        play_page(reached_page, "open #a0/s/1\n" + clock + "click #a0 .play\n" + look + "print void due()\n" + look +
+                                    "key ArrowLeft\n" + look + "key p\n" + look + "key End\n" + look + speed + look +
+                                    "print void due()\nclick #a0 .play\ncalm\nclick #a0 .play\nprint asked\n" + look);
     std::vector<std::string> values;
     for (const std::string& each : lines)
         if (each != "undefined") values.push_back(each);
@@ -437,10 +438,10 @@ TEST_F(HtmlInABrowser, CopiesALinkToAStep) {
     const auto with = [&](const char* body) { return std::regex_replace(clipboard, std::regex("BODY"), body); };
     const std::string status = "print document.querySelector('#a0 .status').textContent\n";
     const auto lines =
-        played(reached_page, "open #a0/s/1\n" + with("async (text) => { window.copied = text; }") +
-                                 "click #a0 .link\n" + status + "print copied.endsWith('page.html#a0/s/1')\n" +
-                                 with("() => Promise.reject(new Error())") + "click #a0 .link\n" + status +
-                                 "print document.querySelector('#a0 .address input').value === copied\n");
+        play_page(reached_page, "open #a0/s/1\n" + with("async (text) => { window.copied = text; }") +
+                                    "click #a0 .link\n" + status + "print copied.endsWith('page.html#a0/s/1')\n" +
+                                    with("() => Promise.reject(new Error())") + "click #a0 .link\n" + status +
+                                    "print document.querySelector('#a0 .address input').value === copied\n");
     EXPECT_THAT(lines, ::testing::ElementsAre("undefined", "\"the link to step 1 is copied\"", "true", "undefined",
                                               "\"the link to step 1, to be copied\"", "true"));
 }
@@ -452,13 +453,13 @@ TEST_F(HtmlInABrowser, SortsTheVerdicts) {
         "row.cells[1].textContent[0]).join('')\n";
     const std::string sorted = "print document.querySelector('#verdicts th:nth-child(2)').getAttribute('aria-sort')\n";
     const auto lines =
-        played(reached_page,
-               claims + "print void document.querySelector('#verdicts th:nth-child(2) button').focus()\nkey  \n" +
-                   claims + sorted + "key  \n" + claims + sorted + "key  \n" + claims + sorted);
+        play_page(reached_page,
+                  claims + "print void document.querySelector('#verdicts th:nth-child(2) button').focus()\nkey  \n" +
+                      claims + sorted + "key  \n" + claims + sorted + "key  \n" + claims + sorted);
     EXPECT_THAT(lines, ::testing::ElementsAre("\"XAM\"", "undefined", "\"AMX\"", "\"ascending\"", "\"XMA\"",
                                               "\"descending\"", "\"XAM\"", "null"));
     EXPECT_THAT(
-        played(reached_page, claims + "print document.querySelectorAll('#verdicts th button').length\n", "noscript"),
+        play_page(reached_page, claims + "print document.querySelectorAll('#verdicts th button').length\n", "noscript"),
         ::testing::ElementsAre("\"XAM\"", "0"));
 }
 
@@ -470,8 +471,9 @@ TEST_F(HtmlInABrowser, IsPrintedWhole) {
         return std::regex_replace(std::regex_replace(style, std::regex("SELECTOR"), selector), std::regex("PROPERTY"),
                                   property);
     };
-    const auto lines = played(reached_page, "paper\n" + of("body", "backgroundColor") + of("#a0 .controls", "display") +
-                                                of("#a0 .steps", "maxHeight") + of("#a0 svg .box", "fill"));
+    const auto lines =
+        play_page(reached_page, "paper\n" + of("body", "backgroundColor") + of("#a0 .controls", "display") +
+                                    of("#a0 .steps", "maxHeight") + of("#a0 svg .box", "fill"));
     EXPECT_THAT(lines,
                 ::testing::ElementsAre("\"rgb(255, 255, 255)\"", "\"none\"", "\"none\"", "\"rgb(255, 255, 255)\""));
 }

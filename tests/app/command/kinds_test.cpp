@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using tests::contents;
+using tests::read_contents;
 
 constexpr const char* sheep = R"(package herd
 interface Legs { run() }
@@ -167,9 +167,9 @@ TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     EXPECT_THAT(ran.out, HasSubstr("2 robots watched"));
     EXPECT_THAT(ran.out, HasSubstr("the environment is not watched"));
     const auto log = [&](const std::string& robot) { return herd / ("logs/trial-01/robot-0" + robot + ".trace"); };
-    EXPECT_THAT(contents(log("0")), Not(HasSubstr("const ")));
-    EXPECT_THAT(contents(log("2")), HasSubstr("\nconst pace=3\ncomponent lead::Leader\n"));
-    EXPECT_THAT(contents(log("3")), HasSubstr("\nconst pace=5\ncomponent lead::Leader\n"));
+    EXPECT_THAT(read_contents(log("0")), Not(HasSubstr("const ")));
+    EXPECT_THAT(read_contents(log("2")), HasSubstr("\nconst pace=3\ncomponent lead::Leader\n"));
+    EXPECT_THAT(read_contents(log("3")), HasSubstr("\nconst pace=5\ncomponent lead::Leader\n"));
     const std::vector<std::string> compare{"conform", herd / "herd/leader", "--traces", log("2"), "--traces", log("3")};
     const Ran both = run(compare);
     EXPECT_EQ(both.exit, 0) << both.out << both.err;
@@ -181,7 +181,7 @@ TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     EXPECT_THAT(one.out, HasSubstr("1 accepted, 1 rejected"));
 
     const auto changed = [&](const std::string& line) {
-        std::string text = contents(log("2"));
+        std::string text = read_contents(log("2"));
         text.replace(text.find("const pace=3"), 12, line);
         EXPECT_EQ(diagnostics::replace_file(herd / "changed.trace", text), "");
         const Ran refused = run({"conform", herd / "herd/leader", "--traces", herd / "changed.trace"});
@@ -209,7 +209,8 @@ TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
     EXPECT_EQ(compared({"--const", "pace=3"}).exit, 0);
     const Ran other = compared({"--const", "pace=5", "--html", folder / "page.html"});
     EXPECT_EQ(other.exit, 1) << other.out << other.err;
-    EXPECT_THAT(contents(folder / "page.html"), HasSubstr("cycle 4 cannot be followed")) << "it is stepped through";
+    EXPECT_THAT(read_contents(folder / "page.html"), HasSubstr("cycle 4 cannot be followed"))
+        << "it is stepped through";
     // `pace` means the constant of both the controller and the machine.
     for (const char* name : {"Leader::pace", "lead::Leader::pace"}) {
         const Ran part = compared({"--const", std::string(name) + "=5"});
@@ -359,9 +360,9 @@ TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
     const Herd herd(bands);
     const Ran ran = herd.simulated({"--html", herd / "page.html"});
     ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
-    const std::string page = contents(herd / "page.html");
+    const std::string page = read_contents(herd / "page.html");
     const auto data =
-        nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"data\">", "</script>").at(0));
+        nlohmann::json::parse(texts_between(page, "<script type=\"application/json\" id=\"data\">", "</script>").at(0));
     EXPECT_EQ(data.at("kinds"), nlohmann::json::parse("[0, 2, 3]"));
     EXPECT_EQ(data.at("machines"), 2) << "the leaders have one more";
     EXPECT_THAT(page, HasSubstr("<figcaption>sheep: herd::Runner</figcaption>"));
@@ -372,8 +373,8 @@ TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
     EXPECT_EQ(states.at("names"), nlohmann::json::parse(R"(["sheep::Waiting", "sheep::Running", "leaders::Backing",
         "leaders::Standing", "slow::Backing", "slow::Standing"])"));
     ASSERT_EQ(states.at("elements").size(), 6U);
-    const std::string figure = between(page, "<figure data-machine=\"0\" data-kind=\"1\"", "</figure>").at(0);
-    const std::string standing = all(figure, "data-element=\"(e[0-9]+)\"><title>state Standing</title>").at(0);
+    const std::string figure = texts_between(page, "<figure data-machine=\"0\" data-kind=\"1\"", "</figure>").at(0);
+    const std::string standing = all_matches(figure, "data-element=\"(e[0-9]+)\"><title>state Standing</title>").at(0);
     EXPECT_EQ(states.at("elements")[3], nlohmann::json::array({standing}));
     EXPECT_EQ(states.at("elements")[5], nlohmann::json::array({standing})) << "one model, one diagram";
 
@@ -384,10 +385,10 @@ TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
         (herd / "page.html") + "#trial/1/frame/6/robot/2\"");
     EXPECT_THAT(seen.err, Not(HasSubstr("CONSOLE")));
     EXPECT_THAT(seen.out, HasSubstr("robot 2 in leaders::Standing, leaders::Here"));
-    EXPECT_THAT(between(seen.out, "<figure data-machine=\"0\" data-kind=\"0\"", ">").at(0), HasSubstr("hidden"));
-    const auto shown = between(seen.out, "<figure data-machine=\"0\" data-kind=\"1\"", "</figure>").at(0);
+    EXPECT_THAT(texts_between(seen.out, "<figure data-machine=\"0\" data-kind=\"0\"", ">").at(0), HasSubstr("hidden"));
+    const auto shown = texts_between(seen.out, "<figure data-machine=\"0\" data-kind=\"1\"", "</figure>").at(0);
     EXPECT_THAT(shown.substr(0, shown.find('>')), Not(HasSubstr("hidden")));
-    EXPECT_THAT(all(shown, "class=\"node on\"[^>]*><title>state ([A-Za-z]+)</title>"),
+    EXPECT_THAT(all_matches(shown, "class=\"node on\"[^>]*><title>state ([A-Za-z]+)</title>"),
                 ::testing::ElementsAre("Standing"));
 }
 

@@ -18,7 +18,7 @@ namespace robochart::app::testing {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::vector<std::string> all(const std::string& text, const std::string& pattern) {
+std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
     std::vector<std::string> result;
     for (auto at = std::sregex_iterator(text.begin(), text.end(), regex); at != std::sregex_iterator(); ++at)
@@ -26,7 +26,7 @@ std::vector<std::string> all(const std::string& text, const std::string& pattern
     return result;
 }
 
-std::vector<std::string> between(const std::string& text, const std::string& begin, const std::string& end) {
+std::vector<std::string> texts_between(const std::string& text, const std::string& begin, const std::string& end) {
     std::vector<std::string> result;
     for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
         at += begin.size();
@@ -36,23 +36,23 @@ std::vector<std::string> between(const std::string& text, const std::string& beg
 }
 
 void expect_closed(const std::string& page) {
-    const auto policies = between(page, "Content-Security-Policy\" content=\"", "\"");
+    const auto policies = texts_between(page, "Content-Security-Policy\" content=\"", "\"");
     ASSERT_EQ(policies.size(), 1U);
     const std::string& policy = policies.front();
     EXPECT_THAT(policy, HasSubstr("default-src 'none'"));
     EXPECT_THAT(policy, Not(HasSubstr("unsafe")));
-    const auto scripts = between(page, "<script>", "</script>");
+    const auto scripts = texts_between(page, "<script>", "</script>");
     ASSERT_EQ(scripts.size(), 1U);
     EXPECT_THAT(policy, HasSubstr("'" + diagnostics::policy_hash(scripts.front()) + "'"));
-    for (const std::string& style : between(page, "<style>", "</style>"))
+    for (const std::string& style : texts_between(page, "<style>", "</style>"))
         EXPECT_THAT(policy, HasSubstr("'" + diagnostics::policy_hash(style) + "'"));
-    EXPECT_TRUE(all(page, "( style=\"[^\"]*\")").empty()) << "the policy forbids attributes";
-    EXPECT_TRUE(all(page, "((?:src|href)=\"[^#\"][^\"]*\")").empty()) << "nothing is fetched";
+    EXPECT_TRUE(all_matches(page, "( style=\"[^\"]*\")").empty()) << "the policy forbids attributes";
+    EXPECT_TRUE(all_matches(page, "((?:src|href)=\"[^#\"][^\"]*\")").empty()) << "nothing is fetched";
     std::set<std::string> ids;
-    for (const std::string& id : all(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id;
+    for (const std::string& id : all_matches(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id;
 }
 
-std::vector<std::string> played(const std::string& written, const std::string& commands, const std::string& how) {
+std::vector<std::string> play_page(const std::string& written, const std::string& commands, const std::string& how) {
     const Ran ran =
         run_shell(written + " > out.txt && timeout 500 node " + repository("tests/app/command/browser.mjs") +
                   " page.html " + how + " <<'EOT'\n" + commands + "EOT\n");

@@ -10,11 +10,11 @@
 namespace robochart::app::testing {
 
 /// The first group of every match of a regular expression.
-[[nodiscard]] std::vector<std::string> all(const std::string& text, const std::string& pattern);
+[[nodiscard]] std::vector<std::string> all_matches(const std::string& text, const std::string& pattern);
 
 /// The text between each pair of these marks.
-[[nodiscard]] std::vector<std::string> between(const std::string& text, const std::string& begin,
-                                               const std::string& end);
+[[nodiscard]] std::vector<std::string> texts_between(const std::string& text, const std::string& begin,
+                                                     const std::string& end);
 
 /// Checks that the page's policy allows only its styles and its script, by their hashes, that the page fetches nothing,
 /// and that ids of elements are unique.
@@ -22,8 +22,8 @@ void expect_closed(const std::string& page);
 
 /// Runs shell commands that write page.html, then tests/app/command/browser.mjs; returns its output line by line,
 /// including problems. `how` is the second argument of browser.mjs.
-[[nodiscard]] std::vector<std::string> played(const std::string& written, const std::string& commands,
-                                              const std::string& how = "");
+[[nodiscard]] std::vector<std::string> play_page(const std::string& written, const std::string& commands,
+                                                 const std::string& how = "");
 
 /// Tests that are skipped if there is no browser (tests/needed.hpp).
 class InABrowser : public ::testing::Test {

@@ -237,7 +237,7 @@ TEST_F(Prism, ExperimentsAreDrawn) {
         return ask(arguments);
     };
     EXPECT_EQ(with("p=0:0.25:1").exit, 0);
-    const std::string svg = tests::contents(plot.path());
+    const std::string svg = tests::read_contents(plot.path());
     EXPECT_THAT(svg, StartsWith("<svg"));
     std::size_t points = 0;
     for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++points;

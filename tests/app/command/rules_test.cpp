@@ -157,7 +157,7 @@ TEST(RulesOfModels, ProgramsLearnOfRefusals) {
     ASSERT_EQ(answer["errors"].size(), 1);
     EXPECT_THAT(answer["errors"][0].get<std::string>(), HasSubstr("wrong.rct:3:"));
     EXPECT_THAT(answer["errors"][0].get<std::string>(), HasSubstr("Rung"));
-    EXPECT_EQ(json::parse(tests::contents(folder / "copy.json"), nullptr, false), answer);
+    EXPECT_EQ(json::parse(tests::read_contents(folder / "copy.json"), nullptr, false), answer);
 
     const Ran unknown =
         obey("R when Ring then OpenDoor within 2 seconds", {"--component", "Bells", "--format", "json"});
@@ -181,8 +181,8 @@ TEST(RulesOfModels, AsRecorded) {
     const auto suite = tests::shared_folder() / "suite/sleec";
     const auto verdicts = [&](const std::string& project, const std::vector<std::string>& files,
                               const std::string& rules) {
-        std::vector<std::pair<std::string, std::string>> copied{{rules, tests::contents(suite / project / rules)}};
-        for (const std::string& each : files) copied.emplace_back(each, tests::contents(suite / project / each));
+        std::vector<std::pair<std::string, std::string>> copied{{rules, tests::read_contents(suite / project / rules)}};
+        for (const std::string& each : files) copied.emplace_back(each, tests::read_contents(suite / project / each));
         const Folder folder(copied);
         const Ran ran = run({"rules", folder / rules, folder / "main.rct", "--format", "json"});
         std::map<std::string, std::string> result;
@@ -322,7 +322,7 @@ Ran guarded_briefly(const std::string& rules, const std::string& asked, const st
     std::string measures;
     for (int i = 0; i < 13; ++i) measures += " measure m" + std::to_string(i) + " : boolean";
     const Folder folder(
-        {{"aggregation.rct", tests::contents(repository("corpus/aggregation/aggregation.rct"))},
+        {{"aggregation.rct", tests::read_contents(repository("corpus/aggregation/aggregation.rct"))},
          {"brief.scenario",
           "scenario Brief for aggregation::Aggregation {\n"
           "step 0.1 s physics 0.01 s unit 0.1 s duration 2 s seed 1\narena 250 cm by 250 cm\n"
@@ -393,8 +393,8 @@ TEST(RulesAsMonitors, AreWritten) {
                          {"wrong.sleec", head + "A when\nrule_end\n"}});
     const Ran ran = run({"emit", "monitor", folder / "care.sleec", "-o", folder / "out"});
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_THAT(tests::contents(folder / "out/monitor/care/care_rules.hpp"), HasSubstr("namespace care_rules {"));
-    EXPECT_THAT(tests::contents(folder / "out/monitor/care/robochart/rules.hpp"), HasSubstr("class RuleDuties"));
+    EXPECT_THAT(tests::read_contents(folder / "out/monitor/care/care_rules.hpp"), HasSubstr("namespace care_rules {"));
+    EXPECT_THAT(tests::read_contents(folder / "out/monitor/care/robochart/rules.hpp"), HasSubstr("class RuleDuties"));
     const json written =
         json::parse(run({"emit", "monitor", folder / "care.sleec", "-o", folder / "out", "--format", "json"}).out);
     EXPECT_EQ(written["monitorFiles"].size(), 2U);

@@ -3,6 +3,7 @@
 // only on terminals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <map>
 #include <nlohmann/json.hpp>

@@ -21,10 +21,10 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using tests::contents;
+using tests::read_contents;
 
 nlohmann::json data_of(const std::string& page) {
-    const auto found = between(page, "<script type=\"application/json\" id=\"data\">", "</script>");
+    const auto found = texts_between(page, "<script type=\"application/json\" id=\"data\">", "</script>");
     EXPECT_EQ(found.size(), 1U);
     return found.empty() ? nlohmann::json() : nlohmann::json::parse(found.front());
 }
@@ -59,7 +59,7 @@ TEST(SimulationHtml, FramesAreThoseOfTheTables) {
     const Folder folder;
     const Ran ran = run({"simulate", repository("corpus/swarm_taxis/swarm_taxis.scenario"), "--trials", "2", "--out",
                          folder.path(), "--html", folder / "page.html"});
-    const std::string page = contents(folder / "page.html");
+    const std::string page = read_contents(folder / "page.html");
     const nlohmann::json data = data_of(page);
     ASSERT_EQ(data["trials"].size(), 2U) << ran.err;
     EXPECT_EQ(data["robots"], 20);
@@ -68,7 +68,7 @@ TEST(SimulationHtml, FramesAreThoseOfTheTables) {
     const auto& names = data["states"][0]["names"];
     std::size_t robots = 0;
     for (std::size_t t = 0; t < 2; ++t) {
-        const auto rows = rows_of(contents(folder / fmt::format("simulation/SwarmTaxis/trial-0{}.csv", t + 1)));
+        const auto rows = rows_of(read_contents(folder / fmt::format("simulation/SwarmTaxis/trial-0{}.csv", t + 1)));
         const auto& trial = data["trials"][t];
         ASSERT_EQ(trial["times"].size(), trial["frames"].size());
         EXPECT_EQ(trial["times"].back(), 400);
@@ -126,15 +126,15 @@ TEST(SimulationHtml, MarksTheStatesAroundTheActiveOne) {
     const Folder folder({{"m.rct", two_machines}, {"w.scenario", scenario_of("p::Robot", "stimulus go at 0.3 s")}});
     const Ran ran = run({"simulate", folder / "w.scenario", "--no-pictures", "--html", folder / "page.html"});
     EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
-    const std::string page = contents(folder / "page.html");
+    const std::string page = read_contents(folder / "page.html");
     const nlohmann::json data = data_of(page);
     EXPECT_EQ(data["machines"], 2);
     ASSERT_EQ(data["states"].size(), 2U);
     const auto& goes = data["states"][1];
     ASSERT_THAT(goes["names"].get<std::vector<std::string>>(), ElementsAre("Waiting", "Going", "Going::Fast"));
-    const std::string figure = between(page, "<figure data-machine=\"1\"", "</figure>").at(0);
+    const std::string figure = texts_between(page, "<figure data-machine=\"1\"", "</figure>").at(0);
     const auto id_of = [&](const std::string& name) {
-        return all(figure, "data-element=\"(e[0-9]+)\"><title>state " + name + "</title>").at(0);
+        return all_matches(figure, "data-element=\"(e[0-9]+)\"><title>state " + name + "</title>").at(0);
     };
     EXPECT_THAT(goes["elements"][0].get<std::vector<std::string>>(), ElementsAre(id_of("Waiting")));
     EXPECT_THAT(goes["elements"][2].get<std::vector<std::string>>(), ElementsAre(id_of("Fast"), id_of("Going")));
@@ -149,7 +149,7 @@ TEST(SimulationHtml, LetsNothingInButItsStylesAndItsScript) {
         const Ran ran = run({"simulate", repository("corpus/" + study + "/" + study + ".scenario"), "--no-pictures",
                              "--html", folder / "page.html"});
         EXPECT_EQ(ran.exit, 0) << ran.err;
-        const std::string page = contents(folder / "page.html");
+        const std::string page = read_contents(folder / "page.html");
         expect_closed(page);
         EXPECT_LT(page.size(), 1'000'000U) << study;
         EXPECT_THAT(page, HasSubstr("7 of 7 bands hold"));
@@ -166,7 +166,7 @@ TEST(SimulationHtml, NothingOfTheModelActsAndStopsAreShown) {
          {"w.scenario", scenario_of("p::S", "light lamp at (1 cm, 2 cm)")}});
     const Ran ran = run({"simulate", folder / "w.scenario", "--out", folder / evil, "--html", folder / "page.html"});
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
-    const std::string page = contents(folder / "page.html");
+    const std::string page = read_contents(folder / "page.html");
     EXPECT_THAT(page, Not(HasSubstr("<img")));
     EXPECT_THAT(page, HasSubstr("&lt;img src=x"));
     EXPECT_THAT(page, HasSubstr("a controller stopped in 1 trial"));
@@ -252,13 +252,13 @@ TEST(SimulationHtml, ShowsTheTimeInTheAddress) {
     const std::string line = ran.out.substr(ran.out.rfind("20.000,3,"));
     const Row row = rows_of("\n" + line).at({"20.000", 3});
     EXPECT_THAT(ran.out, HasSubstr("trial 2, 20.0 s: robot 3 in " + row.state.substr(0, 2)));
-    const std::string robot = all(ran.out, "data-robot=\"3\"[^>]*transform=\"([^\"]*)\"").at(0);
+    const std::string robot = all_matches(ran.out, "data-robot=\"3\"[^>]*transform=\"([^\"]*)\"").at(0);
     double x = 0, y = 0;
     ASSERT_EQ(std::sscanf(robot.c_str(), "translate(%lf %lf)", &x, &y), 2) << robot;
     EXPECT_NEAR(x, row.x, 250.0 / 4095);
     EXPECT_NEAR(-y, row.y, 250.0 / 4095);
-    const std::string figure = between(ran.out, "<figure data-machine=\"0\"", "</figure>").at(0);
-    EXPECT_THAT(all(figure, "class=\"node on\"[^>]*><title>state (S[12])</title>"),
+    const std::string figure = texts_between(ran.out, "<figure data-machine=\"0\"", "</figure>").at(0);
+    EXPECT_THAT(all_matches(figure, "class=\"node on\"[^>]*><title>state (S[12])</title>"),
                 ElementsAre(row.state.substr(0, 2)));
 }
 
@@ -293,7 +293,7 @@ TEST(SimulationHtml, PlaysAndPauses) {
                                                   "setTimeout(() => { const word = play.textContent; play.click(); "
                                                   "document.title = word + \", then \" + play.textContent; }, 1500);"));
     EXPECT_THAT(ran.out, HasSubstr("<title>pause, then play</title>")) << ran.err;
-    const auto times = all(ran.out, "trial 1, ([0-9.]+) s: robot 0");
+    const auto times = all_matches(ran.out, "trial 1, ([0-9.]+) s: robot 0");
     ASSERT_EQ(times.size(), 1U);
     const double time = std::stod(times.front());
     EXPECT_GT(time, 10);

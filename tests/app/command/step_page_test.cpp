@@ -21,14 +21,14 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using tests::contents;
+using tests::read_contents;
 
 /// The state space that a page embeds.
 class Space {
 public:
     explicit Space(const std::string& page)
         : data_(nlohmann::json::parse(
-              between(page, "<script type=\"application/json\" id=\"space\">", "</script>").at(0))) {}
+              texts_between(page, "<script type=\"application/json\" id=\"space\">", "</script>").at(0))) {}
 
     [[nodiscard]] std::size_t states() const { return data_["states"].size(); }
     [[nodiscard]] std::size_t offers(std::size_t state) const { return data_["states"][state][1].size() / 2; }
@@ -81,13 +81,13 @@ std::string page_of(const Files& files, std::vector<std::string> words) {
     words.insert(words.end(), {"--html", folder / "page.html"});
     const Ran ran = run(words);
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    return contents(folder / "page.html");
+    return read_contents(folder / "page.html");
 }
 
 TEST(StepPage, EmbedsTheStructure) {
     const std::string page = page_of({{"s.csp", "channel a, b\nP = a -> Q\nQ = b -> P\n"}}, {"@s.csp", "P ||| Q"});
-    const auto data =
-        nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"space\">", "</script>").at(0));
+    const auto data = nlohmann::json::parse(
+        texts_between(page, "<script type=\"application/json\" id=\"space\">", "</script>").at(0));
     EXPECT_EQ(structure(data, data["structures"].at(0).get<std::size_t>()), "|||(P offers {a}, Q offers {b})");
     EXPECT_THAT(page, HasSubstr("<details id=\"structure\" open>"));
     EXPECT_THAT(page, HasSubstr("<li>P <small>offers {a}</small></li>")) << "without script";
@@ -107,7 +107,7 @@ TEST(StepPage, ReportsWhereItEnds) {
     const Ran ran = run({"step", folder / "s.csp", "P(0)", "--html", folder / "page.html"});
     EXPECT_EQ(ran.exit, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("5000 states; the limit of 5000 states was reached; found and left out: 1\n"));
-    const std::string page = contents(folder / "page.html");
+    const std::string page = read_contents(folder / "page.html");
     EXPECT_THAT(page, HasSubstr("5000 states; the limit of 5000 states was reached; found and left out: 1;"));
     const Space space(page);
     ASSERT_EQ(space.states(), 5000U);
@@ -123,7 +123,7 @@ TEST(StepPage, KeepsWhatWasExploredWhenTheTimeIsOver) {
     const Ran ran = run({"step", folder / "s.csp", "P(0)", "--timeout", "1", "--html", folder / "page.html"});
     EXPECT_EQ(ran.exit, 3) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("the time limit was reached; found and left out: 1"));
-    const Space space(contents(folder / "page.html"));
+    const Space space(read_contents(folder / "page.html"));
     ASSERT_GT(space.states(), 0U);
     EXPECT_EQ(space.listed(space.states() - 1), "a>-1");
 }
@@ -133,7 +133,7 @@ TEST(StepPage, KeepsWhatCannotBeEvaluated) {
     const Ran ran = run({"step", folder / "s.csp", "P", "--html", folder / "page.html"});
     EXPECT_EQ(ran.exit, 2);
     EXPECT_THAT(ran.err, HasSubstr("Q"));
-    EXPECT_EQ(Space(contents(folder / "page.html")).listed(0), "a.0>1 a.1>2");
+    EXPECT_EQ(Space(read_contents(folder / "page.html")).listed(0), "a.0>1 a.1>2");
 }
 
 /// The offers in each block of the terminal's output; one block per state.
@@ -189,19 +189,19 @@ TEST(StepPage, AWalkOffersWhatTheTerminalOffers) {
 
 TEST(StepPage, ItsPolicyNamesItsStylesAndItsScriptAlone) {
     const std::string page = page_of({}, {repository("corpus/swarm_taxis")});
-    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"").at(0);
+    const std::string policy = texts_between(page, "Content-Security-Policy\" content=\"", "\"").at(0);
     EXPECT_THAT(policy, HasSubstr("default-src 'none'"));
     EXPECT_THAT(policy, Not(HasSubstr("unsafe")));
-    const auto scripts = between(page, "<script>", "</script>");
+    const auto scripts = texts_between(page, "<script>", "</script>");
     ASSERT_EQ(scripts.size(), 1U);
     EXPECT_THAT(policy, HasSubstr("'" + diagnostics::policy_hash(scripts.front()) + "'"));
-    const auto styles = between(page, "<style>", "</style>");
+    const auto styles = texts_between(page, "<style>", "</style>");
     EXPECT_GT(styles.size(), 1U) << "of the diagrams too";
     for (const std::string& style : styles) EXPECT_THAT(policy, HasSubstr("'" + diagnostics::policy_hash(style) + "'"));
-    EXPECT_TRUE(all(page, "( style=\"[^\"]*\")").empty()) << "the policy forbids attributes";
-    EXPECT_TRUE(all(page, "((?:src|href)=\"[^#\"][^\"]*\")").empty()) << "nothing is fetched";
+    EXPECT_TRUE(all_matches(page, "( style=\"[^\"]*\")").empty()) << "the policy forbids attributes";
+    EXPECT_TRUE(all_matches(page, "((?:src|href)=\"[^#\"][^\"]*\")").empty()) << "nothing is fetched";
     std::set<std::string> ids;
-    for (const std::string& id : all(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id;
+    for (const std::string& id : all_matches(page, " id=\"([^\"]*)\"")) EXPECT_TRUE(ids.insert(id).second) << id;
 }
 
 constexpr const char* lamp = R"(package p
@@ -215,9 +215,9 @@ TEST(StepPage, ShowsTheFirstStateWithoutScript) {
     const std::string page = page_of({{"m.rct", lamp}}, {"@m.rct"});
     EXPECT_THAT(page, HasSubstr("<noscript>"));
     EXPECT_THAT(page, HasSubstr("<code>robochart-verify step</code> steps in a terminal"));
-    const std::string offers = between(page, "<ol id=\"offers\"", "</ol>").at(0);
+    const std::string offers = texts_between(page, "<ol id=\"offers\"", "</ol>").at(0);
     EXPECT_THAT(offers, HasSubstr("(hidden) t0: i -&gt; Off"));
-    EXPECT_THAT(between(page, "<ul id=\"machines\"", "</ul>").at(0), HasSubstr("p::S: at initial node i"));
+    EXPECT_THAT(texts_between(page, "<ul id=\"machines\"", "</ul>").at(0), HasSubstr("p::S: at initial node i"));
 }
 
 TEST(StepPage, OperationsThatAreCalledAreDrawnToo) {
@@ -228,7 +228,7 @@ operation op() { initial i state W { } final F transition u0 { from i to W } tra
 stm S { requires I initial i state A { entry op() } transition t0 { from i to A } }
 controller C { opref r = op sref a = S })"}},
         {"@m.rct", "C"});
-    EXPECT_EQ(between(page, "<figcaption>", "</figcaption>"),
+    EXPECT_EQ(texts_between(page, "<figcaption>", "</figcaption>"),
               (std::vector<std::string>{"p::C::a", "p::C::a: operation op"}));
 }
 
@@ -241,7 +241,7 @@ TEST(StepPage, NothingOfTheModelActs) {
     EXPECT_THAT(page, Not(HasSubstr("<img")));
     EXPECT_THAT(page, Not(HasSubstr("<b>")));
     EXPECT_THAT(page, Not(HasSubstr("\xe2\x80\xae"))) << "what turns the direction of writing is shown";
-    EXPECT_EQ(between(page, "<script", "</script>").size(), 2U) << "the data and the script";
+    EXPECT_EQ(texts_between(page, "<script", "</script>").size(), 2U) << "the data and the script";
     bool sent = false;
     const Space space(page);
     for (std::size_t state = 0; state < space.states(); ++state)
@@ -270,12 +270,12 @@ const std::string lit =
 // The stable state Off offers e with 1, e with 2 (its condition excludes 0), and time. After e the machine waits for
 // two time units, then accepts f. No output line reports a problem.
 TEST_F(StepPageInABrowser, GoesWhereKeysLead) {
-    const auto lines = played(lamp_page, status + "key 2\n" + status + lit +
-                                             "print document.querySelector('#absences .reason').textContent\n"
-                                             "key 1\n"
-                                             "print document.querySelector('#machines .changed').textContent\n"
-                                             "key t\n" +
-                                             status + lit);
+    const auto lines = play_page(lamp_page, status + "key 2\n" + status + lit +
+                                                "print document.querySelector('#absences .reason').textContent\n"
+                                                "key 1\n"
+                                                "print document.querySelector('#machines .changed').textContent\n"
+                                                "key t\n" +
+                                                status + lit);
     ASSERT_EQ(lines.size(), 7U) << ::testing::PrintToString(lines);
     EXPECT_THAT(lines[0], HasSubstr("t=0: entered Off; 3 offers"));
     EXPECT_THAT(lines[1], HasSubstr("t=0: input e with 2 (t1: Off -> On); 1 offer"));
@@ -288,10 +288,10 @@ TEST_F(StepPageInABrowser, GoesWhereKeysLead) {
 
 TEST_F(StepPageInABrowser, ComesBackAndKeepsTheWayInItsAddress) {
     const auto lines =
-        played(lamp_page, address + "key 2\n" + address + "key t\nkey t\n" + address + "key u\n" + address +
-                              "key Backspace\n" + address + "back\n" + address + "key Home\n" + address +
-                              "click #way li:first-child button\n" + address + "open #1x2.2.1\n" + status +
-                              "open #1x2.9.1\n" + status + "open #<img>\n" + status);
+        play_page(lamp_page, address + "key 2\n" + address + "key t\nkey t\n" + address + "key u\n" + address +
+                                 "key Backspace\n" + address + "back\n" + address + "key Home\n" + address +
+                                 "click #way li:first-child button\n" + address + "open #1x2.2.1\n" + status +
+                                 "open #1x2.9.1\n" + status + "open #<img>\n" + status);
     ASSERT_EQ(lines.size(), 11U) << ::testing::PrintToString(lines);
     const std::string rest = lines[0].substr(0, lines[0].size() - 1);  // of the state before the first choice
     EXPECT_EQ(lines[1], rest + ".2\"");
@@ -309,10 +309,10 @@ TEST_F(StepPageInABrowser, ComesBackAndKeepsTheWayInItsAddress) {
 // Twelve offers: 1 may be the start of a longer number, 3 may not, 12 is complete.
 TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
     const auto lines =
-        played("printf 'channel a : {1..12}\\nP = a?x -> P\\n' > s.csp; \"$verify\" step s.csp P --html page.html",
-               "key 1\n" + status + "key Enter\n" + address + "key 3\n" + address + "key 1\nkey 2\n" + address +
-                   "key 1\nkey 5\n" + status + "key 1\nkey Escape\nkey Enter\n" + address +
-                   "print document.querySelectorAll('#offers button').length\n");
+        play_page("printf 'channel a : {1..12}\\nP = a?x -> P\\n' > s.csp; \"$verify\" step s.csp P --html page.html",
+                  "key 1\n" + status + "key Enter\n" + address + "key 3\n" + address + "key 1\nkey 2\n" + address +
+                      "key 1\nkey 5\n" + status + "key 1\nkey Escape\nkey Enter\n" + address +
+                      "print document.querySelectorAll('#offers button').length\n");
     EXPECT_THAT(lines, ElementsAre("\"offer 1: Enter takes it\"", "\"#1\"", "\"#1.3\"", "\"#1.3.12\"",
                                    "\"there is no offer 15\"", "\"#1.3.12\"", "12"));
 }
@@ -323,7 +323,7 @@ TEST_F(StepPageInABrowser, ShowsTheStructure) {
         "print [Array.from(document.querySelectorAll('#tree li > mark, #tree li > span'), (each) => each.tagName + ' ' "
         "+ "
         "each.textContent), document.querySelector('#tree details').open]\n";
-    const auto lines = played(
+    const auto lines = play_page(
         "printf 'channel a, b\\nP = a -> Q\\nQ = b -> P\\n' > s.csp; \"$verify\" step s.csp 'P ||| Q' --html page.html",
         tree + "key 1\n" + tree +
             "print void (document.querySelector('#tree details').open = false)\n"
@@ -339,8 +339,8 @@ TEST_F(StepPageInABrowser, ShowsTheStructure) {
 TEST_F(StepPageInABrowser, WritesTheWayAsTheLogThatSaveWrites) {
     std::string keys = "key 1\nkey 1\nkey 1\n";
     for (int i = 0; i < 10; ++i) keys += "key t\n";
-    const auto lines = played("\"$verify\" init wanderer > init.txt; \"$verify\" step wanderer --html page.html",
-                              keys + "key 1\nclick #log\nprint document.getElementById('log-text').value\n");
+    const auto lines = play_page("\"$verify\" init wanderer > init.txt; \"$verify\" step wanderer --html page.html",
+                                 keys + "key 1\nclick #log\nprint document.getElementById('log-text').value\n");
     std::string expected = R"("robochart-trace 1\ncomponent wanderer::Robot\ncycle 1\nrun by hand\n)"
                            R"(obstacle? forward! turn!90 tock\n)";
     for (int i = 0; i < 9; ++i) expected += R"(tock\n)";
@@ -348,7 +348,7 @@ TEST_F(StepPageInABrowser, WritesTheWayAsTheLogThatSaveWrites) {
 }
 
 TEST_F(StepPageInABrowser, RefusesLogsAsSaveDoes) {
-    const auto lines = played(
+    const auto lines = play_page(
         "printf 'stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A "
         "trigger e } }' > m.rct; \"$verify\" step m.rct --html page.html",
         "key 1\nkey 1\nclick #log\n" + status);
@@ -358,11 +358,11 @@ TEST_F(StepPageInABrowser, RefusesLogsAsSaveDoes) {
 
 TEST_F(StepPageInABrowser, IsQuietInTheDarkAndWithoutScript) {
     for (const std::string how : {"dark", "noscript"})
-        EXPECT_THAT(played(lamp_page, "key 1\n", how), ElementsAre()) << how;
+        EXPECT_THAT(play_page(lamp_page, "key 1\n", how), ElementsAre()) << how;
 }
 
 TEST_F(StepPageInABrowser, EndsWhereTheEmbeddedStatesEnd) {
-    const auto lines = played(
+    const auto lines = play_page(
         "printf 'channel a, b\nP(n) = n < 6000 & a -> P(n+1) [] b -> P(0)\n' > s.csp; \"$verify\" step s.csp 'P(0)' "
         "--html page.html",
         "open #1x4999\n" + status + "key 1\n" + address +
@@ -390,18 +390,19 @@ TEST_F(StepPageInABrowser, AWideMachineStaysReadable) {
                 " trigger go }\n";
     }
     wide += " }\n transition s { from i to Whole }\n";
-    const auto lines = played("cat > m.rct <<'EOT'\n" + wide + "}\nEOT\n\"$verify\" step m.rct --html page.html",
-                              "print (() => { const svg = document.querySelector('.drawn svg');"
-                              " const figure = svg.closest('figure'); const whole = svg.width.baseVal.value;"
-                              " return [whole > 2 * figure.clientWidth, svg.getBoundingClientRect().width > whole / 2,"
-                              " figure.scrollWidth > figure.clientWidth,"
-                              " document.documentElement.scrollWidth <= innerWidth]; })()\n");
+    const auto lines =
+        play_page("cat > m.rct <<'EOT'\n" + wide + "}\nEOT\n\"$verify\" step m.rct --html page.html",
+                  "print (() => { const svg = document.querySelector('.drawn svg');"
+                  " const figure = svg.closest('figure'); const whole = svg.width.baseVal.value;"
+                  " return [whole > 2 * figure.clientWidth, svg.getBoundingClientRect().width > whole / 2,"
+                  " figure.scrollWidth > figure.clientWidth,"
+                  " document.documentElement.scrollWidth <= innerWidth]; })()\n");
     EXPECT_THAT(lines, ElementsAre("[true,true,true,true]"));
 }
 
 // A path of 2,000 steps in the address.
 TEST_F(StepPageInABrowser, GoesALongWay) {
-    const auto lines = played(lamp_page, "open #1x2.3x2000\n" + status + "key u\n" + status);
+    const auto lines = play_page(lamp_page, "open #1x2.3x2000\n" + status + "key u\n" + status);
     ASSERT_EQ(lines.size(), 2U) << ::testing::PrintToString(lines);
     EXPECT_THAT(lines[0], HasSubstr("step 2002, t=2000: one time unit passes"));
     EXPECT_THAT(lines[1], HasSubstr("step 2001, t=1999"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `step` as a user runs it, with commands on standard input. tests/counterexample/stepper_test.cpp checks that its offers agree
-// with the semantics; the commands of docs/step.md are also run.
+// `step` as a user runs it, with commands on standard input. tests/counterexample/stepper_test.cpp checks that its
+// offers agree with the semantics; the commands of docs/step.md are also run.
 #include <gmock/gmock.h>
 
 #include <string>

@@ -118,7 +118,7 @@ TEST(Turns, AdviceNamesTheLimitThatWasMet) {
         Report report;
         report.subject = subject;
         report.assertions.emplace_back().reason = reason;
-        return report.advice();
+        return report.limit_advice();
     };
     EXPECT_TRUE(advice("its time limit was reached (--assertion-timeout 5)")
                     .starts_with("what may help: --assertion-timeout gives each"));

@@ -16,20 +16,20 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(Width, LinesAreContinuedFurtherToTheRight) {
-    EXPECT_EQ(wrapped("  one two three four\nshort\n", 12), "  one two\n    three\n    four\nshort\n");
-    EXPECT_EQ(wrapped("  one two three four\n", 0), "  one two three four\n");
-    EXPECT_EQ(wrapped("", 10), "");
-    EXPECT_EQ(wrapped("\n\n", 10), "\n\n");
+    EXPECT_EQ(wrap_lines("  one two three four\nshort\n", 12), "  one two\n    three\n    four\nshort\n");
+    EXPECT_EQ(wrap_lines("  one two three four\n", 0), "  one two three four\n");
+    EXPECT_EQ(wrap_lines("", 10), "");
+    EXPECT_EQ(wrap_lines("\n\n", 10), "\n\n");
 }
 
 TEST(Width, AWordThatIsTooWideStaysWhole) {
-    EXPECT_EQ(wrapped("abcdefghijklmnop", 10), "abcdefghijklmnop");
-    EXPECT_EQ(wrapped("a bcdefghijklmnop q", 10), "a\n  bcdefghijklmnop\n  q");
+    EXPECT_EQ(wrap_lines("abcdefghijklmnop", 10), "abcdefghijklmnop");
+    EXPECT_EQ(wrap_lines("a bcdefghijklmnop q", 10), "a\n  bcdefghijklmnop\n  q");
 }
 
 TEST(Width, ColoursAndBytesOfOneCharacterTakeNoColumns) {
-    EXPECT_EQ(wrapped("\x1b[1;31mFAILS\x1b[0m a b", 9), "\x1b[1;31mFAILS\x1b[0m a b");
-    EXPECT_EQ(wrapped("\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9", 5), "\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9");
+    EXPECT_EQ(wrap_lines("\x1b[1;31mFAILS\x1b[0m a b", 9), "\x1b[1;31mFAILS\x1b[0m a b");
+    EXPECT_EQ(wrap_lines("\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9", 5), "\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9");
 }
 
 // The width comes from COLUMNS or the terminal; a pipe has no width.

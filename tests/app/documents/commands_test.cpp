@@ -33,6 +33,8 @@ struct NotRun {
 
 constexpr std::array not_run = {
     NotRun{"", "scripts/", "builds, tests or measures, for minutes"},
+    NotRun{"", "tests/long.sh", "tests for minutes"},
+    NotRun{"", "benchmarks/", "measures for minutes"},
     NotRun{"", "cmake ", "builds"},
     NotRun{"", "ctest ", "runs the tests of a build tree"},
     NotRun{"", "build/", "a program of a build tree that is not built for these tests"},
@@ -94,13 +96,18 @@ std::vector<std::string> commands_of(const Block& block) {
     return result;
 }
 
+/// A path of a script of the project.
+bool is_script(const std::string& word) {
+    return word == "tests/long.sh" ||
+           (!word.ends_with('/') && (word.starts_with("scripts/") || word.starts_with("benchmarks/")));
+}
+
 bool looks_like_command(const std::string& line) {
     static const std::set<std::string> programs = {
         "robochart-verify", "$",   "cmake", "ctest",  "cpack", "sudo",   "apt",
         "apt-get",          "git", "npm",   "docker", "pip",   "python3"};
     const std::string word = first_word(line);
-    return programs.contains(word) || word.starts_with("scripts/") || word.starts_with("build/") ||
-           word.starts_with("./");
+    return programs.contains(word) || word.starts_with("build/") || word.starts_with("./") || is_script(word);
 }
 
 const NotRun* exception_for(const std::string& document, const std::string& command) {
@@ -113,7 +120,7 @@ const NotRun* exception_for(const std::string& document, const std::string& comm
 /// The faults of a document; `used` receives the exceptions that the document needs.
 std::vector<std::string> faults_of(const std::string& document, std::set<const NotRun*>& used) {
     std::vector<std::string> faults;
-    for (const Block& block : blocks(tests::contents(repository(document)))) {
+    for (const Block& block : blocks_of(tests::read_contents(repository(document)))) {
         const std::string place = document + ":" + std::to_string(block.line) + ": ";
         const std::string language = first_word(block.language);
         if (language == "console") continue;
@@ -142,7 +149,7 @@ TEST(CommandsInDocuments, AreRunOrExcepted) {
 /// These tests would not see commands in other kinds of blocks.
 TEST(CommandsInDocuments, StandInFencedBlocks) {
     for (const std::string& document : written_documents()) {
-        std::istringstream text(tests::contents(repository(document)));
+        std::istringstream text(tests::read_contents(repository(document)));
         bool in_block = false;
         for (std::string line; std::getline(text, line);) {
             const bool is_fence = line.starts_with("```");
@@ -162,16 +169,16 @@ TEST(CommandsInDocuments, SessionsStandWhereTheyAreRun) {
     for (const std::string& document : written_documents()) {
         const fs::path folder = fs::path(document).parent_path();
         if (document == "README.md" || folder == "docs" || folder == "docs/rules") continue;
-        for (const Block& block : blocks(tests::contents(repository(document))))
+        for (const Block& block : blocks_of(tests::read_contents(repository(document))))
             EXPECT_NE(block.language, "console") << document << ":" << block.line;
     }
 }
 
 TEST(CommandsInDocuments, NameScriptsThatAreThere) {
     for (const std::string& document : written_documents())
-        for (const Block& block : blocks(tests::contents(repository(document))))
+        for (const Block& block : blocks_of(tests::read_contents(repository(document))))
             for (const std::string& command : commands_of(block))
-                EXPECT_TRUE(block.language != "sh" || !command.starts_with("scripts/") ||
+                EXPECT_TRUE(block.language != "sh" || !is_script(first_word(command)) ||
                             fs::exists(repository(first_word(command))))
                     << document << ": " << command;
 }
@@ -240,7 +247,7 @@ std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
         const std::size_t equals = words[at].find('=');
         const OptionRow* const row = option_of(verb, words[at].substr(0, equals));
         if (row == nullptr) return "no option " + words[at];
-        const std::size_t behind = equals == std::string::npos ? words_behind(row->argument) : 0;
+        const std::size_t behind = equals == std::string::npos ? words_after(row->argument) : 0;
         Words given;
         for (std::size_t i = 0; i < behind && at + 1 < words.size(); ++i) given.push_back(words[++at]);
         if (const std::string why = wrong_words(*row, given); !why.empty()) return why;
@@ -257,14 +264,14 @@ std::string wrong_call(const Words& words) {
                            words[0].find_first_of("./") != std::string::npos ||
                            fs::exists(repository("corpus/" + words[0]));
         const bool model = input || words.size() > 1;  // a model file of the page
-        return model ? wrong_options(of(Verb::verify), words, 0) : "no verb " + words[0];
+        return model ? wrong_options(verb_bit(Verb::verify), words, 0) : "no verb " + words[0];
     }
-    if (words[0] != "emit") return wrong_options(of(find_verb(words[0])->verb), words, 1);
+    if (words[0] != "emit") return wrong_options(verb_bit(find_verb(words[0])->verb), words, 1);
     if (words.size() == 1) return {};
     for (const std::string& thing : alternatives(words[1])) {
         const VerbRow* const row = find_verb("emit " + thing);
         if (row == nullptr) return "nothing to emit: " + thing;
-        if (const std::string why = wrong_options(of(row->verb), words, 2); !why.empty()) return why;
+        if (const std::string why = wrong_options(verb_bit(row->verb), words, 2); !why.empty()) return why;
     }
     return {};
 }
@@ -301,13 +308,13 @@ TEST(CommandsInDocuments, HaveVerbsAndOptionsThatExist) {
         EXPECT_EQ(wrong_call(words), "") << place;
     };
     for (const std::string& document : written_documents()) {
-        const std::string text = tests::contents(repository(document));
+        const std::string text = tests::read_contents(repository(document));
         for (const Inline& each : inline_code(text)) {
             const std::string place = document + ":" + std::to_string(each.line) + ": " + each.text;
             for (const Words& words : calls_in(each.text)) check(place, words);
             if (is_call_of_verb(each.text)) check(place, words_of(each.text));
         }
-        for (const Block& block : blocks(text))
+        for (const Block& block : blocks_of(text))
             for (const std::string& line : block.lines) {
                 if (block.language == "console" && !line.starts_with("$ ")) continue;  // output of the program
                 for (const Words& words : calls_in(line))

@@ -80,7 +80,7 @@ void add_inline(const std::string& paragraph, std::size_t line, std::vector<Inli
 
 }  // namespace
 
-std::vector<Block> blocks(const std::string& document) {
+std::vector<Block> blocks_of(const std::string& document) {
     std::vector<Block> result;
     std::istringstream text(document);
     std::optional<Block> open;
@@ -125,9 +125,9 @@ std::vector<Inline> inline_code(const std::string& document) {
     return result;
 }
 
-std::vector<Step> steps(const std::string& document) {
+std::vector<Step> steps_of(const std::string& document) {
     std::vector<Step> result;
-    for (const Block& block : blocks(document)) {
+    for (const Block& block : blocks_of(document)) {
         if (block.language == "console") {
             result.emplace_back(session(block));
         } else if (const std::string name = file_name(block); !name.empty()) {
@@ -145,7 +145,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return result;
 }
 
-bool agrees(const std::vector<std::string>& shown, const std::vector<std::string>& printed) {
+bool lines_agree(const std::vector<std::string>& shown, const std::vector<std::string>& printed) {
     const auto omitted = [](const std::string& line) { return plain(line) == "..." || plain(line) == " ..."; };
     Place at = shown.begin();
     Place now = printed.begin();

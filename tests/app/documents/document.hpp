@@ -17,7 +17,7 @@ struct Block {
 };
 
 /// The fenced blocks of a document, in order.
-[[nodiscard]] std::vector<Block> blocks(const std::string& document);
+[[nodiscard]] std::vector<Block> blocks_of(const std::string& document);
 
 /// Text in backquotes, outside blocks.
 struct Inline {
@@ -47,13 +47,13 @@ struct ShownSession {
 using Step = std::variant<ShownFile, ShownSession>;
 
 /// The steps of a document, in order.
-[[nodiscard]] std::vector<Step> steps(const std::string& document);
+[[nodiscard]] std::vector<Step> steps_of(const std::string& document);
 
 /// The lines of a text, without empty lines at its end.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
 /// Whether the printed lines agree with the shown ones. A shown line `...` matches any lines. The comparison ignores
 /// the widths of gaps between words, times, sizes, and counts of states, transitions and cycles.
-[[nodiscard]] bool agrees(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
+[[nodiscard]] bool lines_agree(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
 
 }  // namespace robochart::app::testing

@@ -46,9 +46,9 @@ void run_session(const std::string& document, const Folder& folder, const ShownS
         const std::size_t end = out.find(mark);
         ASSERT_NE(end, std::string::npos) << place << ": not reached: " << command.command << "\n" << out;
         const std::vector<std::string> printed = lines_of(out.substr(0, end));
-        EXPECT_TRUE(agrees(command.output, printed)) << place << ": $ " << command.command << "\nshows\n"
-                                                     << shown(command.output) << "but prints\n"
-                                                     << shown(printed);
+        EXPECT_TRUE(lines_agree(command.output, printed)) << place << ": $ " << command.command << "\nshows\n"
+                                                          << shown(command.output) << "but prints\n"
+                                                          << shown(printed);
         out.erase(0, out.find('\n', end) + 1);
     }
 }
@@ -61,7 +61,7 @@ void furnish(const Folder& folder) {
 }
 
 bool has_session(const std::string& document) {
-    const std::vector<Step> all = steps(tests::contents(repository(document)));
+    const std::vector<Step> all = steps_of(tests::read_contents(repository(document)));
     return std::ranges::any_of(all, [](const Step& step) { return step.index() == 1; });
 }
 
@@ -80,7 +80,7 @@ class Document : public ::testing::TestWithParam<std::string> {};
 TEST_P(Document, PrintsWhatItShows) {
     const Folder folder;
     furnish(folder);
-    for (const Step& step : steps(tests::contents(repository(GetParam())))) {
+    for (const Step& step : steps_of(tests::read_contents(repository(GetParam())))) {
         if (const auto* file = std::get_if<ShownFile>(&step))
             write(folder, *file);
         else
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(OfTheProject, Document, ::testing::ValuesIn(documents()
 });
 
 TEST(Steps, AreFilesAndSessions) {
-    const std::vector<Step> all = steps(
+    const std::vector<Step> all = steps_of(
         "Text\n```robochart\n// file: a/m.rct\nstm S { }\n```\n```text\nnothing\n```\n"
         "```console\n$ one \\\n  more\nout\n\n$ two\n```\n");
     ASSERT_EQ(all.size(), 2U);
@@ -111,23 +111,23 @@ TEST(Steps, AreFilesAndSessions) {
 }
 
 TEST(Agreement, IsOfLinesWithoutFiguresAndGaps) {
-    EXPECT_TRUE(agrees({"holds  A1  11 states  0 ms"}, {"holds A1 1,024 states 12 ms  "}));
-    EXPECT_TRUE(agrees({"conforms  C  404 ms"}, {"conforms C 1.7 s"}));
-    EXPECT_FALSE(agrees({"holds A1"}, {"FAILS A1"}));
-    EXPECT_FALSE(agrees({"1 of 2 hold"}, {"2 of 2 hold"}));
-    EXPECT_FALSE(agrees({"a"}, {}));
-    EXPECT_FALSE(agrees({}, {"a"}));
-    EXPECT_FALSE(agrees({"a", "b"}, {"a"}));
+    EXPECT_TRUE(lines_agree({"holds  A1  11 states  0 ms"}, {"holds A1 1,024 states 12 ms  "}));
+    EXPECT_TRUE(lines_agree({"conforms  C  404 ms"}, {"conforms C 1.7 s"}));
+    EXPECT_FALSE(lines_agree({"holds A1"}, {"FAILS A1"}));
+    EXPECT_FALSE(lines_agree({"1 of 2 hold"}, {"2 of 2 hold"}));
+    EXPECT_FALSE(lines_agree({"a"}, {}));
+    EXPECT_FALSE(lines_agree({}, {"a"}));
+    EXPECT_FALSE(lines_agree({"a", "b"}, {"a"}));
 }
 
 TEST(Agreement, DotsStandForAnyLines) {
-    EXPECT_TRUE(agrees({"..."}, {}));
-    EXPECT_TRUE(agrees({"a", "...", "c"}, {"a", "b", "b", "c"}));
-    EXPECT_TRUE(agrees({"a", "  ...", "c"}, {"a", "c"}));
-    EXPECT_TRUE(agrees({"...", "b", "...", "c"}, {"a", "b", "c", "b", "c"}));
-    EXPECT_FALSE(agrees({"a", "...", "c"}, {"a", "b"}));
-    EXPECT_FALSE(agrees({"...", "b", "..."}, {"a", "c"}));
-    EXPECT_FALSE(agrees({"a", "...", "a"}, {"a"}));
+    EXPECT_TRUE(lines_agree({"..."}, {}));
+    EXPECT_TRUE(lines_agree({"a", "...", "c"}, {"a", "b", "b", "c"}));
+    EXPECT_TRUE(lines_agree({"a", "  ...", "c"}, {"a", "c"}));
+    EXPECT_TRUE(lines_agree({"...", "b", "...", "c"}, {"a", "b", "c", "b", "c"}));
+    EXPECT_FALSE(lines_agree({"a", "...", "c"}, {"a", "b"}));
+    EXPECT_FALSE(lines_agree({"...", "b", "..."}, {"a", "c"}));
+    EXPECT_FALSE(lines_agree({"a", "...", "a"}, {"a"}));
 }
 
 }  // namespace

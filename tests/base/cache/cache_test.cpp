@@ -56,13 +56,13 @@ TEST(HasherTest, PartsDoNotRunTogether) {
 }
 
 TEST_F(CacheTest, FindsWhatWasKept) {
-    cache().keep(key(1), std::string("a\0b", 3));
+    cache().store_entry(key(1), std::string("a\0b", 3));
     EXPECT_EQ(cache().find(key(1)), std::string("a\0b", 3));
     EXPECT_EQ(cache().find(key(2)), std::nullopt);
 }
 
 TEST_F(CacheTest, AnotherProgramFindsNothing) {
-    cache(mebibyte, "one").keep(key(1), "a");
+    cache(mebibyte, "one").store_entry(key(1), "a");
     EXPECT_EQ(cache(mebibyte, "two").find(key(1)), std::nullopt);
     EXPECT_EQ(cache(mebibyte, "").find(key(1)), std::nullopt);
     EXPECT_EQ(cache(mebibyte, "one").find(key(1)), "a");
@@ -70,32 +70,32 @@ TEST_F(CacheTest, AnotherProgramFindsNothing) {
 
 TEST_F(CacheTest, ADamagedEntryIsRemovedAndNotFound) {
     for (const std::size_t length : {0U, 10U, 32U, 35U}) {
-        cache().keep(key(1), "content");
+        cache().store_entry(key(1), "content");
         ASSERT_EQ(entries().size(), 1U);
         fs::resize_file(entries().front(), length);
         EXPECT_EQ(cache().find(key(1)), std::nullopt) << length;
         EXPECT_TRUE(entries().empty()) << length;
     }
-    cache().keep(key(1), "content");
+    cache().store_entry(key(1), "content");
     std::fstream(entries().front(), std::ios::in | std::ios::out).seekp(35).put('X');
     EXPECT_EQ(cache().find(key(1)), std::nullopt);
 }
 
 TEST_F(CacheTest, AnEntryOfAnotherKeyIsNotFound) {
-    cache().keep(key(1), "content");
+    cache().store_entry(key(1), "content");
     const fs::path first = entries().front();
     const std::string text = [&] {
         std::ifstream in(first, std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(in), {});
     }();
-    cache().keep(key(2), "other");
+    cache().store_entry(key(2), "other");
     for (const fs::path& path : entries())
         if (path != first) std::ofstream(path, std::ios::binary) << text;
     EXPECT_EQ(cache().find(key(2)), std::nullopt);
 }
 
 TEST_F(CacheTest, NeitherFollowsALinkNorReadsAFolder) {
-    cache().keep(key(1), "content");
+    cache().store_entry(key(1), "content");
     const fs::path entry = entries().front();
     fs::rename(entry, folder() + "/elsewhere");
     fs::create_symlink(folder() + "/elsewhere", entry);
@@ -106,7 +106,7 @@ TEST_F(CacheTest, NeitherFollowsALinkNorReadsAFolder) {
 }
 
 TEST_F(CacheTest, AFolderThatOthersMayWriteToIsNotUsed) {
-    cache().keep(key(1), "a");
+    cache().store_entry(key(1), "a");
     ASSERT_EQ(chmod(folder().c_str(), 0777), 0);
     EXPECT_EQ(cache().find(key(1)), std::nullopt);
     ASSERT_EQ(chmod(folder().c_str(), 0700), 0);
@@ -118,7 +118,7 @@ TEST_F(CacheTest, WhereThereIsNoFolderNothingIsKept) {
     for (const std::string& nowhere : {std::string(), std::string("/proc/none/here"), folder() + "/file/below"}) {
         std::ofstream(folder() + "/file");
         Cache none(nowhere, "one", mebibyte);
-        none.keep(key(1), "a");
+        none.store_entry(key(1), "a");
         EXPECT_EQ(none.find(key(1)), std::nullopt);
     }
 }
@@ -126,7 +126,7 @@ TEST_F(CacheTest, WhereThereIsNoFolderNothingIsKept) {
 TEST_F(CacheTest, StaysBelowItsBound) {
     Cache small = cache(mebibyte);
     const std::string content(10'000, 'x');
-    for (std::uint64_t i = 0; i < 500; ++i) small.keep(key(i), content);
+    for (std::uint64_t i = 0; i < 500; ++i) small.store_entry(key(i), content);
     std::uint64_t bytes = 0;
     for (const fs::path& path : entries()) bytes += fs::file_size(path);
     EXPECT_LE(bytes, mebibyte);
@@ -136,37 +136,37 @@ TEST_F(CacheTest, StaysBelowItsBound) {
 TEST_F(CacheTest, WhatWasUsedLastStays) {
     Cache small = cache(mebibyte);
     const std::string content(10'000, 'x');
-    small.keep(key(0), content);
+    small.store_entry(key(0), content);
     for (std::uint64_t i = 1; i < 500; ++i) {
         for (const fs::path& path : entries())
             fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(2));
         ASSERT_TRUE(small.find(key(0))) << i;
-        small.keep(key(i), content);
+        small.store_entry(key(i), content);
     }
 }
 
 TEST_F(CacheTest, AnEntryThatIsTooLargeIsNotKept) {
     Cache small = cache(mebibyte);
-    small.keep(key(1), std::string(mebibyte / 16, 'x'));
+    small.store_entry(key(1), std::string(mebibyte / 16, 'x'));
     EXPECT_TRUE(entries().empty());
 }
 
 TEST_F(CacheTest, AFileThatIsLargerThanAnEntryIsNotRead) {
     const std::string content(mebibyte / 64, 'x');
-    cache(8 * mebibyte).keep(key(1), content);
+    cache(8 * mebibyte).store_entry(key(1), content);
     EXPECT_EQ(cache(8 * mebibyte).find(key(1)), content);
     EXPECT_EQ(cache(mebibyte).find(key(1)), content) << "as large as an entry may be";
     EXPECT_EQ(cache(mebibyte - 64).find(key(1)), std::nullopt);
 }
 
 TEST_F(CacheTest, LeftoversOfAKilledProcessAreRemoved) {
-    cache().keep(key(1), "a");
+    cache().store_entry(key(1), "a");
     const fs::path left = entries().front().parent_path() / ".robochart-0123456789abcdef";
     std::ofstream(left) << "half";
-    cache().keep(key(1), "b");
+    cache().store_entry(key(1), "b");
     EXPECT_TRUE(fs::exists(left)) << "another process may be writing it";
     fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
-    cache().keep(key(1), "c");
+    cache().store_entry(key(1), "c");
     EXPECT_FALSE(fs::exists(left));
 }
 
@@ -178,7 +178,7 @@ TEST_F(CacheTest, SeveralMayUseItAtOnce) {
             Cache own = cache(mebibyte / 4);
             for (std::uint64_t i = 0; i < 200; ++i) {
                 const std::string content(1000 + i % 7, static_cast<char>('a' + i % 7));
-                own.keep(key(i % 7), content);
+                own.store_entry(key(i % 7), content);
                 const auto found = own.find(key(i % 7));
                 if (found && *found != content) ++wrong;
             }

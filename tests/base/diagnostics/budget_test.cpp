@@ -30,7 +30,7 @@ std::string thrown_by_polling(Budget& budget) {
 TEST(Budget, LetsWorkWithinItsLimitsGoOn) {
     Budget budget;
     EXPECT_EQ(thrown_by_polling(budget), "");
-    EXPECT_EQ(budget.reached(), "");
+    EXPECT_EQ(budget.reached_limit(), "");
     Limits later;
     later.deadline = steady_clock::now() + std::chrono::hours(1);
     Budget bounded(later);
@@ -56,9 +56,9 @@ TEST(Budget, SaysWhichLimitAndInWhichPhase) {
 
 TEST(Budget, IsInterruptedFromOutside) {
     Budget budget;
-    EXPECT_FALSE(budget.interrupted());
+    EXPECT_FALSE(budget.is_interrupted());
     budget.interrupt();
-    EXPECT_TRUE(budget.interrupted());
+    EXPECT_TRUE(budget.is_interrupted());
     EXPECT_THROW(budget.poll(), LimitReached);  // already at the first call, because a limit that was reached is known
 }
 
@@ -68,9 +68,9 @@ TEST(Budget, NamesTheInnermostPhase) {
     {
         const Budget::Phase inner(budget, "doing little");
         budget.interrupt();
-        EXPECT_THAT(budget.reached(), HasSubstr("while doing little"));
+        EXPECT_THAT(budget.reached_limit(), HasSubstr("while doing little"));
     }
-    EXPECT_THAT(budget.reached(), HasSubstr("while doing much"));
+    EXPECT_THAT(budget.reached_limit(), HasSubstr("while doing much"));
     EXPECT_THROW(Budget::Phase(budget, "more"), LimitReached);
 }
 
@@ -105,7 +105,7 @@ TEST(Budget, ReleasesWhatIsHeldAndNothingElse) {
     const Budget::Held held(&budget, file("held"));
     { const Budget::Held finished(&budget, file("finished")); }
     const Budget::Held of_nobody(nullptr, file("free"));
-    budget.release();
+    budget.release_resources();
     EXPECT_FALSE(std::filesystem::exists(folder + "/held"));
     EXPECT_TRUE(std::filesystem::exists(folder + "/finished"));
     EXPECT_TRUE(std::filesystem::exists(folder + "/free"));

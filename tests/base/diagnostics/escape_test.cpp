@@ -58,12 +58,12 @@ TEST(Escape, LabelsOfGraphs) {
 }
 
 TEST(Escape, WhatPeopleSeeMovesNoCursor) {
-    EXPECT_EQ(shown("plain"), "plain");
-    EXPECT_EQ(shown("\x1b[31mred\x07"), "\\x1b[31mred\\x07");
-    EXPECT_EQ(shown("a\nb\tc\x7f"), "a\\nb\\tc\\x7f");
-    EXPECT_EQ(shown("\xc2\x9b"), "\\u009b");  // a control sequence in one character
-    EXPECT_EQ(shown("\xff"), "\\xff");
-    EXPECT_EQ(shown("gr\xc3\xbc\xc3\x9f"), "gr\xc3\xbc\xc3\x9f");
+    EXPECT_EQ(escape_for_display("plain"), "plain");
+    EXPECT_EQ(escape_for_display("\x1b[31mred\x07"), "\\x1b[31mred\\x07");
+    EXPECT_EQ(escape_for_display("a\nb\tc\x7f"), "a\\nb\\tc\\x7f");
+    EXPECT_EQ(escape_for_display("\xc2\x9b"), "\\u009b");  // a control sequence in one character
+    EXPECT_EQ(escape_for_display("\xff"), "\\xff");
+    EXPECT_EQ(escape_for_display("gr\xc3\xbc\xc3\x9f"), "gr\xc3\xbc\xc3\x9f");
     EXPECT_EQ(shown_lines("a\nb\tc\x1b"), "a\nb\tc\\x1b");
 }
 

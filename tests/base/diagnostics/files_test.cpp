@@ -20,7 +20,7 @@
 namespace robochart::diagnostics {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
@@ -42,9 +42,9 @@ protected:
 
 TEST_F(Files, AreWrittenWithTheFoldersAboveThem) {
     EXPECT_EQ(write_below(in("out"), "a/b/c.txt", "text"), "");
-    EXPECT_EQ(contents(in("out/a/b/c.txt")), "text");
+    EXPECT_EQ(read_contents(in("out/a/b/c.txt")), "text");
     EXPECT_EQ(write_below(in("out"), "a/b/c.txt", "other"), "");
-    EXPECT_EQ(contents(in("out/a/b/c.txt")), "other");
+    EXPECT_EQ(read_contents(in("out/a/b/c.txt")), "other");
     EXPECT_EQ(count(in("out/a/b")), 1U);
 }
 
@@ -64,13 +64,13 @@ TEST_F(Files, DoNotFollowLinksBelowTheirFolder) {
     // A symbolic link in place of the file is replaced; its target stays unchanged.
     fs::create_symlink(in("precious"), in("out/file"));
     EXPECT_EQ(write_below(in("out"), "file", "text"), "");
-    EXPECT_EQ(contents(in("precious")), "mine");
-    EXPECT_EQ(contents(in("out/file")), "text");
+    EXPECT_EQ(read_contents(in("precious")), "mine");
+    EXPECT_EQ(read_contents(in("out/file")), "text");
     EXPECT_FALSE(fs::is_symlink(in("out/file")));
     // The requested folder itself may be a symbolic link, because the user chose it.
     fs::create_symlink(in("elsewhere"), in("named"));
     EXPECT_EQ(write_below(in("named"), "x", "text"), "");
-    EXPECT_EQ(contents(in("elsewhere/x")), "text");
+    EXPECT_EQ(read_contents(in("elsewhere/x")), "text");
 }
 
 TEST_F(Files, ThatCannotBePutInTheirPlaceLeaveNothing) {
@@ -95,7 +95,7 @@ TEST_F(Files, ThatDoNotFitLeaveTheOldOne) {
     signal(SIGXFSZ, handler);
     EXPECT_THAT(below, HasSubstr("File too large"));
     EXPECT_THAT(replaced, HasSubstr("File too large"));
-    EXPECT_EQ(contents(in("old")), "old text");
+    EXPECT_EQ(read_contents(in("old")), "old text");
     EXPECT_EQ(count(folder_), 1U);
 }
 
@@ -104,8 +104,8 @@ TEST_F(Files, ReplacedTextsKeepTheirByteOrderMark) {
     put("plain", "old");
     put("short", "\xEF");
     for (const char* name : {"marked", "plain", "short", "new"}) EXPECT_EQ(replace_text(in(name), "text"), "") << name;
-    EXPECT_EQ(contents(in("marked")), "\xEF\xBB\xBFtext");
-    for (const char* name : {"plain", "short", "new"}) EXPECT_EQ(contents(in(name)), "text") << name;
+    EXPECT_EQ(read_contents(in("marked")), "\xEF\xBB\xBFtext");
+    for (const char* name : {"plain", "short", "new"}) EXPECT_EQ(read_contents(in(name)), "text") << name;
 }
 
 TEST_F(Files, ReplacedInPlaceKeepTheirModeAndTheLinkToThem) {
@@ -114,7 +114,7 @@ TEST_F(Files, ReplacedInPlaceKeepTheirModeAndTheLinkToThem) {
     fs::create_symlink("source", in("link"));
     EXPECT_EQ(replace_file(in("link"), "new"), "");
     EXPECT_TRUE(fs::is_symlink(in("link")));
-    EXPECT_EQ(contents(in("source")), "new");
+    EXPECT_EQ(read_contents(in("source")), "new");
     struct stat status {};
     ASSERT_EQ(stat(in("source").c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 07777U, 0640U);
@@ -128,7 +128,7 @@ TEST_F(Files, ReplacedAreRegularOnes) {
     fs::create_symlink("nowhere", in("dangling"));
     EXPECT_THAT(replace_file(in("dangling"), "text"), HasSubstr("cannot write"));
     EXPECT_EQ(replace_file(in("fresh/new"), "text"), "");
-    EXPECT_EQ(contents(in("fresh/new")), "text");
+    EXPECT_EQ(read_contents(in("fresh/new")), "text");
 }
 
 TEST_F(Files, WrittenAtTheSameTimeAreEachWhole) {
@@ -141,7 +141,7 @@ TEST_F(Files, WrittenAtTheSameTimeAreEachWhole) {
     std::thread second([&] { write(b); });
     first.join();
     second.join();
-    const std::string left = contents(in("out/sub/same"));
+    const std::string left = read_contents(in("out/sub/same"));
     EXPECT_TRUE(left == a || left == b);
     EXPECT_EQ(count(in("out/sub")), 1U);
 }
@@ -157,7 +157,7 @@ TEST_F(Files, ThatGrowStandInTheirPlaceWhenTheyAreFinished) {
     EXPECT_FALSE(fs::exists(in("out/sub/file")));
     EXPECT_EQ(file.append("two"), "");
     EXPECT_EQ(file.finish(), "");
-    EXPECT_EQ(contents(in("out/sub/file")), "one two");
+    EXPECT_EQ(read_contents(in("out/sub/file")), "one two");
     EXPECT_EQ(count(in("out/sub")), 1U);
 }
 

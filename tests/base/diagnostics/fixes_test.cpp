@@ -18,7 +18,7 @@ protected:
             .fixes.push_back({{source_, begin, end}, std::move(text), certain ? "write" : "did you mean"});
     }
     [[nodiscard]] std::string fixed() const {
-        return apply_fixes(sources_.text(source_), certain_fixes(findings_, source_));
+        return apply_fixes(sources_.source_text(source_), certain_fixes(findings_, source_));
     }
 
     SourceManager sources_;

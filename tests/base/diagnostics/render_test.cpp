@@ -130,13 +130,13 @@ TEST(Diagnostics, ShowTheBeginningOfLongArguments) {
 TEST(Diagnostics, KeepsTheFirstTwoHundredOfEachSeverityAndCountsTheRest) {
     Diagnostics out;
     for (int i = 0; i < 250; ++i) out.report(odd_rule, {});
-    EXPECT_EQ(out.sorted().size(), Diagnostics::max_kept);
-    EXPECT_EQ(out.dropped(), 50U);
-    EXPECT_EQ(out.warnings(), 250U);
+    EXPECT_EQ(out.sorted_findings().size(), Diagnostics::max_kept);
+    EXPECT_EQ(out.dropped_count(), 50U);
+    EXPECT_EQ(out.warning_count(), 250U);
     EXPECT_TRUE(out.ok());
     out.report(junction_rule, {}, {"late"});
     EXPECT_FALSE(out.ok());
-    EXPECT_EQ(out.sorted().size(), Diagnostics::max_kept + 1);  // warnings never hide an error
+    EXPECT_EQ(out.sorted_findings().size(), Diagnostics::max_kept + 1);  // warnings never hide an error
 }
 
 TEST(Diagnostics, AreTakenTogetherAndApart) {
@@ -146,15 +146,15 @@ TEST(Diagnostics, AreTakenTogetherAndApart) {
     Diagnostics both;
     both.add(a);
     both.add(b);
-    EXPECT_EQ(both.warnings(), Diagnostics::max_kept + 3);
-    EXPECT_EQ(both.errors(), 1U);
-    EXPECT_EQ(both.dropped(), 3U);
+    EXPECT_EQ(both.warning_count(), Diagnostics::max_kept + 3);
+    EXPECT_EQ(both.error_count(), 1U);
+    EXPECT_EQ(both.dropped_count(), 3U);
     EXPECT_TRUE(both.has_errors_in(SourceId{1}));
-    const Diagnostics second = both.about({SourceId{1}});
-    ASSERT_EQ(second.sorted().size(), 1U);
-    EXPECT_EQ(second.sorted().front().notes.size(), 1U);
+    const Diagnostics second = both.findings_in_texts({SourceId{1}});
+    ASSERT_EQ(second.sorted_findings().size(), 1U);
+    EXPECT_EQ(second.sorted_findings().front().notes.size(), 1U);
     EXPECT_FALSE(second.ok());
-    EXPECT_TRUE(both.about({SourceId{0}}).ok());
+    EXPECT_TRUE(both.findings_in_texts({SourceId{0}}).ok());
 }
 
 }  // namespace

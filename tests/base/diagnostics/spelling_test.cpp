@@ -8,16 +8,16 @@ namespace robochart::diagnostics {
 namespace {
 
 TEST(Spelling, NearestName) {
-    EXPECT_EQ(nearest("recieve", {"receive", "recv"}), "receive");
-    EXPECT_EQ(nearest("limt", {"limit", "other"}), "limit");
-    EXPECT_EQ(nearest("speed", {"limit", "other"}), "");
-    EXPECT_EQ(nearest("x", {"completely"}), "");
-    EXPECT_EQ(nearest("ab", {"cd"}), "");
+    EXPECT_EQ(nearest_spelling("recieve", {"receive", "recv"}), "receive");
+    EXPECT_EQ(nearest_spelling("limt", {"limit", "other"}), "limit");
+    EXPECT_EQ(nearest_spelling("speed", {"limit", "other"}), "");
+    EXPECT_EQ(nearest_spelling("x", {"completely"}), "");
+    EXPECT_EQ(nearest_spelling("ab", {"cd"}), "");
 }
 
 TEST(Spelling, VeryLongNamesGetNoSuggestion) {
-    EXPECT_EQ(nearest(std::string(1'000'000, 'x'), {"limit"}), "");
-    EXPECT_EQ(nearest("limt", {std::string(1'000'000, 'x'), "limit"}), "limit");
+    EXPECT_EQ(nearest_spelling(std::string(1'000'000, 'x'), {"limit"}), "");
+    EXPECT_EQ(nearest_spelling("limt", {std::string(1'000'000, 'x'), "limit"}), "limit");
 }
 
 }  // namespace

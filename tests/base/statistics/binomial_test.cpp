@@ -29,8 +29,8 @@ TEST(Binomial, TailsAreTheExactOnes) {
                 const double low = (Fraction(1) - below).convert_to<double>();
                 below += exact(k, n, part, 1000);
                 const double high = below.convert_to<double>();
-                EXPECT_NEAR(at_least(k, n, part / 1000.0), low, rounding(n) * low) << k << " of " << n;
-                EXPECT_NEAR(at_most(k, n, part / 1000.0), high, rounding(n) * high) << k << " of " << n;
+                EXPECT_NEAR(at_least(k, n, part / 1000.0), low, rounding_error(n) * low) << k << " of " << n;
+                EXPECT_NEAR(at_most(k, n, part / 1000.0), high, rounding_error(n) * high) << k << " of " << n;
             }
         }
 }

@@ -12,25 +12,25 @@ namespace robochart::statistics {
 namespace {
 
 TEST(Blocks, EqualCostsShareTheirRanks) {
-    EXPECT_EQ(ranks({3, 1, 2}), (std::vector<double>{3, 1, 2}));
-    EXPECT_EQ(ranks({5, 5, 1, 5}), (std::vector<double>{3, 3, 1, 3}));
-    EXPECT_EQ(ranks({}), std::vector<double>{});
+    EXPECT_EQ(mean_ranks({3, 1, 2}), (std::vector<double>{3, 1, 2}));
+    EXPECT_EQ(mean_ranks({5, 5, 1, 5}), (std::vector<double>{3, 3, 1, 3}));
+    EXPECT_EQ(mean_ranks({}), std::vector<double>{});
 }
 
 /// Three treatments in the same order in each of 4 blocks: the rank sums are 4, 8, 12 around a mean of 8. So the
 /// statistic is 2 (16 + 0 + 16) / (4 * 14 - 48) = 8, and with two degrees of freedom its p-value is exp(-8/2).
 TEST(Friedman, PerfectAgreement) {
-    const Friedman found = friedman({{1, 2, 3}, {10, 20, 30}, {0.1, 0.2, 0.3}, {7, 8, 9}});
+    const Friedman found = friedman_test({{1, 2, 3}, {10, 20, 30}, {0.1, 0.2, 0.3}, {7, 8, 9}});
     EXPECT_EQ(found.sums, (std::vector<double>{4, 8, 12}));
     EXPECT_NEAR(found.chance, std::exp(-4.0), 1e-12);
-    EXPECT_EQ(found.difference(0.05), 0) << "no rank varies, so any difference counts";
+    EXPECT_EQ(found.critical_difference(0.05), 0) << "no rank varies, so any difference counts";
 }
 
 TEST(Friedman, NothingDiffers) {
-    EXPECT_EQ(friedman({{1, 1, 1}, {2, 2, 2}}).chance, 1);
-    const Friedman opposed = friedman({{1, 2}, {2, 1}});
+    EXPECT_EQ(friedman_test({{1, 1, 1}, {2, 2, 2}}).chance, 1);
+    const Friedman opposed = friedman_test({{1, 2}, {2, 1}});
     EXPECT_EQ(opposed.chance, 1) << "as often better as worse";
-    EXPECT_GT(opposed.difference(0.05), 1);
+    EXPECT_GT(opposed.critical_difference(0.05), 1);
 }
 
 /// Two treatments, 10 blocks, one treatment better in all but one: rank sums 11 and 19. By Conover's formula the least
@@ -38,9 +38,9 @@ TEST(Friedman, NothingDiffers) {
 TEST(Friedman, DifferencesAfterIt) {
     std::vector<Block> blocks(9, Block{1, 2});
     blocks.push_back({2, 1});
-    const Friedman found = friedman(blocks);
+    const Friedman found = friedman_test(blocks);
     EXPECT_EQ(found.sums, (std::vector<double>{11, 19}));
-    EXPECT_NEAR(found.difference(0.05), 2.262157 * 2, 1e-5);
+    EXPECT_NEAR(found.critical_difference(0.05), 2.262157 * 2, 1e-5);
     // The statistic is (4^2 + 4^2) / (50 - 45) = 6.4 with one degree of freedom: the probability of |Z| >= sqrt(6.4).
     EXPECT_NEAR(found.chance, std::erfc(std::sqrt(3.2)), 1e-12);
 }

@@ -21,22 +21,22 @@ TEST(TransitionCounts, TakesAllVisits) {
     EXPECT_EQ(counts.count(0, 2), 1U);
     EXPECT_EQ(counts.count(1, 0), 1U);
     EXPECT_EQ(counts.count(1, 2), 1U);
-    EXPECT_EQ(counts.visits(0), 3U);
-    EXPECT_EQ(counts.visits(1), 2U);
-    EXPECT_EQ(counts.visits(2), 0U);
-    EXPECT_EQ(counts.looked(0), 0U) << "the first look is after sixteen";
+    EXPECT_EQ(counts.visit_count(0), 3U);
+    EXPECT_EQ(counts.visit_count(1), 2U);
+    EXPECT_EQ(counts.visit_count(2), 0U);
+    EXPECT_EQ(counts.count_at_last_look(0), 0U) << "the first look is after sixteen";
 }
 
 /// Looks are after sixteen visits, then after twenty-four: each has half as many more.
 TEST(TransitionCounts, LooksAtFixedNumbers) {
     TransitionCounts counts(2);
     for (int i = 0; i < 20; ++i) counts.add({0, i < 16 ? 0U : 1U});
-    EXPECT_EQ(counts.looked(0), 16U);
-    EXPECT_EQ(counts.looked(0, 1), 0U);
+    EXPECT_EQ(counts.count_at_last_look(0), 16U);
+    EXPECT_EQ(counts.count_at_last_look(0, 1), 0U);
     EXPECT_EQ(counts.count(0, 1), 4U);
     for (int i = 0; i < 4; ++i) counts.add({0, 1});
-    EXPECT_EQ(counts.looked(0), 24U);
-    EXPECT_EQ(counts.looked(0, 1), 8U);
+    EXPECT_EQ(counts.count_at_last_look(0), 24U);
+    EXPECT_EQ(counts.count_at_last_look(0, 1), 8U);
 }
 
 TEST(TransitionIntervals, ErrorIsDividedAndNothingUnseenIsImpossible) {
@@ -87,10 +87,10 @@ TEST(Weissman, Covers) {
 
 TEST(Validation, CanFail) {
     // 40 of 100 successes at an error of 0.01: between 0.276 and 0.534.
-    EXPECT_TRUE(contradicts(40, 100, 0.01, {0.6, 1}));
-    EXPECT_TRUE(contradicts(40, 100, 0.01, {0, 0.2}));
-    EXPECT_FALSE(contradicts(40, 100, 0.01, {0.5, 0.6}));
-    EXPECT_FALSE(contradicts(40, 100, 0.01, {0, 1}));
+    EXPECT_TRUE(contradicts_prediction(40, 100, 0.01, {0.6, 1}));
+    EXPECT_TRUE(contradicts_prediction(40, 100, 0.01, {0, 0.2}));
+    EXPECT_FALSE(contradicts_prediction(40, 100, 0.01, {0.5, 0.6}));
+    EXPECT_FALSE(contradicts_prediction(40, 100, 0.01, {0, 1}));
 }
 
 // ---------------------------------------------------------------- the order of a chain

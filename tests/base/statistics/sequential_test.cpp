@@ -78,17 +78,18 @@ TEST(Sprt, IsAsLongAsWaldSays) {
 TEST(Looks, AreAtTheirTimes) {
     const Looks looks(100, 0.05);
     std::vector<std::uint64_t> times;
-    for (auto next = looks.next(0); next; next = looks.next(*next)) times.push_back(*next);
+    for (auto next = looks.trials_of_next_look(0); next; next = looks.trials_of_next_look(*next))
+        times.push_back(*next);
     EXPECT_EQ(times, (std::vector<std::uint64_t>{16, 24, 36, 54, 81, 100}));
-    EXPECT_EQ(looks.at(5, 17), std::nullopt);
+    EXPECT_EQ(looks.interval_after(5, 17), std::nullopt);
     // The first look uses half of the error, the second a sixth; the last look uses the remainder, which is 1/6 for six
     // looks.
-    EXPECT_EQ(looks.at(9, 16), clopper_pearson(9, 16, 0.05 / 2));
-    EXPECT_EQ(looks.at(9, 24), clopper_pearson(9, 24, 0.05 / 6));
-    EXPECT_EQ(looks.at(90, 100), clopper_pearson(90, 100, 0.05 / 6));
+    EXPECT_EQ(looks.interval_after(9, 16), clopper_pearson(9, 16, 0.05 / 2));
+    EXPECT_EQ(looks.interval_after(9, 24), clopper_pearson(9, 24, 0.05 / 6));
+    EXPECT_EQ(looks.interval_after(90, 100), clopper_pearson(90, 100, 0.05 / 6));
     // 1/2 + 1/6 + 1/12 + 1/20 + 1/30 + 1/6 = 1.
-    EXPECT_EQ(Looks(1, 0.05).at(1, 1), clopper_pearson(1, 1, 0.05));
-    EXPECT_EQ(Looks(1, 0.05).next(1), std::nullopt);
+    EXPECT_EQ(Looks(1, 0.05).interval_after(1, 1), clopper_pearson(1, 1, 0.05));
+    EXPECT_EQ(Looks(1, 0.05).trials_of_next_look(1), std::nullopt);
 }
 
 /// The probability that the interval of some look misses the true value.
@@ -97,7 +98,7 @@ TEST(Looks, TogetherMissAtMostAsOftenAsTheySay) {
         const Looks looks(most, 0.05);
         for (const double p : {0.01, 0.05, 0.3, 0.5, 0.95, 0.99}) {
             const double missed = run(most, p, [&](std::uint64_t x, std::uint64_t n) {
-                                      const auto interval = looks.at(x, n);
+                                      const auto interval = looks.interval_after(x, n);
                                       return interval && (p < interval->low || p > interval->high) ? 0 : -1;
                                   }).counted[0];
             EXPECT_LE(missed, 0.05) << most << " trials, p = " << p;
@@ -107,7 +108,7 @@ TEST(Looks, TogetherMissAtMostAsOftenAsTheySay) {
     // dependent.
     const Looks looks(1000, 0.05);
     const double missed = run(1000, 0.5, [&](std::uint64_t x, std::uint64_t n) {
-                              const auto interval = looks.at(x, n);
+                              const auto interval = looks.interval_after(x, n);
                               return interval && (0.5 < interval->low || 0.5 > interval->high) ? 0 : -1;
                           }).counted[0];
     EXPECT_GE(missed, 0.005);

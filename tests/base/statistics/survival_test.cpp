@@ -10,17 +10,17 @@ namespace robochart::statistics {
 namespace {
 
 TEST(Survival, WithoutCensoringItIsTheShareLeft) {
-    const auto steps = survival({{3, true}, {1, true}, {2, true}, {2, true}}, 0.05);
+    const auto steps = survival_curve({{3, true}, {1, true}, {2, true}, {2, true}}, 0.05);
     ASSERT_EQ(steps.size(), 3U);
     EXPECT_DOUBLE_EQ(steps[0].share, 0.75);
     EXPECT_DOUBLE_EQ(steps[1].share, 0.25);
     EXPECT_DOUBLE_EQ(steps[2].share, 0);
-    EXPECT_EQ(median(steps), 2);
+    EXPECT_EQ(median_time(steps), 2);
 }
 
 /// Six trials: one event at 1, one trial censored at 2, two events at 3, one trial censored at 3, one trial remains.
 TEST(Survival, WhoIsLostLeavesThoseThatAreAskedLater) {
-    const auto steps = survival({{1, true}, {2, false}, {3, true}, {3, true}, {3, false}, {9, false}}, 0.05);
+    const auto steps = survival_curve({{1, true}, {2, false}, {3, true}, {3, true}, {3, false}, {9, false}}, 0.05);
     ASSERT_EQ(steps.size(), 2U);
     EXPECT_DOUBLE_EQ(steps[0].share, 5 / 6.0);
     EXPECT_DOUBLE_EQ(steps[1].share, 5 / 6.0 * (1 - 2 / 4.0));
@@ -35,9 +35,9 @@ TEST(Survival, WhoIsLostLeavesThoseThatAreAskedLater) {
 }
 
 TEST(Survival, WhatNeverComesHasNoMedian) {
-    EXPECT_EQ(median(survival({{5, false}, {5, false}}, 0.05)), std::nullopt);
-    EXPECT_EQ(median(survival({{5, false}, {1, true}, {5, false}}, 0.05)), std::nullopt);
-    EXPECT_TRUE(survival({}, 0.05).empty());
+    EXPECT_EQ(median_time(survival_curve({{5, false}, {5, false}}, 0.05)), std::nullopt);
+    EXPECT_EQ(median_time(survival_curve({{5, false}, {1, true}, {5, false}}, 0.05)), std::nullopt);
+    EXPECT_TRUE(survival_curve({}, 0.05).empty());
 }
 
 }  // namespace

@@ -49,12 +49,12 @@ TEST(FisherExact, ErrsAtMostAsOftenAsItSays) {
 TEST(Holm, AdjustsByHand) {
     // In ascending order, the values are .01 * 4, .02 * 3, .03 * 2 and .04; no adjusted value may be below the previous
     // one.
-    const std::vector<double> adjusted = holm({0.03, 0.01, 0.04, 0.02});
+    const std::vector<double> adjusted = holm_correction({0.03, 0.01, 0.04, 0.02});
     const std::vector<double> expected{0.06, 0.04, 0.06, 0.06};
     ASSERT_EQ(adjusted.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(adjusted[i], expected[i], 1e-12) << i;
-    EXPECT_EQ(holm({0.7, 0.9}), (std::vector<double>{1, 1}));
-    EXPECT_TRUE(holm({}).empty());
+    EXPECT_EQ(holm_correction({0.7, 0.9}), (std::vector<double>{1, 1}));
+    EXPECT_TRUE(holm_correction({}).empty());
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "checker/cspm/session.hpp"
 #include "base/diagnostics/files.hpp"
+#include "checker/cspm/session.hpp"
 #include "tests/checker/cspm/support.hpp"
 
 namespace robochart::cspm::test {
@@ -38,7 +38,7 @@ protected:
         Reading reading(text);
         EXPECT_TRUE(reading.ok()) << reading.report();
         Session session(reading.script);
-        if (remember) session.remember(cache_, 0);
+        if (remember) session.set_cache(cache_, 0);
         Answers answers;
         refine::Limits limits;
         limits.reduction = reduction;
@@ -144,9 +144,9 @@ TEST_F(EarlierAnswersTest, FindingsThatAreNotConfirmedAreNotUsed) {
     system->initial(initial);
     refine::Findings wrong;
     wrong.violation = refine::Violation{refine::ViolationKind::deadlock, {initial, {}}, {}, {}};
-    cache().keep(key->digest, refine::encode(wrong, key->named));
+    cache().store_entry(key->digest, refine::encode(wrong, key->named));
     refine::Limits limits;
-    const refine::Verdict verdict = answer(question, *key, {&cache(), 0}, [&](refine::Earlier earlier) {
+    const refine::Verdict verdict = check_with_memory(question, *key, {&cache(), 0}, [&](refine::Earlier earlier) {
         return refine::deadlock_free(*system, refine::Model::failures, limits, earlier);
     });
     EXPECT_EQ(verdict.outcome, Outcome::holds);
@@ -165,7 +165,7 @@ TEST_F(EarlierAnswersTest, SmallSearchesAreNotKept) {
     for (int round = 0; round < 2; ++round) {
         Reading reading(script);
         Session session(reading.script);
-        session.remember(cache());
+        session.set_cache(cache());
         EXPECT_FALSE(session.check(*session.assertions()[0], {}).verdict.known);
     }
 }

@@ -22,7 +22,7 @@ inline std::vector<refine::Outcome> outcomes(const std::string& text) {
             result.push_back(session.check(*assertion, {}).verdict.outcome);
         }
     } catch (const EvaluationError& error) {
-        ADD_FAILURE() << reading.sources.place(error.span) << " " << error.what();
+        ADD_FAILURE() << reading.sources.path_and_line(error.span) << " " << error.what();
     }
     return result;
 }
@@ -41,7 +41,7 @@ struct Failure {
     std::size_t stack = 0;
 };
 
-inline Failure failure(const std::string& text, const std::string& name) {
+inline Failure failure_of(const std::string& text, const std::string& name) {
     const Reading reading(text);
     EXPECT_TRUE(reading.ok()) << reading.report();
     try {
@@ -61,7 +61,7 @@ inline std::string process_failure(const std::string& text) {
         (void)session.check(*session.assertions().back(), {});
         return "no error";
     } catch (const EvaluationError& error) {
-        EXPECT_TRUE(error.span.known()) << "no place: " << error.what();
+        EXPECT_TRUE(error.span.is_known()) << "no place: " << error.what();
         return error.what();
     }
 }

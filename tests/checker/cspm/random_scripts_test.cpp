@@ -42,12 +42,12 @@ const Way ways[] = {{"", false, {1U << 30U, std::nullopt, false}},
 
 /// The first wrong answer of the script, if any.
 std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& checks) {
-    Reading reading(refine::cspm(asked));
+    Reading reading(refine::script_with_assertions(asked));
     if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);
     if (!reading.ok()) return reading.report();
     for (const Way& way : ways) {
         Session session(reading.script);
-        session.pack(way.packing);
+        session.set_packing(way.packing);
         const std::vector<DeclPtr> assertions = session.assertions();
         for (std::size_t i = 0; i < assertions.size(); ++i) {
             const refine::Question& question = refine::questions()[i];
@@ -81,7 +81,7 @@ TEST(RandomScriptsTest, AgreeWithTheDefinitions) {
             return graphs ? fault(asked, *graphs, ignored) : std::nullopt;
         };
         const Case least = refine::shrink(each.asked, [&](const Case& asked) { return wrong(asked).has_value(); });
-        FAIL() << wrong(least).value_or("?") << "\n" << refine::cspm(least);
+        FAIL() << wrong(least).value_or("?") << "\n" << refine::script_with_assertions(least);
     }
     std::cout << checks << " random checks of scripts agree\n";
     RecordProperty("checks", checks);

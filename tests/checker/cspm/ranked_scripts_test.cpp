@@ -22,7 +22,7 @@
 namespace robochart::cspm::test {
 namespace {
 
-using refine::everything;
+using refine::complete_text;
 using refine::Outcome;
 using refine::Verdict;
 
@@ -65,7 +65,7 @@ std::size_t compare(const std::filesystem::path& file) {
             for (const unsigned ranks : {1U, 2U, 3U, 4U, 8U}) {
                 refine::ThreadRanks strategy(ranks);
                 limits.by_levels = &strategy;
-                const std::string mine = answer(session, *assertion, limits, everything);
+                const std::string mine = answer(session, *assertion, limits, complete_text);
                 if (ranks == 1) {
                     first = mine;
                     EXPECT_EQ(answer(session, *assertion, limits, in_common), ordinary)
@@ -75,11 +75,11 @@ std::size_t compare(const std::filesystem::path& file) {
             }
             refine::ThreadPrograms by_programs(reduction ? 3 : 2, 2);
             limits.by_levels = &by_programs;
-            EXPECT_EQ(answer(session, *assertion, limits, everything), first)
+            EXPECT_EQ(answer(session, *assertion, limits, complete_text), first)
                 << file << ": " << print(*assertion) << ", by programs of two threads";
             refine::OnDisk on_disk(reduction ? 2 : 1);
             limits.by_levels = &on_disk;
-            EXPECT_EQ(answer(session, *assertion, limits, everything), first)
+            EXPECT_EQ(answer(session, *assertion, limits, complete_text), first)
                 << file << ": " << print(*assertion) << ", on disk";
         }
     return assertions.size();

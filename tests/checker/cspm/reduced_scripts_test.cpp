@@ -31,13 +31,13 @@ void compare(Session& session, Compared& compared) {
         if (name == last) continue;
         last = std::move(name);
         const auto whole = session.system(process);
-        const auto reduced = whole->reduced({});
+        const auto reduced = whole->make_reduced_system({});
         ++compared.processes;
         if (!reduced) continue;
         try {
             const lts::Graph all = lts::graph_of(*whole, most_states);
             const lts::Graph kept = lts::graph_of(*reduced, most_states);
-            EXPECT_TRUE(lts::bisimilar(all, kept, lts::Equivalence::branching_with_divergence)) << last;
+            EXPECT_TRUE(lts::are_bisimilar(all, kept, lts::Equivalence::branching_with_divergence)) << last;
             EXPECT_LE(kept.size(), all.size()) << last;
             compared.smaller += kept.size() < all.size() ? 1U : 0U;
             compared.states += all.size();

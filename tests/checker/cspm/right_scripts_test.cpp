@@ -60,7 +60,7 @@ std::string verdicts_of(const std::filesystem::path& file) {
             verdicts += outcome == refine::Outcome::holds ? 'h' : outcome == refine::Outcome::fails ? 'f' : '?';
         }
     } catch (const EvaluationError& error) {
-        verdicts += fmt::format(" {}: {}", sources.place(error.span), error.what());
+        verdicts += fmt::format(" {}: {}", sources.path_and_line(error.span), error.what());
     }
     return verdicts;
 }

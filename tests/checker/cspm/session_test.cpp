@@ -151,7 +151,7 @@ TEST(SessionTest, InstancesAreMadeWithinABudget) {
     EXPECT_NO_THROW(Session(script, &budget));
     budget.interrupt();
     EXPECT_THROW(Session(script, &budget), diagnostics::LimitReached);
-    findings.within(&budget);
+    findings.set_budget(&budget);
     EXPECT_THROW((void)check_types(script, findings), diagnostics::LimitReached);
 }
 
@@ -263,17 +263,18 @@ TEST(SessionTest, ValuesPrintAsInFdr) {
 }
 
 TEST(SessionTest, FaultsAreNamed) {
-    EXPECT_EQ(failure("x = 1/0\n", "x").message, "division by zero");
-    EXPECT_EQ(failure("f(0) = 1\nx = f(1)\n", "x").message, "no clause of 'f' matches (1)");
-    EXPECT_EQ(failure("g(n) = error(\"no \"^show(n))\nx = g(3)\n", "x").message, "error: no 3");
-    EXPECT_GE(failure("g(n) = error(\"no\")\nx = g(3)\n", "x").stack, 2U);
-    EXPECT_EQ(failure("x = y\n", "x").message, "'y' is not in scope");
-    EXPECT_EQ(failure("x = x\n", "x").message, "'x' is defined by itself");
-    EXPECT_EQ(failure("x = card(Int)\n", "x").message, "the set Int is infinite");
-    EXPECT_EQ(failure("x = 9223372036854775807 + 1\n", "x").message, "the number does not fit in 64 bits");
-    EXPECT_EQ(failure("x = diamond(STOP)\n", "x").message, "'diamond' must be declared transparent before use");
-    EXPECT_EQ(failure("f(n) = 1 + f(n+1)\nx = f(0)\n", "x").message, "evaluation nests too deeply: runaway recursion?");
-    EXPECT_EQ(failure("channel c : {0,1}\nx = c.2\n", "x").message,
+    EXPECT_EQ(failure_of("x = 1/0\n", "x").message, "division by zero");
+    EXPECT_EQ(failure_of("f(0) = 1\nx = f(1)\n", "x").message, "no clause of 'f' matches (1)");
+    EXPECT_EQ(failure_of("g(n) = error(\"no \"^show(n))\nx = g(3)\n", "x").message, "error: no 3");
+    EXPECT_GE(failure_of("g(n) = error(\"no\")\nx = g(3)\n", "x").stack, 2U);
+    EXPECT_EQ(failure_of("x = y\n", "x").message, "'y' is not in scope");
+    EXPECT_EQ(failure_of("x = x\n", "x").message, "'x' is defined by itself");
+    EXPECT_EQ(failure_of("x = card(Int)\n", "x").message, "the set Int is infinite");
+    EXPECT_EQ(failure_of("x = 9223372036854775807 + 1\n", "x").message, "the number does not fit in 64 bits");
+    EXPECT_EQ(failure_of("x = diamond(STOP)\n", "x").message, "'diamond' must be declared transparent before use");
+    EXPECT_EQ(failure_of("f(n) = 1 + f(n+1)\nx = f(0)\n", "x").message,
+              "evaluation nests too deeply: runaway recursion?");
+    EXPECT_EQ(failure_of("channel c : {0,1}\nx = c.2\n", "x").message,
               "2 is not a value of its field in c.2 (the field's type is {0, 1})");
 }
 

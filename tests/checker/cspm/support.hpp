@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "checker/cspm/syntax/reader.hpp"
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/render.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::cspm::test {
@@ -27,7 +27,7 @@ struct Reading {
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
     /// The code of the first finding, or "".
     [[nodiscard]] std::string code() const {
-        const auto all = diagnostics.sorted();
+        const auto all = diagnostics.sorted_findings();
         return all.empty() ? "" : std::string(all.front().rule->code);
     }
 };

@@ -15,14 +15,14 @@ TEST(WholeRun, PlacesOfValues) {
 }
 
 TEST(WholeRun, DescriptionsFitIfAllButThePlacesIsEqual) {
-    EXPECT_TRUE(describes("P(_,1) ||| Q(_)", "P((2, 3),1) ||| Q(<>)"));
-    EXPECT_TRUE(describes("P(1)", "P(1)"));
-    EXPECT_TRUE(describes("P(_)", "P(_)"));
-    EXPECT_FALSE(describes("P(_,1)", "P(2,3)"));
-    EXPECT_FALSE(describes("P(_)", "Q(1)"));
-    EXPECT_FALSE(describes("P(1)", "P(1) ||| Q"));
-    EXPECT_FALSE(describes("P(_)", "P(1) ||| Q"));
-    EXPECT_FALSE(describes("P(_)", "P("));
+    EXPECT_TRUE(matches_description("P(_,1) ||| Q(_)", "P((2, 3),1) ||| Q(<>)"));
+    EXPECT_TRUE(matches_description("P(1)", "P(1)"));
+    EXPECT_TRUE(matches_description("P(_)", "P(_)"));
+    EXPECT_FALSE(matches_description("P(_,1)", "P(2,3)"));
+    EXPECT_FALSE(matches_description("P(_)", "Q(1)"));
+    EXPECT_FALSE(matches_description("P(1)", "P(1) ||| Q"));
+    EXPECT_FALSE(matches_description("P(_)", "P(1) ||| Q"));
+    EXPECT_FALSE(matches_description("P(_)", "P("));
 }
 
 }  // namespace

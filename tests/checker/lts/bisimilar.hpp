@@ -23,7 +23,7 @@ inline Graph graph_of(TransitionSystem& system, std::size_t most_states) {
 }
 
 /// Minimises the union of both graphs, and compares the classes of their initial states.
-inline bool bisimilar(const Graph& a, const Graph& b, Equivalence equivalence = Equivalence::strong) {
+inline bool are_bisimilar(const Graph& a, const Graph& b, Equivalence equivalence = Equivalence::strong) {
     Graph both;
     const auto after = static_cast<StateIndex>(1 + a.size());
     both.add_edge({2, 1});

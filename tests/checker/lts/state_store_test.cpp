@@ -64,8 +64,8 @@ public:
         const std::size_t place = claim - StateStore::first_claim;
         return &all_[place / most].kept_[place % most];
     }
-    void keep(StateView state) { kept_[rows_.size()] = state[0]; }
-    void lose(StateIndex /*claim*/) { ++lost; }
+    void keep_state(StateView state) { kept_[rows_.size()] = state[0]; }
+    void lose_claim(StateIndex /*claim*/) { ++lost; }
     void work(StateStore& store, unsigned seed) {
         std::mt19937 random(seed);
         for (int i = 0; i < 8000; ++i) {
@@ -123,7 +123,7 @@ TEST(StateStore, OfEqualClaimsKeepsTheLowest) {
         for (const OwnClaims::Row& row : own.rows()) {
             ASSERT_EQ(row.claim.slot.get() == row.claim.index, lowest.at(row.word) == row.claim.index);
             if (row.claim.slot.get() != row.claim.index) continue;
-            store.publish(row.claim.slot, number, StateView(&row.word, 1));
+            store.publish_state(row.claim.slot, number, StateView(&row.word, 1));
             EXPECT_EQ(store.find(StateView(&row.word, 1)), number);
             ++number;
         }
@@ -146,12 +146,12 @@ TEST(StateStore, IsMadeAnewByParts) {
     StateStore store(1);
     for (Word word = 0; word < 300000; ++word) store.insert(StateView(&word, 1));
     std::size_t pieces = 0;
-    store.reserve(store.size() + store.space() + 1,
+    store.reserve(store.size() + store.free_state_count() + 1,
                   [&pieces](std::size_t count, const std::function<void(std::size_t)>& piece) {
                       for (pieces = 0; pieces < count; ++pieces) piece(count - pieces - 1);
                   });
     EXPECT_GT(pieces, 1U);
-    EXPECT_GT(store.space(), 0U);
+    EXPECT_GT(store.free_state_count(), 0U);
     for (Word word = 0; word < 300000; ++word) ASSERT_EQ(store.find(StateView(&word, 1)), word);
 }
 

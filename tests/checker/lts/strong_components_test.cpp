@@ -19,13 +19,13 @@ struct Component {
     friend bool operator==(const Component&, const Component&) = default;
 };
 
-GraphView view(const Edges& edges) {
+GraphView view_of(const Edges& edges) {
     return {edges.size(), [&edges](StateIndex vertex, std::vector<StateIndex>& targets) {
                 targets.insert(targets.end(), edges[vertex].begin(), edges[vertex].end());
             }};
 }
 
-std::vector<StateIndex> all(const Edges& edges) {
+std::vector<StateIndex> all_vertices(const Edges& edges) {
     std::vector<StateIndex> vertices(edges.size());
     std::iota(vertices.begin(), vertices.end(), StateIndex{0});
     return vertices;
@@ -33,7 +33,7 @@ std::vector<StateIndex> all(const Edges& edges) {
 
 std::vector<Component> components(const Edges& edges, const std::vector<StateIndex>& roots) {
     std::vector<Component> result;
-    strong_components(view(edges), roots, [&](std::span<const StateIndex> members, bool cyclic) {
+    strong_components(view_of(edges), roots, [&](std::span<const StateIndex> members, bool cyclic) {
         result.push_back({{members.begin(), members.end()}, cyclic});
         std::ranges::sort(result.back().members);
     });
@@ -55,7 +55,7 @@ std::vector<std::vector<bool>> reachability(const Edges& edges) {
 
 TEST(StrongComponents, ComeAfterThoseThatTheyLeadTo) {
     const Edges edges{{1}, {2, 3}, {1, 4}, {3}, {}};
-    EXPECT_EQ(components(edges, all(edges)),
+    EXPECT_EQ(components(edges, all_vertices(edges)),
               (std::vector<Component>{{{4}, false}, {{3}, true}, {{1, 2}, true}, {{0}, false}}));
 }
 
@@ -74,7 +74,7 @@ TEST(StrongComponents, AreTheVerticesThatReachEachOther) {
             edges[random() % size].push_back(static_cast<StateIndex>(random() % size));
         const auto reaches = reachability(edges);
         std::vector<std::size_t> number(size, size);
-        const std::vector<Component> found = components(edges, all(edges));
+        const std::vector<Component> found = components(edges, all_vertices(edges));
         for (std::size_t i = 0; i < found.size(); ++i)
             for (const StateIndex member : found[i].members) {
                 EXPECT_EQ(number[member], size) << "in two components";

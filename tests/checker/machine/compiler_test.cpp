@@ -38,7 +38,7 @@ protected:
         }
         process::TermSystem reference(semantics, term);
         const lts::Graph graph = graph_of(*system);
-        EXPECT_TRUE(lts::bisimilar(graph, graph_of(reference)));
+        EXPECT_TRUE(lts::are_bisimilar(graph, graph_of(reference)));
         return graph.size();
     }
     TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
@@ -147,7 +147,7 @@ TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
         menu.emplace_back(reads[value], cell[value]);
         s.bind(cell[value], s.menu(menu));
     }
-    const process::SetId get = s.store.set(get_events);
+    const process::SetId get = s.store.intern_set(get_events);
     const TermId deaf = s.op(Op::parallel, {cell[0], twice("b")}, static_cast<std::uint32_t>(get));
     EXPECT_EQ(states(deaf), 3U) << "those of the listener that never listens";
     const TermId hears_one = s.op(Op::parallel, {cell[0], s.prefix("get7", stop)}, static_cast<std::uint32_t>(get));
@@ -235,7 +235,7 @@ TEST_F(Compiled, ServesCompressions) {
     MachineCompressor compressor;
     process::OperationalSemantics compressing(s.store, &compressor);
     Compiler with(compressing);
-    compressor.use(with);
+    compressor.set_compiler(with);
     const TermId hidden = s.over(Op::hide, {pair()}, {"a"});
     const TermId compressed = s.op(Op::compress, {hidden}, static_cast<std::uint32_t>(process::Compression::dbisim));
     process::TermSystem small(compressing, compressed);
@@ -253,7 +253,7 @@ TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     Bounds bounds;
     bounds.compressed_states = 5;
     Compiler with(compressing, bounds);
-    compressor.use(with);
+    compressor.set_compiler(with);
     const TermId hidden = s.over(Op::hide, {pair()}, {"a"});
     const auto compressed = [&](process::Compression kind) {
         return s.op(Op::compress, {hidden}, static_cast<std::uint32_t>(kind));
@@ -271,7 +271,7 @@ TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     ASSERT_NE(whole, nullptr);
     EXPECT_EQ(compressing.left_out(), std::set<TermId>{strong});
     process::TermSystem reference(semantics, beside(hidden));
-    EXPECT_TRUE(lts::bisimilar(graph_of(*whole), graph_of(reference)));
+    EXPECT_TRUE(lts::are_bisimilar(graph_of(*whole), graph_of(reference)));
     EXPECT_EQ(whole->combined().components.size(), 3U) << "the pair's two and the one beside it";
 
     const auto alone = with.compile(strong, {});
@@ -320,7 +320,7 @@ RC_GTEST_PROP(CompiledProperty, RandomCompositionsDoWhatTheirTermsDo, ()) {
         Compiler compiler(translation.semantics());
         const auto system = compiler.compile(term, {});
         if (system == nullptr) RC_DISCARD("left as a term: a bound of the compiler");
-        RC_ASSERT(lts::bisimilar(graph_of(*system), graph));
+        RC_ASSERT(lts::are_bisimilar(graph_of(*system), graph));
     } catch (const lts::TooLarge&) {
         RC_DISCARD("too large");
     } catch (const process::SemanticsError&) {

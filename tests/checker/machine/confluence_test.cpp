@@ -68,7 +68,7 @@ protected:
         }
         std::vector<DraftRule> drafts;
         for (const Joint& joint : joints) {
-            drafts.push_back({outside(joint.event), parts(joint, outer, outer_alphabets), joint.assignments});
+            drafts.push_back({hide_event(joint.event), parts(joint, outer, outer_alphabets), joint.assignments});
             if (begins_inside(joint))
                 drafts.back().parts.push_back(
                     {static_cast<std::uint32_t>(outer.size() - 1), place_of(outer_alphabets.back(), joint.event)});
@@ -88,7 +88,7 @@ protected:
         }
         return result;
     }
-    static Event outside(Event event) { return event == a || event == h ? tau : event; }
+    static Event hide_event(Event event) { return event == a || event == h ? tau : event; }
 
     /// Checks with and without the reduction whether x can occur; fails if the answers differ.
     testing::AssertionResult can_do_x() {
@@ -115,11 +115,11 @@ protected:
     }
 
     std::pair<std::size_t, std::size_t> states_and_kept() {
-        const auto reduced = whole->reduced({});
+        const auto reduced = whole->make_reduced_system({});
         const lts::Graph all = lts::graph_of(*whole, 1'000);
         if (!reduced) return {all.size(), all.size()};
         const lts::Graph kept = lts::graph_of(*reduced, 1'000);
-        EXPECT_TRUE(lts::bisimilar(all, kept, lts::Equivalence::branching_with_divergence));
+        EXPECT_TRUE(lts::are_bisimilar(all, kept, lts::Equivalence::branching_with_divergence));
         return {all.size(), kept.size()};
     }
     using Sizes = std::pair<std::size_t, std::size_t>;

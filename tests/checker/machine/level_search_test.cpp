@@ -32,7 +32,7 @@ std::string words(const std::vector<refine::Step>& steps) {
 }
 
 /// Returns everything that must be the same for every number of ranks.
-std::string everything(const Verdict& verdict) {
+std::string verdict_text(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     for (const std::uint64_t each : {size.states, size.transitions, size.depth, size.chased, size.spec_nodes})
@@ -97,8 +97,8 @@ TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
                     const std::string by = "round " + std::to_string(round) + ", programs " + std::to_string(programs) +
                                            ", threads of each " + std::to_string(threads);
                     ASSERT_EQ(in_common(verdict), in_common(ordinary)) << by;
-                    if (first.empty()) first = everything(verdict);
-                    ASSERT_EQ(everything(verdict), first) << by;
+                    if (first.empty()) first = verdict_text(verdict);
+                    ASSERT_EQ(verdict_text(verdict), first) << by;
                 }
                 ++asked;
                 fails += ordinary.outcome == Outcome::fails ? 1 : 0;
@@ -192,7 +192,8 @@ void exchange_everything(refine::Exchange& exchange, unsigned count) {
         }
         exchange.all_to_all(out, in);
         for (unsigned from = 0; from < count; ++from)
-            EXPECT_EQ(refine::Words(in.of(from).begin(), in.of(from).end()), refine::Words(rank, 10 * from + rank));
+            EXPECT_EQ(refine::Words(in.message_of(from).begin(), in.message_of(from).end()),
+                      refine::Words(rank, 10 * from + rank));
         std::uint64_t values[2] = {rank, 1};
         exchange.sum(values);
         EXPECT_EQ(values[0], count * (count - 1) / 2);

@@ -71,12 +71,12 @@ TEST_F(Proofs, DoNotDependOnWhatWasAskedBefore) {
         const std::vector<std::vector<Local>> all = states();
         Confluence forwards(combined, rules, {}), backwards(combined, rules, {});
         std::vector<std::vector<Local>> ahead = all, back = all;
-        for (auto& state : ahead) forwards.follow(state);
-        for (auto state = back.rbegin(); state != back.rend(); ++state) backwards.follow(*state);
+        for (auto& state : ahead) forwards.follow_tau(state);
+        for (auto state = back.rbegin(); state != back.rend(); ++state) backwards.follow_tau(*state);
         ASSERT_EQ(ahead, back) << "round " << round;
         for (std::size_t i = 0; i < all.size(); ++i) {
             std::vector<Local> alone = all[i];
-            if (Confluence(combined, rules, {}).follow(alone)) ++followed;
+            if (Confluence(combined, rules, {}).follow_tau(alone)) ++followed;
             ASSERT_EQ(ahead[i], alone) << "round " << round << ", state " << i;
         }
     }
@@ -88,10 +88,10 @@ TEST_F(Proofs, AreRightWhateverThePlan) {
     const int wanted = refine::wanted_checks(1'000) / 5;
     for (int round = 0; round < wanted; ++round) {
         next();
-        ReducedSystem reduced(whole->another(), combined, rules, some_plan());
+        ReducedSystem reduced(whole->clone_for_thread(), combined, rules, some_plan());
         const lts::Graph all = lts::graph_of(*whole, 100'000);
         const lts::Graph kept = lts::graph_of(reduced, 100'000);
-        ASSERT_TRUE(lts::bisimilar(all, kept, Equivalence::branching_with_divergence)) << "round " << round;
+        ASSERT_TRUE(lts::are_bisimilar(all, kept, Equivalence::branching_with_divergence)) << "round " << round;
         if (kept.size() < all.size()) ++smaller;
     }
     EXPECT_GT(smaller * 20, wanted);
@@ -107,7 +107,7 @@ TEST_F(Proofs, AreNotTriedWhereThePlanHasNothingInPlaceOfThem) {
             nothing[{slots, slots}] = {};
         }
         Confluence proofs(combined, rules, nothing);
-        for (std::vector<Local> state : states()) ASSERT_FALSE(proofs.follow(state)) << "round " << round;
+        for (std::vector<Local> state : states()) ASSERT_FALSE(proofs.follow_tau(state)) << "round " << round;
     }
 }
 

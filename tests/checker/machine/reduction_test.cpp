@@ -40,7 +40,7 @@ bool loops_by_tau(const Graph& quotient) {
 
 /// Checks that the reduced system is equivalent to the whole. There is no reduced system if no rule can be followed.
 bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
-    const auto reduced = whole.reduced({});
+    const auto reduced = whole.make_reduced_system({});
     if (!reduced) return true;
     const Graph all = lts::graph_of(whole, most_states);
     const Graph kept = lts::graph_of(*reduced, most_states);
@@ -54,7 +54,7 @@ bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
     }
     return kept.size() <= all.size() && quotient.size() == quotient_of_kept.size() &&
            quotient.edge_count() == quotient_of_kept.edge_count() &&
-           lts::bisimilar(all, kept, Equivalence::branching_with_divergence);
+           lts::are_bisimilar(all, kept, Equivalence::branching_with_divergence);
 }
 
 TEST(Reduction, KeepsRandomRules) {
@@ -88,8 +88,8 @@ std::string described(const refine::Verdict& verdict, bool with_size) {
     return text;
 }
 
-std::vector<std::string> answers(lts::TransitionSystem& specification, lts::TransitionSystem& system, bool with_size,
-                                 const refine::Limits& limits) {
+std::vector<std::string> answer_texts(lts::TransitionSystem& specification, lts::TransitionSystem& system,
+                                      bool with_size, const refine::Limits& limits) {
     std::vector<std::string> result;
     const auto add = [&](const refine::Verdict& verdict) { result.push_back(described(verdict, with_size)); };
     for (const refine::Model model :
@@ -122,11 +122,11 @@ TEST(Reduction, ChangesNoAnswerAndNoRun) {
     for (int round = 0; round < wanted; ++round) {
         SupercombinatorSystem specification(rules.next(s.stop()), s.store);
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
-        ASSERT_EQ(answers(specification, system, false, limits_of(true, 1)),
-                  answers(specification, system, false, limits_of(false, 1)))
+        ASSERT_EQ(answer_texts(specification, system, false, limits_of(true, 1)),
+                  answer_texts(specification, system, false, limits_of(false, 1)))
             << "round " << round;
-        ASSERT_EQ(answers(specification, system, true, limits_of(true, 3)),
-                  answers(specification, system, true, limits_of(true, 1)))
+        ASSERT_EQ(answer_texts(specification, system, true, limits_of(true, 3)),
+                  answer_texts(specification, system, true, limits_of(true, 1)))
             << "round " << round;
         if (refine::deadlock_free(system, refine::Model::failures, limits_of(true, 1)).counterexample) ++fails;
     }

@@ -19,7 +19,7 @@ protected:
         EXPECT_NE(system, nullptr);
         return system;
     }
-    static refine::Limits by(unsigned threads, std::size_t wide_level) {
+    static refine::Limits limits_for(unsigned threads, std::size_t wide_level) {
         refine::Limits limits;
         limits.threads = threads;
         limits.wide_level = wide_level;
@@ -41,7 +41,7 @@ TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
     const auto system = compiled(s.over(Op::parallel, cells, {}));
     for (const unsigned threads : {1U, 2U, 3U}) {
         const refine::Verdict verdict =
-            refine::deadlock_free(*system, refine::Model::failures_divergences, by(threads, 2048));
+            refine::deadlock_free(*system, refine::Model::failures_divergences, limits_for(threads, 2048));
         EXPECT_EQ(verdict.outcome, refine::Outcome::holds);
         EXPECT_EQ(verdict.statistics.states, 262'144U);
         EXPECT_EQ(verdict.statistics.transitions, 9 * 262'144U);
@@ -67,7 +67,7 @@ TEST_F(SharedSearch, FindsTheSameViolations) {
         std::vector<std::string> answers;
         for (const unsigned threads : {1U, 2U, 3U}) {
             const refine::Verdict verdict =
-                refine::refines(*specification, *system, refine::Model::traces, by(threads, 1));
+                refine::refines(*specification, *system, refine::Model::traces, limits_for(threads, 1));
             EXPECT_EQ(verdict.outcome, missing.empty() ? refine::Outcome::holds : refine::Outcome::fails);
             std::string answer =
                 std::to_string(verdict.statistics.states) + "/" + std::to_string(verdict.statistics.transitions);

@@ -202,24 +202,26 @@ protected:
         return std::make_shared<const Tree>(std::move(made));
     }
     static Process exchanged(const Process& process) { return tree(Kind::rename, {process}, {}, {{0, 1}, {1, 0}}); }
-    static Process beside(std::vector<Process> operands) { return tree(Kind::parallel, std::move(operands), {2}); }
+    static Process make_parallel(std::vector<Process> operands) {
+        return tree(Kind::parallel, std::move(operands), {2});
+    }
 
     /// Composes copies of a random process so that parts can be permuted.
     static Process replicated(const Process& process, int way) {
         switch (way % 4) {
             case 0:
-                return beside({process, process});
+                return make_parallel({process, process});
             case 1:
-                return beside({process, exchanged(process)});
+                return make_parallel({process, exchanged(process)});
             case 2:
-                return tree(Kind::hide, {beside({process, process, process})}, {0});
+                return tree(Kind::hide, {make_parallel({process, process, process})}, {0});
             default:
-                return beside({process, beside({exchanged(process), process})});
+                return make_parallel({process, make_parallel({exchanged(process), process})});
         }
     }
 
     /// The first difference between the engine's answers and the definitions; empty if there is none.
-    std::string disagreement(const refine::Case& asked, const refine::Graphs& graphs) {
+    std::string find_disagreement(const refine::Case& asked, const refine::Graphs& graphs) {
         refine::Translation translation(asked.script);
         Compiler compiler(translation.semantics());
         const auto system = compiler.compile(translation.term(asked.script.mains[1]), {});
@@ -267,7 +269,7 @@ TEST_F(RandomReplicas, AnswerAsTheDefinitionsSay) {
         asked.script.mains[1] = replicated(asked.script.mains[1], way);
         const auto graphs = refine::explore(asked, refine::largest_graph);
         if (!graphs) continue;
-        ASSERT_EQ(disagreement(asked, *graphs), "") << show(asked.script);
+        ASSERT_EQ(find_disagreement(asked, *graphs), "") << show(asked.script);
     }
     std::cout << compared_ << " processes, " << folded_ << " answers by symmetry, " << distinguished_
               << " where the specification distinguishes replicas, " << fails_ << " that something fails\n";

@@ -91,10 +91,10 @@ TEST_F(Rules, CallsAreUnfoldedSoManyTimesAtMost) {
     s.bind(p1, q1);
     s.bind(q1, stop);
     s.bind(r1, r1);
-    EXPECT_EQ(s.store.unfolded(p1, 5), stop);
-    EXPECT_EQ(s.store.unfolded(p1, 1), q1);
-    EXPECT_EQ(s.store.unfolded(r1, 5), r1);
-    EXPECT_EQ(s.store.unfolded(stop, 5), stop);
+    EXPECT_EQ(s.store.unfold_calls(p1, 5), stop);
+    EXPECT_EQ(s.store.unfold_calls(p1, 1), q1);
+    EXPECT_EQ(s.store.unfold_calls(r1, 5), r1);
+    EXPECT_EQ(s.store.unfold_calls(stop, 5), stop);
 }
 
 TEST_F(Rules, ExternalChoiceIsResolvedByVisibleEventsAndTick) {

@@ -22,7 +22,7 @@ public:
     SetId set(const std::vector<std::string>& names) {
         EventSet members;
         for (const std::string& name : names) members.push_back(event(name));
-        return store.set(members);
+        return store.intern_set(members);
     }
 
     /// Declares a name; bind() defines its body.
@@ -55,7 +55,7 @@ public:
     }
 
     TermId op(Op kind, std::vector<TermId> children = {}, std::uint32_t payload = 0, std::vector<SetId> sets = {}) {
-        return store.make(Term{kind, payload, std::move(children), std::move(sets)});
+        return store.intern_term(Term{kind, payload, std::move(children), std::move(sets)});
     }
     TermId over(Op kind, std::vector<TermId> children, const std::vector<std::string>& names) {
         return op(kind, std::move(children), static_cast<std::uint32_t>(set(names)));
@@ -65,12 +65,12 @@ public:
     TermId rename(TermId child, const std::vector<std::pair<std::string, std::string>>& pairs) {
         Renaming renaming;
         for (const auto& [from, to] : pairs) renaming.emplace_back(event(from), event(to));
-        return op(Op::rename, {child}, static_cast<std::uint32_t>(store.renaming(renaming)));
+        return op(Op::rename, {child}, static_cast<std::uint32_t>(store.intern_renaming(renaming)));
     }
     TermId prioritise(TermId child, const std::vector<std::vector<std::string>>& levels) {
         PriorityOrder order;
         for (const auto& level : levels) order.push_back(store[set(level)]);
-        return op(Op::prioritise, {child}, static_cast<std::uint32_t>(store.order(order)));
+        return op(Op::prioritise, {child}, static_cast<std::uint32_t>(store.intern_order(order)));
     }
 
     TermId unfold(std::uint32_t call) override {

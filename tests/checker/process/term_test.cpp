@@ -51,24 +51,24 @@ TEST(TermStore, SortsSetsAndDropsTau) {
     const Event a = s.event("a");
     const Event b = s.event("b");
     const Event c = s.event("c");
-    const SetId set = s.store.set({c, a, c, tau});
+    const SetId set = s.store.intern_set({c, a, c, tau});
     EXPECT_EQ(s.store[set], (EventSet{a, c}));
-    EXPECT_EQ(s.store.set({a, c}), set);
+    EXPECT_EQ(s.store.intern_set({a, c}), set);
     EXPECT_TRUE(s.store.contains(set, a));
     EXPECT_FALSE(s.store.contains(set, b));
     EXPECT_FALSE(s.store.contains(set, tau));
     EXPECT_FALSE(s.store.contains(set, 1000));
-    EXPECT_FALSE(s.store.contains(s.store.set({}), a));
+    EXPECT_FALSE(s.store.contains(s.store.intern_set({}), a));
 }
 
 TEST(TermStore, InternsRenamingsAndOrders) {
     Scripted s;
     const Event a = s.event("a");
     const Event b = s.event("b");
-    EXPECT_EQ(s.store.renaming({{b, a}, {a, b}}), s.store.renaming({{a, b}, {b, a}}));
-    EXPECT_EQ(s.store[s.store.renaming({{b, a}, {a, b}})], (Renaming{{a, b}, {b, a}}));
-    EXPECT_NE(s.store.order({{a}, {b}}), s.store.order({{b}, {a}}));
-    EXPECT_EQ(s.store.order({{b, a}}), s.store.order({{a, b}}));
+    EXPECT_EQ(s.store.intern_renaming({{b, a}, {a, b}}), s.store.intern_renaming({{a, b}, {b, a}}));
+    EXPECT_EQ(s.store[s.store.intern_renaming({{b, a}, {a, b}})], (Renaming{{a, b}, {b, a}}));
+    EXPECT_NE(s.store.intern_order({{a}, {b}}), s.store.intern_order({{b}, {a}}));
+    EXPECT_EQ(s.store.intern_order({{b, a}}), s.store.intern_order({{a, b}}));
 }
 
 TEST(TermStore, AsksTheDefinitionsOncePerCall) {

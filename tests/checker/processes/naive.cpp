@@ -33,7 +33,7 @@ std::vector<Letter> Behaviour::alphabet() const {
 
 namespace {
 
-unsigned bit(Letter letter) {
+unsigned bit_of(Letter letter) {
     return letter == tick ? 1U : 1U << (letter + 1);
 }
 
@@ -46,13 +46,14 @@ bool Behaviour::state_refuses(int state, unsigned set) const {
         if (edge.letter == tau)
             has_tau = true;
         else
-            offered |= bit(edge.letter);
+            offered |= bit_of(edge.letter);
     }
-    if ((offered & bit(tick)) != 0) return (set & bit(tick)) == 0;  // it may terminate, and then refuses all but tick
+    if ((offered & bit_of(tick)) != 0)
+        return (set & bit_of(tick)) == 0;  // it may terminate, and then refuses all but tick
     return !has_tau && (set & offered) == 0;
 }
 
-bool Behaviour::refuses(const States& states, unsigned set) const {
+bool Behaviour::can_refuse(const States& states, unsigned set) const {
     for (int state : states)
         if (state_refuses(state, set)) return true;
     return false;
@@ -103,7 +104,7 @@ bool refines(const Behaviour& specification, const Behaviour& implementation, Se
         if (semantics == Semantics::FD && implementation.diverges(actual)) return false;
         if (semantics != Semantics::T)
             for (unsigned set = 0; set < implementation.refusal_sets(); ++set)
-                if (implementation.refuses(actual, set) && !specification.refuses(allowed, set)) return false;
+                if (implementation.can_refuse(actual, set) && !specification.can_refuse(allowed, set)) return false;
         for (Letter letter : implementation.alphabet())
             work.emplace_back(specification.after(allowed, letter), implementation.after(actual, letter));
     }
@@ -113,7 +114,7 @@ bool refines(const Behaviour& specification, const Behaviour& implementation, Se
 bool deadlock_free(const Behaviour& process, Semantics semantics) {
     bool free = true;
     for_all_traces(process, [&](const Behaviour::States& states) {
-        if (process.refuses(states, process.refusal_sets() - 1)) free = false;
+        if (process.can_refuse(states, process.refusal_sets() - 1)) free = false;
         if (semantics == Semantics::FD && process.diverges(states)) free = false;
         return free;
     });
@@ -133,7 +134,7 @@ bool deterministic(const Behaviour& process, Semantics semantics) {
     bool holds = semantics != Semantics::FD || divergence_free(process);
     for_all_traces(process, [&](const Behaviour::States& states) {
         for (Letter letter : process.alphabet())
-            if (!process.after(states, letter).empty() && process.refuses(states, bit(letter))) holds = false;
+            if (!process.after(states, letter).empty() && process.can_refuse(states, bit_of(letter))) holds = false;
         return holds;
     });
     return holds;
@@ -156,7 +157,8 @@ std::optional<std::size_t> shortest_violation(const Behaviour& specification, co
         for (const auto& [allowed, state] : level) {
             if (semantics != Semantics::T)
                 for (unsigned set = 0; set < implementation.refusal_sets(); ++set)
-                    if (implementation.state_refuses(state, set) && !specification.refuses(allowed, set)) return steps;
+                    if (implementation.state_refuses(state, set) && !specification.can_refuse(allowed, set))
+                        return steps;
             for (const Graph::Edge& edge : implementation.graph().edges[static_cast<std::size_t>(state)]) {
                 const auto then = edge.letter == tau ? allowed : specification.after(allowed, edge.letter);
                 if (then.empty())

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] States after(const States& states, Letter letter) const;
     /// Whether some of the states can refuse every letter of the set. The set is given as bits: bit 0 is tick, bit 1+l
     /// is the letter l.
-    [[nodiscard]] bool refuses(const States& states, unsigned set) const;
+    [[nodiscard]] bool can_refuse(const States& states, unsigned set) const;
     [[nodiscard]] bool diverges(const States& states) const;
     [[nodiscard]] unsigned refusal_sets() const { return 1U << (letters_ + 1); }
     [[nodiscard]] std::vector<Letter> alphabet() const;

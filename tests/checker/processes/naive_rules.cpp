@@ -18,7 +18,7 @@ using Moves = std::vector<Move>;
 const Process omega = std::make_shared<const Tree>(Tree{Kind::omega, {}, {}, {}, {}, {}, 0});
 const Process stop = std::make_shared<const Tree>();
 
-Process with(const Process& process, std::size_t position, const Process& operand) {
+Process replace_operand(const Process& process, std::size_t position, const Process& operand) {
     Tree tree = *process;
     tree.operands[position] = operand;
     return std::make_shared<const Tree>(std::move(tree));
@@ -47,7 +47,7 @@ private:
             case Kind::div:
                 return {{tau, p}};
             case Kind::run:
-                return offers(p, p);
+                return offer_letters(p, p);
             case Kind::chaos:
                 return chaos(p);
             case Kind::call:
@@ -57,7 +57,7 @@ private:
             case Kind::external:
                 return external(p);
             case Kind::internal:
-                return internal(p);
+                return internal_moves(p);
             case Kind::sequential:
                 return sequential(p);
             case Kind::interrupt:
@@ -92,7 +92,7 @@ private:
         }
         return {};
     }
-    static Moves offers(const Process& p, const Process& target) {
+    static Moves offer_letters(const Process& p, const Process& target) {
         Moves result;
         for (Letter l : p->set) result.push_back({l, target});
         return result;
@@ -114,10 +114,10 @@ private:
         Moves result;
         for (std::size_t i = 0; i < p->operands.size(); ++i)
             for (const Move& m : moves(p->operands[i]))
-                result.push_back({m.letter, m.letter == tau ? with(p, i, m.target) : m.target});
+                result.push_back({m.letter, m.letter == tau ? replace_operand(p, i, m.target) : m.target});
         return result;
     }
-    static Moves internal(const Process& p) {
+    static Moves internal_moves(const Process& p) {
         Moves result;
         for (const Process& operand : p->operands) result.push_back({tau, operand});
         return result;
@@ -128,7 +128,7 @@ private:
             if (m.letter == tick)
                 result.push_back({tau, p->operands[1]});
             else
-                result.push_back({m.letter, with(p, 0, m.target)});
+                result.push_back({m.letter, replace_operand(p, 0, m.target)});
         }
         return result;
     }
@@ -138,19 +138,21 @@ private:
         const Moves left = moves(p->operands[0]);
         const Moves right = moves(p->operands[1]);
         for (const Move& m : left)
-            if (!shared(m.letter)) result.push_back({m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+            if (!shared(m.letter))
+                result.push_back({m.letter, m.letter == tick ? omega : replace_operand(p, 0, m.target)});
         for (const Move& m : right)
-            if (!shared(m.letter)) result.push_back({m.letter, m.letter == tau ? with(p, 1, m.target) : m.target});
+            if (!shared(m.letter))
+                result.push_back({m.letter, m.letter == tau ? replace_operand(p, 1, m.target) : m.target});
         for (const Move& l : left)
             for (const Move& r : right)
                 if (l.letter == r.letter && shared(l.letter))
-                    result.push_back({l.letter, with(with(p, 0, l.target), 1, r.target)});
+                    result.push_back({l.letter, replace_operand(replace_operand(p, 0, l.target), 1, r.target)});
         return result;
     }
     Moves sliding(const Process& p) const {
         Moves result;
         for (const Move& m : moves(p->operands[0]))
-            result.push_back({m.letter, m.letter == tau ? with(p, 0, m.target) : m.target});
+            result.push_back({m.letter, m.letter == tau ? replace_operand(p, 0, m.target) : m.target});
         result.push_back({tau, p->operands[1]});
         return result;
     }
@@ -162,7 +164,7 @@ private:
             else if (p->set.contains(m.letter))
                 result.push_back({m.letter, p->operands[1]});
             else
-                result.push_back({m.letter, with(p, 0, m.target)});
+                result.push_back({m.letter, replace_operand(p, 0, m.target)});
         }
         return result;
     }
@@ -173,7 +175,7 @@ private:
             std::vector<Process> extended;
             for (const Process& before : partial)
                 for (const Move& m : moves(p->operands[i]))
-                    if (m.letter == letter) extended.push_back(with(before, i, m.target));
+                    if (m.letter == letter) extended.push_back(replace_operand(before, i, m.target));
             partial = extended;
         }
         Moves result;
@@ -190,7 +192,7 @@ private:
         for (std::size_t i = 0; i < p->operands.size(); ++i)
             for (const Move& m : moves(p->operands[i])) {
                 if (m.letter == tau)
-                    result.push_back({tau, with(p, i, m.target)});
+                    result.push_back({tau, replace_operand(p, i, m.target)});
                 else if (!p->set.contains(m.letter))
                     result.push_back(m);
             }
@@ -201,7 +203,8 @@ private:
         Moves result;
         for (std::size_t i = 0; i < p->operands.size(); ++i)
             for (const Move& m : moves(p->operands[i]))
-                if (m.letter != tick && !p->set.contains(m.letter)) result.push_back({m.letter, with(p, i, m.target)});
+                if (m.letter != tick && !p->set.contains(m.letter))
+                    result.push_back({m.letter, replace_operand(p, i, m.target)});
         for (Letter l : p->set) append(result, together(p, everyone(p), l));
         append(result, together(p, everyone(p), tick));
         return result;
@@ -212,7 +215,7 @@ private:
         for (std::size_t i = 0; i < p->operands.size(); ++i) {
             all.insert(p->sets[i].begin(), p->sets[i].end());
             for (const Move& m : moves(p->operands[i]))
-                if (m.letter == tau) result.push_back({tau, with(p, i, m.target)});
+                if (m.letter == tau) result.push_back({tau, replace_operand(p, i, m.target)});
         }
         for (Letter l : all) {
             std::vector<std::size_t> concerned;
@@ -234,21 +237,21 @@ private:
                    });
         };
         for (const Move& m : left)
-            if (free(m.letter, true)) result.push_back({m.letter, with(p, 0, m.target)});
+            if (free(m.letter, true)) result.push_back({m.letter, replace_operand(p, 0, m.target)});
         for (const Move& m : right)
-            if (free(m.letter, false)) result.push_back({m.letter, with(p, 1, m.target)});
+            if (free(m.letter, false)) result.push_back({m.letter, replace_operand(p, 1, m.target)});
         for (const auto& [one, other] : p->renaming)
             for (const Move& l : left)
                 for (const Move& r : right)
                     if (l.letter == one && r.letter == other)
-                        result.push_back({tau, with(with(p, 0, l.target), 1, r.target)});
+                        result.push_back({tau, replace_operand(replace_operand(p, 0, l.target), 1, r.target)});
         return result;
     }
     Moves hide(const Process& p) const {
         Moves result;
         for (const Move& m : moves(p->operands[0])) {
             const bool hidden = m.letter >= 0 && p->set.contains(m.letter) == (p->kind == Kind::hide);
-            result.push_back({hidden ? tau : m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+            result.push_back({hidden ? tau : m.letter, m.letter == tick ? omega : replace_operand(p, 0, m.target)});
         }
         return result;
     }
@@ -259,9 +262,9 @@ private:
             for (const auto& [from, to] : p->renaming)
                 if (m.letter == from) {
                     mentioned = true;
-                    result.push_back({to, with(p, 0, m.target)});
+                    result.push_back({to, replace_operand(p, 0, m.target)});
                 }
-            if (!mentioned) result.push_back({m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+            if (!mentioned) result.push_back({m.letter, m.letter == tick ? omega : replace_operand(p, 0, m.target)});
         }
         return result;
     }
@@ -290,7 +293,7 @@ private:
         Moves result;
         for (const Move& m : all) {
             const bool cut = std::ranges::any_of(all, [&](const Move& o) { return higher(p, o.letter, m.letter); });
-            if (!cut) result.push_back({m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+            if (!cut) result.push_back({m.letter, m.letter == tick ? omega : replace_operand(p, 0, m.target)});
         }
         return result;
     }
@@ -308,11 +311,12 @@ Moves Rules::chase(const Process& p) const {
         const Moves all = moves(at);
         const auto first = std::ranges::find_if(all, [](const Move& m) { return m.letter == tau; });
         if (first == all.end()) break;
-        if (!passed.insert(show(at)).second) return {{tau, with(p, 0, at)}};
+        if (!passed.insert(show(at)).second) return {{tau, replace_operand(p, 0, at)}};
         at = first->target;
     }
     Moves result;
-    for (const Move& m : moves(at)) result.push_back({m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+    for (const Move& m : moves(at))
+        result.push_back({m.letter, m.letter == tick ? omega : replace_operand(p, 0, m.target)});
     return result;
 }
 

@@ -10,13 +10,13 @@
 namespace robochart::refine::naive {
 namespace {
 
-std::string letter(Letter l) {
+std::string letter_text(Letter l) {
     return l == tau ? "tau" : l == tick ? "tick" : std::string(1, static_cast<char>('a' + l));
 }
 
 std::string letters(const std::set<Letter>& set) {
     std::vector<std::string> names;
-    for (Letter l : set) names.push_back(letter(l));
+    for (Letter l : set) names.push_back(letter_text(l));
     return fmt::format("{{{}}}", fmt::join(names, ","));
 }
 
@@ -29,7 +29,7 @@ std::string joined(const Process& process, const std::string& separator) {
 std::string prefix(const Process& process) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < process->letters.size(); ++i)
-        parts.push_back(letter(process->letters[i]) + " -> " + show(process->operands[i]));
+        parts.push_back(letter_text(process->letters[i]) + " -> " + show(process->operands[i]));
     return fmt::format("({})", fmt::join(parts, " [] "));
 }
 
@@ -42,7 +42,7 @@ std::string levels(const Process& process) {
 std::string pairs(const Process& process, const char* pattern) {
     std::vector<std::string> parts;
     for (const auto& [from, to] : process->renaming)
-        parts.push_back(fmt::format(fmt::runtime(pattern), letter(from), letter(to)));
+        parts.push_back(fmt::format(fmt::runtime(pattern), letter_text(from), letter_text(to)));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -53,7 +53,7 @@ std::string replicated(const Process& process) {
                        show(process->operands[2]));
 }
 
-std::string applied(const std::string& function, const Process& process, const std::string& more = "") {
+std::string application_text(const std::string& function, const Process& process, const std::string& more = "") {
     return function + "(" + show(process->operands[0]) + more + ")";
 }
 
@@ -111,14 +111,15 @@ std::string show(const Process& process) {
         case Kind::rename:
             return show(process->operands[0]) + "[[" + pairs(process, "{} <- {}") + "]]";
         case Kind::prioritise:
-            return applied("prioritise", process, ", <" + levels(process) + ">");
+            return application_text("prioritise", process, ", <" + levels(process) + ">");
         case Kind::prioritise_order:
-            return applied("prioritisepo", process,
-                           fmt::format(", {}, {{{}}}, {}", set, pairs(process, "({}, {})"), letters(process->sets[0])));
+            return application_text(
+                "prioritisepo", process,
+                fmt::format(", {}, {{{}}}, {}", set, pairs(process, "({}, {})"), letters(process->sets[0])));
         case Kind::chase:
-            return applied("chase", process);
+            return application_text("chase", process);
         case Kind::compress:
-            return applied(compressions.at(static_cast<std::size_t>(process->name)), process);
+            return application_text(compressions.at(static_cast<std::size_t>(process->name)), process);
     }
     return "?";
 }

@@ -43,7 +43,7 @@ std::string events(const std::vector<naive::Letter>& trace) {
     return fmt::format("<{}>", fmt::join(names, ", "));
 }
 
-Process changed(const Process& process, const std::function<void(Tree&)>& change) {
+Process change_tree(const Process& process, const std::function<void(Tree&)>& change) {
     Tree tree = *process;
     change(tree);
     return std::make_shared<const Tree>(std::move(tree));
@@ -60,18 +60,18 @@ std::vector<Process> smaller(const Process& process) {
     result.insert(result.end(), process->operands.begin(), process->operands.end());
     if (process->kind == Kind::prefix && process->operands.size() > 1)
         for (std::size_t i = 0; i < process->operands.size(); ++i)
-            result.push_back(changed(process, [&](Tree& tree) {
+            result.push_back(change_tree(process, [&](Tree& tree) {
                 tree.operands.erase(tree.operands.begin() + static_cast<std::ptrdiff_t>(i));
                 tree.letters.erase(tree.letters.begin() + static_cast<std::ptrdiff_t>(i));
             }));
     if (process->kind != Kind::prioritise_order)
         for (const naive::Letter letter : process->set)
-            result.push_back(changed(process, [&](Tree& tree) { tree.set.erase(letter); }));
+            result.push_back(change_tree(process, [&](Tree& tree) { tree.set.erase(letter); }));
     for (std::size_t i = 0; i < process->sets.size(); ++i)
         for (const naive::Letter letter : process->sets[i])
-            result.push_back(changed(process, [&](Tree& tree) { tree.sets[i].erase(letter); }));
+            result.push_back(change_tree(process, [&](Tree& tree) { tree.sets[i].erase(letter); }));
     for (std::size_t i = 0; i < process->renaming.size() && process->renaming.size() > 1; ++i)
-        result.push_back(changed(
+        result.push_back(change_tree(
             process, [&](Tree& tree) { tree.renaming.erase(tree.renaming.begin() + static_cast<std::ptrdiff_t>(i)); }));
     smaller_operands(process, result);
     return result;
@@ -80,7 +80,7 @@ std::vector<Process> smaller(const Process& process) {
 void smaller_operands(const Process& process, std::vector<Process>& out) {
     for (std::size_t i = 0; i < process->operands.size(); ++i)
         for (const Process& next : smaller(process->operands[i]))
-            out.push_back(changed(process, [&](Tree& tree) { tree.operands[i] = next; }));
+            out.push_back(change_tree(process, [&](Tree& tree) { tree.operands[i] = next; }));
 }
 
 /// Whether every recursion is guarded by an event. Shrinking must not produce unguarded recursion, which has no
@@ -100,7 +100,7 @@ const std::vector<Question>& questions() {
     return all;
 }
 
-std::string topic(const Question& question) {
+std::string assertion_kind(const Question& question) {
     switch (question.kind) {
         case Question::Kind::refinement:
             return fmt::format("[{}=", model(question.semantics));
@@ -118,12 +118,13 @@ std::string topic(const Question& question) {
 
 std::string assertion(const Question& question, const std::vector<naive::Letter>& trace) {
     if (question.kind == Question::Kind::refinement)
-        return fmt::format("assert M{} {} M{}", question.left, topic(question), question.right);
+        return fmt::format("assert M{} {} M{}", question.left, assertion_kind(question), question.right);
     const bool traced = question.kind == Question::Kind::has_trace;
-    return fmt::format("assert M{} :[{}]{}", question.left, topic(question), traced ? ": " + events(trace) : "");
+    return fmt::format("assert M{} :[{}]{}", question.left, assertion_kind(question),
+                       traced ? ": " + events(trace) : "");
 }
 
-std::string cspm(const Case& asked) {
+std::string script_with_assertions(const Case& asked) {
     std::string text = show(asked.script);
     for (const Question& question : questions()) text += assertion(question, asked.trace) + "\n";
     return text;

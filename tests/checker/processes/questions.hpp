@@ -28,11 +28,11 @@ struct Case {
 };
 
 /// "[T=", "deadlock free" and so on: the kind of the question.
-[[nodiscard]] std::string topic(const Question& question);
+[[nodiscard]] std::string assertion_kind(const Question& question);
 /// The question as an assertion about M0 and M1.
 [[nodiscard]] std::string assertion(const Question& question, const std::vector<naive::Letter>& trace);
 /// The case as a script with all its assertions, in the order of questions().
-[[nodiscard]] std::string cspm(const Case& asked);
+[[nodiscard]] std::string script_with_assertions(const Case& asked);
 
 /// The two graphs of a case; nullopt if they are larger than a test can use.
 struct Graphs {

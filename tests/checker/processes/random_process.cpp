@@ -14,12 +14,12 @@ Process make(Kind kind, std::vector<Process> operands = {}, std::set<Letter> set
 
 }  // namespace
 
-unsigned Decoder::take(unsigned below) {
+unsigned Decoder::take_below(unsigned below) {
     return next_ < numbers_.size() ? numbers_[next_++] % below : 0;
 }
 
 std::set<Letter> Decoder::set() {
-    const unsigned bits = take(1U << letters_used);
+    const unsigned bits = take_below(1U << letters_used);
     std::set<Letter> result;
     for (Letter l = 0; l < letters_used; ++l)
         if ((bits >> l & 1U) != 0) result.insert(l);
@@ -35,15 +35,15 @@ Script Decoder::script(int mains) {
 }
 
 Process Decoder::sequential_leaf(bool guarded) {
-    if (guarded && definitions_ > 0 && take(5) > 0) {
-        Tree call{Kind::call, {}, {}, {}, {}, {}, static_cast<int>(take(definition_count))};
+    if (guarded && definitions_ > 0 && take_below(5) > 0) {
+        Tree call{Kind::call, {}, {}, {}, {}, {}, static_cast<int>(take_below(definition_count))};
         return std::make_shared<const Tree>(call);
     }
     return static_leaf();
 }
 
 Process Decoder::static_leaf() {
-    switch (take(9)) {
+    switch (take_below(9)) {
         case 0:
             return make(Kind::stop);
         case 1:
@@ -64,22 +64,22 @@ Process Decoder::static_leaf() {
 
 Process Decoder::prefix(int depth) {
     Tree tree{Kind::prefix, {}, {}, {}, {}, {}, 0};
-    for (unsigned branches = 1 + take(2); branches > 0; --branches) {
-        tree.letters.push_back(letter());
+    for (unsigned branches = 1 + take_below(2); branches > 0; --branches) {
+        tree.letters.push_back(make_letter());
         tree.operands.push_back(sequential(depth - 1, true));
     }
     return std::make_shared<const Tree>(std::move(tree));
 }
 
 /// One mode of a machine: some events keep the mode or lead to another one, and one event starts components.
-Process Decoder::modes(int depth) {
+Process Decoder::make_mode(int depth) {
     const auto lead = [&](Process to) {
-        Tree tree{Kind::prefix, {std::move(to)}, {letter()}, {}, {}, {}, 0};
+        Tree tree{Kind::prefix, {std::move(to)}, {make_letter()}, {}, {}, {}, 0};
         return std::make_shared<const Tree>(std::move(tree));
     };
     Process stay = lead(sequential_leaf(true));
     Process start = lead(make(Kind::parallel, {closed(depth - 2), closed(depth - 2)}));
-    return make(take(4) == 0 ? Kind::sliding : Kind::external, {std::move(start), std::move(stay)});
+    return make(take_below(4) == 0 ? Kind::sliding : Kind::external, {std::move(start), std::move(stay)});
 }
 
 Process Decoder::closed(int depth) {
@@ -91,7 +91,7 @@ Process Decoder::closed(int depth) {
 
 Process Decoder::sequential(int depth, bool guarded) {
     if (depth <= 0) return sequential_leaf(guarded);
-    switch (take(20)) {
+    switch (take_below(20)) {
         case 0:
         case 1:
             return sequential_leaf(guarded);
@@ -116,12 +116,12 @@ Process Decoder::sequential(int depth, bool guarded) {
         case 11:
         case 12:
             return make(Kind::parallel, {closed(depth - 1), closed(depth - 1)},
-                        take(2) == 0 ? std::set<Letter>{} : set());
+                        take_below(2) == 0 ? std::set<Letter>{} : set());
         case 13:
         case 14:
-            return modes(depth);
+            return make_mode(depth);
         case 15:
-            return make(take(2) == 0 ? Kind::hide : Kind::project, {closed(depth - 1)}, set());
+            return make(take_below(2) == 0 ? Kind::hide : Kind::project, {closed(depth - 1)}, set());
         default:
             return prefix(depth);
     }
@@ -136,9 +136,9 @@ Process Decoder::with_levels(Kind kind, std::vector<Process> operands, unsigned 
 /// The renaming may map several letters to one, and one letter to several.
 Process Decoder::renamed(int depth) {
     Tree tree{Kind::rename, {composite(depth - 1)}, {}, {}, {}, {}, 0};
-    for (unsigned pairs = 1 + take(3); pairs > 0; --pairs) {
-        const Letter from = letter();
-        tree.renaming.emplace_back(from, letter());
+    for (unsigned pairs = 1 + take_below(3); pairs > 0; --pairs) {
+        const Letter from = make_letter();
+        tree.renaming.emplace_back(from, make_letter());
     }
     return std::make_shared<const Tree>(std::move(tree));
 }
@@ -146,20 +146,20 @@ Process Decoder::renamed(int depth) {
 /// Links each letter at most once on each side: FDR rejects other links.
 Process Decoder::linked(int depth) {
     Tree tree{Kind::linked, {composite(depth - 1), composite(depth - 1)}, {}, {}, {}, {}, 0};
-    tree.renaming.emplace_back(letter(), letter());
+    tree.renaming.emplace_back(make_letter(), make_letter());
     const auto [from, to] = tree.renaming.front();
-    if (take(2) == 1) tree.renaming.emplace_back((from + 1) % letters_used, (to + 2) % letters_used);
+    if (take_below(2) == 1) tree.renaming.emplace_back((from + 1) % letters_used, (to + 2) % letters_used);
     return std::make_shared<const Tree>(std::move(tree));
 }
 
 /// An acyclic order with maximal events that are below no other event, as prioritisepo requires.
-Process Decoder::ordered(int depth) {
+Process Decoder::make_ordered(int depth) {
     Tree tree{Kind::prioritise_order, {composite(depth - 1)}, {}, {0, 1, 2}, {}, {}, 0};
-    const Letter first = letter();
+    const Letter first = make_letter();
     const auto ranked = [&](int rank) { return (first + rank) % letters_used; };
     std::set<Letter> maximal = set();
     for (const auto& [high, low] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
-        if (take(2) == 0) continue;
+        if (take_below(2) == 0) continue;
         tree.renaming.emplace_back(ranked(high), ranked(low));
         maximal.erase(ranked(low));
     }
@@ -169,18 +169,18 @@ Process Decoder::ordered(int depth) {
 
 Process Decoder::compressed(Process operand) {
     constexpr int deter = 8;
-    Tree tree{Kind::compress, {std::move(operand)}, {}, {}, {}, {}, static_cast<int>(take(9))};
+    Tree tree{Kind::compress, {std::move(operand)}, {}, {}, {}, {}, static_cast<int>(take_below(9))};
     if (tree.name == deter) tree.name = deter + 1;  // FDR's deter is not supported: it may change the meaning
     return std::make_shared<const Tree>(std::move(tree));
 }
 
 Process Decoder::composite(int depth) {
     if (depth <= 0) {
-        Tree call{Kind::call, {}, {}, {}, {}, {}, static_cast<int>(take(definition_count))};
+        Tree call{Kind::call, {}, {}, {}, {}, {}, static_cast<int>(take_below(definition_count))};
         return std::make_shared<const Tree>(call);
     }
     const auto part = [&] { return composite(depth - 1); };
-    switch (take(26)) {
+    switch (take_below(26)) {
         case 0:
         case 1:
             return composite(0);
@@ -197,7 +197,7 @@ Process Decoder::composite(int depth) {
         case 8:
             return renamed(depth);
         case 9:
-            return with_levels(Kind::prioritise, {part()}, 1 + take(3));
+            return with_levels(Kind::prioritise, {part()}, 1 + take_below(3));
         case 10:
             return make(Kind::chase, {part()});
         case 11:
@@ -219,7 +219,7 @@ Process Decoder::composite(int depth) {
         case 19:
             return linked(depth);
         case 20:
-            return ordered(depth);
+            return make_ordered(depth);
         case 21:
             return make(Kind::project, {part()}, set());
         default:

@@ -19,8 +19,8 @@ public:
     Script script(int mains);
 
 private:
-    unsigned take(unsigned below);
-    Letter letter() { return static_cast<Letter>(take(letters_used)); }
+    unsigned take_below(unsigned below);
+    Letter make_letter() { return static_cast<Letter>(take_below(letters_used)); }
     std::set<Letter> set();
     /// A process in which calls occur only in tail position, so that recursion stays finite-state. `guarded`: calls
     /// occur only after an event.
@@ -28,14 +28,14 @@ private:
     Process sequential_leaf(bool guarded);
     Process prefix(int depth);
     /// A process without calls. It is one mode of a machine with several modes that lead to parallel components.
-    Process modes(int depth);
+    Process make_mode(int depth);
     Process closed(int depth);
     Process static_leaf();
     Process composite(int depth);
     Process with_levels(Kind kind, std::vector<Process> operands, unsigned sets = 2);
     Process renamed(int depth);
     Process linked(int depth);
-    Process ordered(int depth);
+    Process make_ordered(int depth);
     Process compressed(Process operand);
 
     const std::vector<unsigned>& numbers_;

@@ -14,7 +14,7 @@ std::optional<Violation> ThreadPrograms::search(lts::TransitionSystem& system, c
     const unsigned threads = threads_for(system, threads_);
     std::vector<std::unique_ptr<lts::TransitionSystem>> others;
     for (unsigned program = 1; program < programs_; ++program) {
-        others.push_back(system.another());
+        others.push_back(system.clone_for_thread());
         if (!others.back()) return ThreadRanks(1).search(system, question, budget, statistics);
     }
     Limits quiet = budget.limits();

@@ -31,7 +31,7 @@ process::EventSet Translation::events_of(const std::set<Letter>& letters) {
 }
 
 std::uint32_t Translation::set_of(const std::set<Letter>& letters) {
-    return static_cast<std::uint32_t>(scripted_.store.set(events_of(letters)));
+    return static_cast<std::uint32_t>(scripted_.store.intern_set(events_of(letters)));
 }
 
 TermId Translation::term(const naive::Process& process) {
@@ -101,7 +101,7 @@ TermId Translation::composite(const naive::Tree& tree, std::vector<TermId> opera
         case Kind::rename: {
             process::Renaming renaming;
             for (const auto& [from, to] : tree.renaming) renaming.emplace_back(event(from), event(to));
-            return make(Op::rename, static_cast<std::uint32_t>(scripted_.store.renaming(renaming)));
+            return make(Op::rename, static_cast<std::uint32_t>(scripted_.store.intern_renaming(renaming)));
         }
         case Kind::linked:
             return linked(tree, operands);
@@ -115,13 +115,13 @@ TermId Translation::composite(const naive::Tree& tree, std::vector<TermId> opera
             std::vector<process::EventPair> pairs;
             for (const auto& [high, low] : tree.renaming) pairs.emplace_back(event(high), event(low));
             const auto order = process::priority_order(events_of(tree.set), pairs, events_of(tree.sets[0]));
-            return make(Op::prioritise_order,
-                        static_cast<std::uint32_t>(scripted_.store.renaming(std::get<process::Renaming>(order))));
+            return make(Op::prioritise_order, static_cast<std::uint32_t>(
+                                                  scripted_.store.intern_renaming(std::get<process::Renaming>(order))));
         }
         default: {
             process::PriorityOrder order;
             for (const auto& level : tree.sets) order.push_back(events_of(level));
-            return make(Op::prioritise, static_cast<std::uint32_t>(scripted_.store.order(order)));
+            return make(Op::prioritise, static_cast<std::uint32_t>(scripted_.store.intern_order(order)));
         }
     }
 }
@@ -138,9 +138,9 @@ TermId Translation::linked(const naive::Tree& tree, const std::vector<TermId>& o
     }
     const auto renamed = [&](TermId operand, process::Renaming names) {
         return scripted_.op(Op::rename, {operand},
-                            static_cast<std::uint32_t>(scripted_.store.renaming(std::move(names))));
+                            static_cast<std::uint32_t>(scripted_.store.intern_renaming(std::move(names))));
     };
-    const auto set = static_cast<std::uint32_t>(scripted_.store.set(links));
+    const auto set = static_cast<std::uint32_t>(scripted_.store.intern_set(links));
     const TermId both = scripted_.op(Op::parallel, {renamed(operands[0], left), renamed(operands[1], right)}, set);
     return scripted_.op(Op::hide, {both}, set);
 }

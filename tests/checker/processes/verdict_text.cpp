@@ -3,7 +3,7 @@
 
 namespace robochart::refine {
 
-std::string everything(const Verdict& verdict) {
+std::string complete_text(const Verdict& verdict) {
     const Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     for (const std::uint64_t each :

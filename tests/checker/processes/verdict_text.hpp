@@ -9,6 +9,6 @@
 namespace robochart::refine {
 
 /// The complete verdict: outcome, reason, figures, and for a counterexample its kind and every step with its state.
-[[nodiscard]] std::string everything(const Verdict& verdict);
+[[nodiscard]] std::string complete_text(const Verdict& verdict);
 
 }  // namespace robochart::refine

@@ -40,7 +40,7 @@ public:
     }
     [[nodiscard]] bool has_failed() const { return failed_; }
     /// The number of calls before the failing one.
-    [[nodiscard]] std::uint64_t left() const { return left_; }
+    [[nodiscard]] std::uint64_t calls_left() const { return left_; }
 
 private:
     void call() {

@@ -115,7 +115,7 @@ public:
     [[nodiscard]] std::size_t width() const override { return 1; }
     void initial(std::span<lts::Word> state) override { system_.initial(state); }
     void successors(lts::StateView state, lts::SuccessorSink& sink) override { system_.successors(state, sink); }
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
         if (asked_.exchange(true)) return nullptr;
         return std::make_unique<lts::GraphSystem>(graph_, system_.events());
     }

@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/diagnostics/files.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/process/term_system.hpp"
 #include "checker/ranks/served_ranks.hpp"
@@ -21,7 +22,6 @@
 #include "checker/refine/verdict/check.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/file_lock.hpp"
-#include "base/diagnostics/files.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
 #include "tests/checker/ranks/faulty_exchange.hpp"
@@ -63,18 +63,18 @@ protected:
         few_ = std::make_unique<process::TermSystem>(semantics_, few);
     }
 
-    [[nodiscard]] std::string kept() const { return folder_.path() + "/kept"; }
-    [[nodiscard]] bool there() const { return fs::exists(kept() + "/questions"); }
+    [[nodiscard]] std::string checkpoint_folder() const { return folder_.path() + "/kept"; }
+    [[nodiscard]] bool checkpoint_exists() const { return fs::exists(checkpoint_folder() + "/questions"); }
     /// The folder of the current search.
     [[nodiscard]] std::string search() const {
-        for (const auto& each : fs::directory_iterator(kept()))
+        for (const auto& each : fs::directory_iterator(checkpoint_folder()))
             if (each.path().filename().string().starts_with("search-")) return each.path().string();
         return "";
     }
     [[nodiscard]] KeptSettings settings(bool disk) {
         KeptSettings settings;
-        settings.folder = kept();
-        settings.resume = there();
+        settings.folder = checkpoint_folder();
+        settings.resume = checkpoint_exists();
         settings.disk = disk;
         settings.every = std::chrono::milliseconds(0);
         settings.program = "this program";
@@ -102,7 +102,7 @@ protected:
             strategy.identify_question(hasher.finish());
             const refine::Verdict verdict = ask();
             strategy.end_question(verdict.outcome != Outcome::inconclusive);
-            answers.push_back(refine::everything(verdict));
+            answers.push_back(refine::complete_text(verdict));
         }
         strategy.all_asked();
         return answers;
@@ -115,7 +115,7 @@ protected:
     Answers by_ranks(unsigned count, bool disk, std::uint64_t most_states = 1'000'000, unsigned threads = 1) {
         Answers answers;
         refine::as_ranks(count, [&](refine::Exchange& exchange) {
-            if (exchange.rank() != 0) return serve(exchange, program);
+            if (exchange.rank() != 0) return serve_searches(exchange, program);
             ServedRanks served(exchange, program);
             KeptSearch search(settings(disk), served);
             answers = decide(search, most_states, threads);
@@ -154,7 +154,7 @@ TEST_F(KeptRanks, GoOnFromWhatOtherNumbersOfRanksHaveKept) {
         EXPECT_THAT(by_ranks(2, disk, 3000, 2)[0], limited);
         EXPECT_EQ(storage::newest_in(search()).ranks, 4U);
         EXPECT_EQ(by_ranks(2, disk), expected);
-        EXPECT_FALSE(fs::exists(kept())) << "all is decided";
+        EXPECT_FALSE(fs::exists(checkpoint_folder())) << "all is decided";
     }
     EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
@@ -198,11 +198,11 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
     const Answers expected = in_memory();
     const std::string other = folder_.path() + "/tepk";
     for (const bool there_too : {false, true}) {
-        if (there_too) fs::copy(kept(), other, fs::copy_options::recursive);
+        if (there_too) fs::copy(checkpoint_folder(), other, fs::copy_options::recursive);
         std::string why;
         refine::as_ranks(2, [&](refine::Exchange& exchange) {
-            OtherFolder own(exchange, kept(), other);
-            if (exchange.rank() != 0) return serve(own, program);
+            OtherFolder own(exchange, checkpoint_folder(), other);
+            if (exchange.rank() != 0) return serve_searches(own, program);
             ServedRanks served(exchange, program);
             KeptSearch search(settings(false), served);
             try {
@@ -215,7 +215,7 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
         EXPECT_THAT(why, AllOf(HasSubstr("/tepk/search-"), HasSubstr("/run: rank 1: "),
                                HasSubstr(there_too ? "it is of another run" : "No such file"),
                                HasSubstr("all ranks must see the folder that rank 0 sees")));
-        EXPECT_TRUE(there());
+        EXPECT_TRUE(checkpoint_exists());
     }
     EXPECT_EQ(by_ranks(2, false), expected);
 }
@@ -227,7 +227,7 @@ TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
         const auto work = [&](refine::Exchange& real) {
             const bool own = real.rank() == failing;
             FaultyExchange faulty(real, own ? 30 : ~std::uint64_t{0}, FaultyExchange::Fault::memory);
-            if (real.rank() != 0) return serve(faulty, program);
+            if (real.rank() != 0) return serve_searches(faulty, program);
             ServedRanks served(faulty, program);
             KeptSearch search(settings(false), served);
             EXPECT_THAT(decide(search, 1'000'000)[0], HasSubstr("there is no more memory"));
@@ -246,7 +246,7 @@ TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
     (void)by_ranks(2, false, 500);
     {
         const diagnostics::Descriptor rank(::open((search() + "/" + refine::run_name).c_str(), O_RDONLY | O_CLOEXEC));
-        ASSERT_TRUE(rank.open());
+        ASSERT_TRUE(rank.is_open());
         ASSERT_EQ(::flock(rank.get(), LOCK_SH | LOCK_NB), 0);
         try {
             (void)by_ranks(2, false);
@@ -263,7 +263,7 @@ TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
     const auto stop_at = [&](std::uint64_t call, std::uint64_t& left) {
         bool failed = false;
         const auto work = [&](refine::Exchange& real) {
-            if (real.rank() != 0) return serve(real, program);
+            if (real.rank() != 0) return serve_searches(real, program);
             FaultyExchange faulty(real, call, FaultyExchange::Fault::memory);
             ServedRanks served(faulty, program);
             KeptSearch search(settings(false), served);
@@ -274,7 +274,7 @@ TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
             search.identify_question(diagnostics::Hasher().finish());
             const refine::Verdict verdict = refine::deadlock_free(*cells_, refine::Model::failures, limits);
             EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
-            left = faulty.left();
+            left = faulty.calls_left();
             failed = faulty.has_failed();
             EXPECT_EQ(served.others_wait(), failed) << call;
             if (failed) throw std::runtime_error("the first rank ends");
@@ -284,7 +284,7 @@ TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
         } catch (const std::exception&) {
             EXPECT_TRUE(failed);
         }
-        fs::remove_all(kept());
+        fs::remove_all(checkpoint_folder());
         return failed;
     };
     std::uint64_t left = 0;
@@ -331,7 +331,7 @@ TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
     for (const std::uint64_t most_states : {50U, 300U})
         refine::as_ranks(2, [&](refine::Exchange& real) {
             LateExchange exchange(real, late);
-            if (real.rank() != 0) return serve(exchange, program);
+            if (real.rank() != 0) return serve_searches(exchange, program);
             ServedRanks served(real, program);
             KeptSearch kept(settings(false), served);
             refine::Limits limits;
@@ -343,7 +343,7 @@ TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
             EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
             const std::string run = search() + "/" + refine::run_name;
             const diagnostics::Descriptor file = storage::open_to_lock(run, false);
-            ASSERT_TRUE(file.open());
+            ASSERT_TRUE(file.is_open());
             EXPECT_EQ(storage::lock(file, run, storage::Lock::exclusive, "in use"), "");
         });
 }
@@ -372,7 +372,7 @@ TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
             interrupted = true;
         };
         LateExchange exchange(real, at_work);
-        if (real.rank() != 0) return serve(exchange, program);
+        if (real.rank() != 0) return serve_searches(exchange, program);
         ServedRanks served(real, program);
         KeptSettings own = settings(false);
         own.every = std::chrono::hours(1);

@@ -42,7 +42,7 @@ using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
 std::vector<std::string> by_programs(unsigned programs, unsigned threads, bool reduction, const Ask& ask) {
     std::vector<std::string> answers;
     refine::as_ranks(programs, [&](refine::Exchange& exchange) {
-        if (exchange.rank() != 0) return serve(exchange, program);
+        if (exchange.rank() != 0) return serve_searches(exchange, program);
         ServedRanks strategy(exchange, program);
         refine::Limits limits;
         limits.reduction = reduction;
@@ -58,10 +58,10 @@ std::vector<std::string> all_answers(lts::TransitionSystem& specification, lts::
     std::vector<std::string> answers;
     for (const refine::Model model :
          {refine::Model::traces, refine::Model::failures, refine::Model::failures_divergences})
-        answers.push_back(everything(refine::refines(specification, system, model, limits)));
-    answers.push_back(everything(refine::deadlock_free(system, refine::Model::failures, limits)));
-    answers.push_back(everything(refine::deterministic(system, refine::Model::failures_divergences, limits)));
-    answers.push_back(everything(refine::divergence_free(system, limits)));
+        answers.push_back(complete_text(refine::refines(specification, system, model, limits)));
+    answers.push_back(complete_text(refine::deadlock_free(system, refine::Model::failures, limits)));
+    answers.push_back(complete_text(refine::deterministic(system, refine::Model::failures_divergences, limits)));
+    answers.push_back(complete_text(refine::divergence_free(system, limits)));
     return answers;
 }
 
@@ -112,7 +112,7 @@ TEST_F(Cells, AreFoldedAtEachRank) {
         EXPECT_EQ(verdict.statistics.states, 84U);
         EXPECT_EQ(verdict.statistics.replicas, 6U);
         EXPECT_EQ(verdict.statistics.ranks, 6U);
-        return std::vector{everything(verdict)};
+        return std::vector{complete_text(verdict)};
     });
     ASSERT_EQ(answers.size(), 1U);
     EXPECT_EQ(answers.front().front(), '0' + static_cast<int>(Outcome::holds));
@@ -159,7 +159,7 @@ TEST_F(Cells, EndTogetherWhateverProgramFails) {
                 const bool own = real.rank() == failing;
                 FaultyExchange faulty(real, own ? call : ~std::uint64_t{0}, fault);
                 if (real.rank() != 0) {
-                    serve(faulty, program);
+                    serve_searches(faulty, program);
                 } else {
                     ServedRanks strategy(faulty, program);
                     refine::Limits limits;
@@ -262,7 +262,7 @@ TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
     const auto system = compiler.compile(cells(), {});
     for (const unsigned threads : {1U, 2U})
         refine::as_ranks(3, [&](refine::Exchange& exchange) {
-            if (exchange.rank() != 0) return serve(exchange, exchange.rank() == 1 ? program : "another build");
+            if (exchange.rank() != 0) return serve_searches(exchange, exchange.rank() == 1 ? program : "another build");
             ServedRanks strategy(exchange, program);
             refine::Limits limits;
             limits.threads = threads;
@@ -298,7 +298,7 @@ private:
 // A rank must not ignore an error that the others do not learn of, because they wait for this rank.
 TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
     ShortOfMemory exchange;
-    EXPECT_THROW(serve(exchange, program), std::bad_alloc);
+    EXPECT_THROW(serve_searches(exchange, program), std::bad_alloc);
 }
 
 }  // namespace

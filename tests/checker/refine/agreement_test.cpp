@@ -50,7 +50,7 @@ struct Way {
 constexpr unsigned most_threads = 3;
 constexpr unsigned most_ranks = 4;  // four ranks in memory are two programs with two threads each
 
-std::string text(const Way& way) {
+std::string way_text(const Way& way) {
     const char* const forms[] = {"as terms", "with compressions", "compiled"};
     std::string result = forms[static_cast<int>(way.form)];
     if (way.taus) result += ", confluent taus";
@@ -93,14 +93,15 @@ public:
     [[nodiscard]] std::size_t width() const override { return inner_->width(); }
     void initial(std::span<lts::Word> state) override { inner_->initial(state); }
     void successors(lts::StateView state, lts::SuccessorSink& sink) override { inner_->successors(state, sink); }
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
-        auto more = inner_->another();
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
+        auto more = inner_->clone_for_thread();
         return more ? std::make_unique<Reducible>(std::move(more), taus_, symmetry_) : nullptr;
     }
     [[nodiscard]] const process::EventTable& events() const override { return inner_->events(); }
-    void watch(const std::function<void()>& poll) override { inner_->watch(poll); }
-    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> reduced(const std::function<void()>& poll) const override {
-        return taus_ ? inner_->reduced(poll) : nullptr;
+    void set_poll(const std::function<void()>& poll) override { inner_->set_poll(poll); }
+    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(
+        const std::function<void()>& poll) const override {
+        return taus_ ? inner_->make_reduced_system(poll) : nullptr;
     }
     [[nodiscard]] std::vector<lts::ReplicaSet> replicas(const std::function<void()>& poll) const override {
         return symmetry_ ? inner_->replicas(poll) : std::vector<lts::ReplicaSet>();
@@ -122,22 +123,22 @@ void double_process(Case& asked, RandomWays& numbers) {
     asked.script.mains[1] = std::make_shared<const naive::Tree>(std::move(both));
 }
 
-bool uses(const naive::Process& process, naive::Kind kind) {
+bool contains_kind(const naive::Process& process, naive::Kind kind) {
     if (process->kind == kind) return true;
     return std::ranges::any_of(process->operands,
-                               [kind](const naive::Process& operand) { return uses(operand, kind); });
+                               [kind](const naive::Process& operand) { return contains_kind(operand, kind); });
 }
 
-bool uses(const naive::Script& script, naive::Kind kind) {
+bool contains_kind(const naive::Script& script, naive::Kind kind) {
     const auto somewhere = [kind](const std::vector<naive::Process>& list) {
-        return std::ranges::any_of(list, [kind](const auto& each) { return uses(each, kind); });
+        return std::ranges::any_of(list, [kind](const auto& each) { return contains_kind(each, kind); });
     };
     return somewhere(script.definitions) || somewhere(script.mains);
 }
 
 /// A compression may change which tau `chase` follows.
 bool compressible(const naive::Script& script) {
-    return !uses(script, naive::Kind::chase) && uses(script, naive::Kind::compress);
+    return !contains_kind(script, naive::Kind::chase) && contains_kind(script, naive::Kind::compress);
 }
 
 Model model(Semantics semantics) {
@@ -177,7 +178,7 @@ public:
         return std::make_unique<process::TermSystem>(translation(way.form).system(process));
     }
     [[nodiscard]] bool is_compiled(int main) { return compiled(main) != nullptr; }
-    naive::Letter letter(Way::Form form, process::Event event) {
+    naive::Letter letter_of(Way::Form form, process::Event event) {
         if (event == process::tau) return naive::tau;
         for (naive::Letter each = 0; each < naive::letters_used; ++each)
             if (translation(form).event(each) == event) return each;
@@ -191,7 +192,7 @@ private:
             machine::Compiler compiler(plain_.semantics());
             made.emplace(compiler.compile(plain_.term(asked_.script.mains[static_cast<std::size_t>(main)]), {}));
         }
-        return *made ? (*made)->another() : nullptr;
+        return *made ? (*made)->clone_for_thread() : nullptr;
     }
 
     const Case& asked_;
@@ -206,7 +207,8 @@ protected:
     /// Returns the difference between the answer in this way and the expected one, if there is any.
     std::optional<std::string> fault(Systems& systems, const Question& question, const Case& asked,
                                      const Graphs& graphs, const Way& way);
-    bool agrees(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs, const Way& way);
+    bool check_agreement(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs,
+                         const Way& way);
 
     ThreadPrograms in_memory_[most_ranks] = {{1, 1}, {1, 2}, {1, 3}, {2, 2}};
     OnDisk on_disk_[most_ranks] = {OnDisk(1), OnDisk(2), OnDisk(3), OnDisk(4)};
@@ -253,7 +255,7 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
     if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails)) return holds ? "should hold" : "should fail";
     if (verdict.counterexample.has_value() == holds) return "has a counterexample too many or too few";
     if (!holds) {
-        const auto letter = [&](process::Event event) { return systems.letter(way.form, event); };
+        const auto letter = [&](process::Event event) { return systems.letter_of(way.form, event); };
         return wrong_by_definition(*verdict.counterexample, question, graphs, way.form != Way::Form::compressing_terms,
                                    letter);
     }
@@ -273,8 +275,8 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
 }
 
 /// If the engine is wrong, shrinks and prints the case.
-bool Agreement::agrees(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs,
-                       const Way& way) {
+bool Agreement::check_agreement(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs,
+                                const Way& way) {
     if (!fault(systems, question, asked, graphs, way)) return true;
     const auto wrong = [&](const Case& other) -> std::optional<std::string> {
         const auto explored = explore(other, largest_graph);
@@ -283,7 +285,8 @@ bool Agreement::agrees(Systems& systems, const Question& question, const Case& a
         return fault(its, question, other, *explored, way);
     };
     const Case least = shrink(asked, [&](const Case& other) { return wrong(other).has_value(); });
-    ADD_FAILURE() << text(way) << ": " << assertion(question, least.trace) << " " << wrong(least).value_or("?") << "\n"
+    ADD_FAILURE() << way_text(way) << ": " << assertion(question, least.trace) << " " << wrong(least).value_or("?")
+                  << "\n"
                   << show(least.script);
     return false;
 }
@@ -304,10 +307,10 @@ TEST_F(Agreement, OnRandomProcesses) {
         for (const int main : {0, 1}) ++(systems.is_compiled(main) ? compiled_ : left_as_terms_);
         for (const Question& question : questions()) {
             const Way way = ways.next(compressible(each.asked.script));
-            agreed = agreed && agrees(systems, question, each.asked, each.graphs, way);
+            agreed = agreed && check_agreement(systems, question, each.asked, each.graphs, way);
             ++checks_;
-            ++ways_[text(way)];
-            seen_[topic(question)].count(expected(question, each.graphs, each.asked.trace));
+            ++ways_[way_text(way)];
+            seen_[assertion_kind(question)].count(expected(question, each.graphs, each.asked.trace));
         }
     }
     ASSERT_TRUE(agreed);
@@ -354,7 +357,7 @@ TEST_F(Agreement, AFaultIsFoundAndShrunk) {
     while (!wrong(found)) found = cases.next().asked;
     const Case least = shrink(found, wrong);
     // M0 = STOP, M1 = a choice of two different leaves, or a smaller process.
-    EXPECT_TRUE(uses(least.script, naive::Kind::internal)) << show(least.script);
+    EXPECT_TRUE(contains_kind(least.script, naive::Kind::internal)) << show(least.script);
     for (const naive::Process& main : least.script.mains) EXPECT_LE(show(main).size(), 40U) << show(least.script);
 }
 

@@ -34,8 +34,8 @@ public:
         allowed_ = specification_.initially();
         at_ = exactly_ ? States{0} : process_.initially();
         for (const Step& step : counterexample_.steps)
-            if (!take(letter_(step.event))) return "has a run that the process does not have";
-        if (!violates()) return "has a run at whose end nothing is wrong";
+            if (!take_letter(letter_(step.event))) return "has a run that the process does not have";
+        if (!violates_specification()) return "has a run at whose end nothing is wrong";
         if (!counterexample_.shortest) return "has a run that is not a shortest one, without a limit";
         if (exactly_ && is_longer()) return "has no shortest run";
         return std::nullopt;
@@ -44,7 +44,7 @@ public:
 private:
     bool refines() const { return question_.kind == Question::Kind::refinement; }
 
-    bool take(Letter letter) {
+    bool take_letter(Letter letter) {
         before_ = allowed_;
         if (letter != naive::tau) {
             allowed_ = specification_.after(allowed_, letter);
@@ -62,7 +62,7 @@ private:
         return result;
     }
 
-    bool violates() const {
+    bool violates_specification() const {
         const auto somewhere = [&](const auto& wrong) { return std::ranges::any_of(at_, wrong); };
         switch (counterexample_.kind) {
             case ViolationKind::trace:
@@ -85,7 +85,7 @@ private:
 
     bool refuses_too_much(int state) const {
         for (unsigned set = 0; set < process_.refusal_sets(); ++set)
-            if (process_.state_refuses(state, set) && !specification_.refuses(allowed_, set)) return true;
+            if (process_.state_refuses(state, set) && !specification_.can_refuse(allowed_, set)) return true;
         return false;
     }
     bool is_deadlocked(int state) const { return process_.state_refuses(state, process_.refusal_sets() - 1); }
@@ -105,7 +105,7 @@ private:
         const Letter letter = letter_(*counterexample_.event);
         States states = process_.initially();
         for (const Letter each : trace_) states = process_.after(states, each);
-        return !process_.after(states, letter).empty() && process_.refuses(states, bit_of(letter));
+        return !process_.after(states, letter).empty() && process_.can_refuse(states, bit_of(letter));
     }
 
     /// Whether a shortest run is promised and this run is longer. (A run to a tau loop may be shorter than in the naive

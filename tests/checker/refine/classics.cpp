@@ -63,14 +63,16 @@ TermId copier(Scripted& s, int i) {
 class BufferMaker {
 public:
     BufferMaker(Scripted& s, std::size_t places) : s_(s), places_(places) {}
-    TermId holding(const std::string& content) {
+    TermId buffer_holding(const std::string& content) {
         if (const auto known = made_.find(content); known != made_.end()) return known->second;
         const TermId self = made_[content] = s_.name("BUFF(" + content + ")");
         std::vector<std::pair<std::string, TermId>> branches;
         for (const char* bit : {"0", "1"})
-            if (content.size() < places_) branches.emplace_back(std::string("ch.0.") + bit, holding(content + bit));
+            if (content.size() < places_)
+                branches.emplace_back(std::string("ch.0.") + bit, buffer_holding(content + bit));
         if (!content.empty())
-            branches.emplace_back("ch." + std::to_string(places_) + "." + content[0], holding(content.substr(1)));
+            branches.emplace_back("ch." + std::to_string(places_) + "." + content[0],
+                                  buffer_holding(content.substr(1)));
         s_.bind(self, s_.menu(branches));
         return self;
     }
@@ -125,7 +127,7 @@ TermId buffer_chain(Scripted& s, int count) {
 }
 
 TermId buffer(Scripted& s, int places) {
-    return BufferMaker(s, static_cast<std::size_t>(places)).holding("");
+    return BufferMaker(s, static_cast<std::size_t>(places)).buffer_holding("");
 }
 
 TermId independent_cycles(Scripted& s, int count) {

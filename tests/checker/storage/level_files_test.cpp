@@ -36,12 +36,12 @@ std::vector<Word> rows_of(std::uint32_t level, Word salt = 0) {
 class Levels : public testing::Test {
 protected:
     static constexpr std::size_t width = 3;
-    [[nodiscard]] FolderOf where(const Place& place = {}) const {
+    [[nodiscard]] FolderOf folder_of(const Place& place = {}) const {
         FolderOf where{folder_.path(), {width, {}}, place};
         where.kind.search.fill(9);
         return where;
     }
-    static std::vector<Word> all(LevelFiles& files, std::uint32_t level) {
+    static std::vector<Word> all_rows(LevelFiles& files, std::uint32_t level) {
         std::vector<Word> rows;
         files.each_block(level,
                          [&](std::span<const Word> block) { rows.insert(rows.end(), block.begin(), block.end()); });
@@ -52,7 +52,7 @@ protected:
         std::uint64_t sum = 0;
         for (std::uint32_t level = 0; level < files.levels(); ++level) {
             const std::vector<Word> wanted = rows_of(level, level >= salted_from ? salt : 0);
-            ASSERT_EQ(all(files, level), wanted) << level;
+            ASSERT_EQ(all_rows(files, level), wanted) << level;
             ASSERT_EQ(files.rows(level) * width, wanted.size());
             std::vector<Word> pieces;
             for (std::uint64_t at = 0; files.read(level, at, 1000, pieces) > 0;) at = pieces.size() / width;
@@ -61,11 +61,11 @@ protected:
         }
         ASSERT_EQ(files.rows(), sum);
     }
-    [[nodiscard]] std::vector<Checkpoint> newest() const {
-        return read(folder_.path(), where().kind, newest_in(folder_.path()));
+    [[nodiscard]] std::vector<Checkpoint> newest_checkpoints() const {
+        return read(folder_.path(), folder_of().kind, newest_in(folder_.path()));
     }
-    LevelFiles adopted(const Checkpoint& checkpoint) const {
-        LevelFiles files(where(checkpoint.place));
+    LevelFiles open_checkpoint(const Checkpoint& checkpoint) const {
+        LevelFiles files(folder_of(checkpoint.place));
         files.adopt(checkpoint, {});
         return files;
     }
@@ -79,7 +79,7 @@ protected:
 };
 
 TEST_F(Levels, AreReadAgainAfterACheckpoint) {
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 13; ++level) files.add_level(rows_of(level));
     expect_levels(files);
     const std::vector<std::vector<Word>> unsure{{7, 7, 7, 4}, {}, {1, 0, 0, 6, 2, 0, 0, 6, 7, 7, 7, 4}};
@@ -87,9 +87,9 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
         {{1, 2, 3, 4, 5, 6}, [&](const TakeRows& take) { std::ranges::for_each(unsure, take); }, {{10, 0}, {20, 5}}});
     for (std::uint32_t level = 13; level < 20; ++level) files.add_level(rows_of(level));
 
-    const std::vector<Checkpoint> found = newest();
+    const std::vector<Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 1U);
-    LevelFiles again = adopted(found[0]);
+    LevelFiles again = open_checkpoint(found[0]);
     EXPECT_EQ(again.levels(), 13U);
     expect_levels(again);
     ASSERT_EQ(found[0].expanded.size(), 2U);
@@ -97,18 +97,18 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     EXPECT_EQ(found[0].expanded[1].chased, 5U);
     std::vector<std::vector<Word>> beside;
     const auto take = [&](std::span<const Word> rows) { beside.emplace_back(rows.begin(), rows.end()); };
-    LevelFiles::read_beside(where(), found[0].unsure, true, {}, take);
+    LevelFiles::read_beside(folder_of(), found[0].unsure, true, {}, take);
     EXPECT_EQ(beside, (std::vector<std::vector<Word>>{unsure[0], unsure[2]}));
     beside.clear();
-    LevelFiles::read_beside(where(), found[0].marks, false, {}, take);
+    LevelFiles::read_beside(folder_of(), found[0].marks, false, {}, take);
     EXPECT_EQ(beside, (std::vector<std::vector<Word>>{{1, 2, 3, 4, 5, 6}}));
     // The search continues, and files that are no longer needed are removed.
     for (std::uint32_t level = 13; level < 25; ++level) again.add_level(rows_of(level));
     again.checkpoint({});
-    const std::vector<Checkpoint> later = newest();
+    const std::vector<Checkpoint> later = newest_checkpoints();
     ASSERT_EQ(later.size(), 1U);
     EXPECT_EQ(later[0].number, found[0].number + 1);
-    LevelFiles last = adopted(later[0]);
+    LevelFiles last = open_checkpoint(later[0]);
     EXPECT_EQ(last.levels(), 25U);
     expect_levels(last);
     EXPECT_EQ(files_there(), 3U) << "a checkpoint and the files of two runs";
@@ -117,7 +117,7 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
 // Only the selected blocks of a level of four blocks are read. A block is selected by its first row and that of the
 // next block.
 TEST_F(Levels, AreReadBlockByBlock) {
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     std::vector<Word> rows;
     const Word count = 3 * RowFile::rows_of_block + 5;
     for (Word i = 0; i < count; ++i) rows.insert(rows.end(), {2 * i, 0, 1});
@@ -148,7 +148,7 @@ TEST_F(Levels, AreReadBlockByBlock) {
 
 // Levels that a rollback discarded occupy no space. Later levels can be given up, except those of the last checkpoint.
 TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 4; ++level) files.add_level(rows_of(level));
     files.checkpoint({});
     for (std::uint32_t level = 4; level < 12; ++level) files.add_level(rows_of(level));
@@ -169,7 +169,7 @@ TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
 
 // Discarded levels still exist for the previous checkpoint.
 TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 10; ++level) files.add_level(rows_of(level));
     files.checkpoint({});
     for (std::uint32_t level = 10; level < 15; ++level) files.add_level(rows_of(level));
@@ -177,45 +177,45 @@ TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
     files.forget_from(4);
     for (std::uint32_t level = 4; level < 12; ++level) files.add_level(rows_of(level, 100));
     expect_levels(files, 100, 4);
-    LevelFiles before = adopted(newest().at(0));
+    LevelFiles before = open_checkpoint(newest_checkpoints().at(0));
     EXPECT_EQ(before.levels(), 10U);
     expect_levels(before);
     files.checkpoint({});
-    LevelFiles after = adopted(newest().at(0));
+    LevelFiles after = open_checkpoint(newest_checkpoints().at(0));
     EXPECT_EQ(after.levels(), 12U);
     expect_levels(after, 100, 4);
 }
 
 // With several ranks, a checkpoint counts when all ranks have written their parts.
 TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
-    LevelFiles first(where({0, 2}));
-    LevelFiles second(where({1, 2}));
+    LevelFiles first(folder_of({0, 2}));
+    LevelFiles second(folder_of({1, 2}));
     for (std::uint32_t level = 0; level < 5; ++level) {
         first.add_level(rows_of(level));
         second.add_level(rows_of(level, 50));
     }
     first.checkpoint({});
-    EXPECT_TRUE(newest().empty());
+    EXPECT_TRUE(newest_checkpoints().empty());
     second.checkpoint({});
     first.add_level(rows_of(5));
     second.add_level(rows_of(5, 50));
     first.checkpoint({});
-    const std::vector<Checkpoint> found = newest();
+    const std::vector<Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 1U);
     for (const Checkpoint& each : found) {
-        LevelFiles files = adopted(each);
+        LevelFiles files = open_checkpoint(each);
         EXPECT_EQ(files.levels(), 5U);
         expect_levels(files, each.place.rank * 50);
     }
     second.checkpoint({});
-    EXPECT_EQ(newest().at(1).number, 2U);
+    EXPECT_EQ(newest_checkpoints().at(1).number, 2U);
 }
 
 // If one rank continues to write checkpoints and another cannot, the common checkpoint is not removed.
 TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
-    LevelFiles first(where({0, 2}));
-    LevelFiles second(where({1, 2}));
+    LevelFiles first(folder_of({0, 2}));
+    LevelFiles second(folder_of({1, 2}));
     first.add_level(rows_of(0));
     second.add_level(rows_of(0, 50));
     first.checkpoint({});
@@ -224,11 +224,11 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
         first.add_level(rows_of(level));
         first.checkpoint({});
     }
-    const std::vector<Checkpoint> found = newest();
+    const std::vector<Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 1U);
     for (const Checkpoint& each : found) {
-        LevelFiles files = adopted(each);
+        LevelFiles files = open_checkpoint(each);
         EXPECT_EQ(files.levels(), 1U);
         expect_levels(files, each.place.rank * 50);
     }
@@ -237,8 +237,8 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
 
 // Parts with the same number belong together, even if one has more levels; the reader uses the common levels.
 TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
-    LevelFiles first(where({0, 2}));
-    LevelFiles second(where({1, 2}));
+    LevelFiles first(folder_of({0, 2}));
+    LevelFiles second(folder_of({1, 2}));
     first.add_level(rows_of(0));
     second.add_level(rows_of(0, 50));
     first.checkpoint({});
@@ -248,16 +248,16 @@ TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
     second.add_level(rows_of(1, 50));
     first.checkpoint({});
     second.checkpoint({});
-    const std::vector<Checkpoint> found = newest();
+    const std::vector<Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 2U);
-    EXPECT_EQ(adopted(found[0]).levels(), 3U);
-    EXPECT_EQ(adopted(found[1]).levels(), 2U);
+    EXPECT_EQ(open_checkpoint(found[0]).levels(), 3U);
+    EXPECT_EQ(open_checkpoint(found[1]).levels(), 2U);
 }
 
 // Rows are found by their position in a level, so a short block before others would make all later positions wrong.
 TEST_F(Levels, AreRefusedWithAShortBlockBeforeOthers) {
-    RowFile file = RowFile::create(folder_.path() + "/rows-0-of-1-0", where().kind);
+    RowFile file = RowFile::create(folder_.path() + "/rows-0-of-1-0", folder_of().kind);
     file.append(0, std::vector<Word>{1, 1, 1});
     file.append(0, std::vector<Word>{2, 2, 2});
     file.finish();
@@ -265,9 +265,9 @@ TEST_F(Levels, AreRefusedWithAShortBlockBeforeOthers) {
     made.number = 1;
     made.levels = 1;
     made.files.push_back({"rows-0-of-1-0", 2, file.check()});
-    EXPECT_THROW((void)adopted(made), BadFile);
+    EXPECT_THROW((void)open_checkpoint(made), BadFile);
     made.files[0].blocks = 1;
-    EXPECT_EQ(adopted(made).rows(), 1U);
+    EXPECT_EQ(open_checkpoint(made).rows(), 1U);
 }
 
 TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
@@ -276,8 +276,8 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         const pid_t child = fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
-            const std::vector<Checkpoint> found = newest();
-            LevelFiles files(where());
+            const std::vector<Checkpoint> found = newest_checkpoints();
+            LevelFiles files(folder_of());
             if (!found.empty()) files.adopt(found[0], {});
             for (;;) {
                 for (int i = 0; i < 3; ++i) files.add_level(rows_of(files.levels()));
@@ -288,18 +288,18 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 100));
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
-        const std::vector<Checkpoint> found = newest();
+        const std::vector<Checkpoint> found = newest_checkpoints();
         if (found.empty()) continue;
-        LevelFiles files = adopted(found[0]);
+        LevelFiles files = open_checkpoint(found[0]);
         expect_levels(files);
-        LevelFiles::read_beside(where(), found[0].marks, false, {},
+        LevelFiles::read_beside(folder_of(), found[0].marks, false, {},
                                 [&](std::span<const Word> rows) { EXPECT_EQ(rows[0], files.levels()); });
     }
-    EXPECT_FALSE(newest().empty());
+    EXPECT_FALSE(newest_checkpoints().empty());
 }
 
 TEST_F(Levels, KeepTheLastCheckpointWhereTheDiskIsFull) {
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 8; ++level) files.add_level(rows_of(level));
     files.checkpoint({});
     std::string why;
@@ -312,16 +312,16 @@ TEST_F(Levels, KeepTheLastCheckpointWhereTheDiskIsFull) {
         reached = files.levels();
     }
     EXPECT_THAT(why, HasSubstr("cannot write"));
-    EXPECT_EQ(newest().at(0).levels, 8U);
+    EXPECT_EQ(newest_checkpoints().at(0).levels, 8U);
     expect_levels(files);
     files.checkpoint({});  // there is space again
-    EXPECT_EQ(newest().at(0).levels, reached);
-    LevelFiles again = adopted(newest().at(0));
+    EXPECT_EQ(newest_checkpoints().at(0).levels, reached);
+    LevelFiles again = open_checkpoint(newest_checkpoints().at(0));
     expect_levels(again);
 }
 
 TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 3; ++level) files.add_level(rows_of(level));
     files.checkpoint({{1, 2, 3}, {}, {{1, 2}}});
     const std::string path = folder_.path() + "/" + name_of(1, {});
@@ -330,7 +330,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
     const auto refused = [&](const std::string& text) {
         std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
         try {
-            for (const Checkpoint& each : newest()) (void)adopted(each);
+            for (const Checkpoint& each : newest_checkpoints()) (void)open_checkpoint(each);
         } catch (const BadFile& error) {
             return std::string(error.what());
         }
@@ -370,14 +370,14 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
 TEST_F(Levels, NeedFewOpenFiles) {
     constexpr std::uint32_t levels = 30;
     const tests::OpenFilesLimit limit(6);
-    LevelFiles files(where());
+    LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < levels; ++level) {
         files.add_level(rows_of(level));
         files.checkpoint({});
     }
     expect_levels(files);
-    LevelFiles again(where());
-    again.adopt(read(folder_.path(), where().kind, newest_in(folder_.path())).at(0), {});
+    LevelFiles again(folder_of());
+    again.adopt(read(folder_.path(), folder_of().kind, newest_in(folder_.path())).at(0), {});
     ASSERT_EQ(again.levels(), levels);
     expect_levels(again);
 }

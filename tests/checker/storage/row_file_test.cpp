@@ -107,7 +107,7 @@ protected:
         file.finish();
         return path(name);
     }
-    static std::string contents(const std::string& path) {
+    static std::string read_contents(const std::string& path) {
         std::ifstream in(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
@@ -161,7 +161,7 @@ TEST_F(RowFiles, CanBeReadWhileTheyGrow) {
 }
 
 TEST_F(RowFiles, AreRefusedWhereAnyByteDiffers) {
-    const std::string whole = contents(written("a"));
+    const std::string whole = read_contents(written("a"));
     for (std::size_t at = 0; at < whole.size(); at += step(at, whole)) {
         for (const int bit : {0, 3, 7}) {
             std::string damaged = whole;
@@ -172,7 +172,7 @@ TEST_F(RowFiles, AreRefusedWhereAnyByteDiffers) {
 }
 
 TEST_F(RowFiles, AreRefusedWhereverTheyEnd) {
-    const std::string whole = contents(written("a"));
+    const std::string whole = read_contents(written("a"));
     for (std::size_t size = 0; size < whole.size(); size += step(size, whole))
         ASSERT_THAT(refused(whole.substr(0, size)), HasSubstr("given: byte ")) << size;
     EXPECT_THAT(refused(whole.substr(0, whole.size() - 1)), HasSubstr("the file ends here; it was cut off"));
@@ -193,14 +193,14 @@ TEST_F(RowFiles, AreRefusedForAnotherSearch) {
     EXPECT_THAT(why(kind(2, 7)), HasSubstr("belongs to another search"));
     EXPECT_THAT(why(kind(3)), HasSubstr("belongs to another search"));
     EXPECT_THAT(refused("assert STOP :[deadlock free]\n" + std::string(100, ' ')), HasSubstr("no file of rows"));
-    std::string newer = contents(a);
+    std::string newer = read_contents(a);
     newer[8] = 9;
     EXPECT_THAT(refused(newer), HasSubstr("has format 9, this program reads 1"));
 }
 
 TEST_F(RowFiles, AreRefusedWithBlocksThatChangedPlaces) {
     const RowFile file = RowFile::open(written("a"), kind(2), {});
-    const std::string whole = contents(path("a"));
+    const std::string whole = read_contents(path("a"));
     const auto part = [&](std::size_t block) {
         const std::size_t end = block + 1 < file.blocks().size() ? file.blocks()[block + 1].offset : 0;
         return whole.substr(file.blocks()[block].offset, end - file.blocks()[block].offset);

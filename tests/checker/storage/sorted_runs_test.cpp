@@ -26,7 +26,7 @@ protected:
         for (const Row& row : rows) all.insert(all.end(), row.begin(), row.end());
         return all;
     }
-    static std::vector<Word> merged(const SortedRuns& runs) {
+    static std::vector<Word> merge_runs(const SortedRuns& runs) {
         std::vector<Word> all;
         bool last = false;
         runs.merge([&](std::span<const Word> rows) {
@@ -51,16 +51,16 @@ TEST_F(Runs, GiveEachRowOnceInOrder) {
             rows.insert({static_cast<Word>(random() % 50), static_cast<Word>(random() % 2000)});
         runs_.add(words(rows));
         all.insert(rows.begin(), rows.end());
-        EXPECT_GE(all.size(), runs_.longest());
-        EXPECT_LE(rows.size(), runs_.longest());
+        EXPECT_GE(all.size(), runs_.longest_run());
+        EXPECT_LE(rows.size(), runs_.longest_run());
     }
-    EXPECT_EQ(merged(runs_), words(all));
+    EXPECT_EQ(merge_runs(runs_), words(all));
     EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "the file has no name";
     runs_.clear();
     EXPECT_TRUE(runs_.empty());
-    EXPECT_EQ(merged(runs_), std::vector<Word>{});
+    EXPECT_EQ(merge_runs(runs_), std::vector<Word>{});
     runs_.add(words({{1, 2}}));
-    EXPECT_EQ(merged(runs_), (std::vector<Word>{1, 2}));
+    EXPECT_EQ(merge_runs(runs_), (std::vector<Word>{1, 2}));
 }
 
 TEST_F(Runs, AreAsBeforeWhereTheDiskIsFull) {
@@ -72,7 +72,7 @@ TEST_F(Runs, AreAsBeforeWhereTheDiskIsFull) {
         EXPECT_THROW(runs_.add(words(large)), CannotWrite);
     }
     runs_.add(words({{1, 5}, {3, 4}}));
-    EXPECT_EQ(merged(runs_), (std::vector<Word>{1, 2, 1, 5, 3, 4}));
+    EXPECT_EQ(merge_runs(runs_), (std::vector<Word>{1, 2, 1, 5, 3, 4}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <functional>
 #include <map>
@@ -29,7 +30,7 @@ public:
     Generated(const rc_interface& code, const ChoiceAutomaton& machine, const AllowedCycles& graph,
               const CyclicModel& model)
         : code_(code), machine_(machine), graph_(graph), model_(model), image_(code.state_size) {
-        for (std::size_t s = 0; s < machine.states(); ++s)
+        for (std::size_t s = 0; s < machine.state_count(); ++s)
             for (std::size_t i = 0; i < machine.inputs.size(); ++i)
                 for (std::size_t b = 0; b < machine.branches[s][i].size(); ++b)
                     for (std::size_t w = 0; w < machine.branches[s][i][b].writes.size(); ++w)
@@ -48,7 +49,7 @@ public:
         for (std::uint32_t r = 0; r < log.count; ++r) {
             const rc_record& record = log.record[r];
             const auto event =
-                model_.alphabet().write(record.output, {record.argument, record.argument + record.count});
+                model_.alphabet().write_event(record.output, {record.argument, record.argument + record.count});
             const auto known = words_.find(event);
             done.push_back(known == words_.end() ? "unknown!" + std::to_string(event) : known->second);
         }
@@ -67,54 +68,55 @@ private:
 };
 
 /// Checks every mutant at every place: the tests fail if and only if the exhaustive check finds a difference.
-void kill(const std::string& folder, const std::vector<Fault>& faults, bool choices) {
+void check_mutants(const std::string& folder, const std::vector<Fault>& faults, bool choices) {
     test::Model project(folder);
-    const ir::ComponentRef component = project.system.modules.empty() ? project.machine("M") : project.module();
+    const ir::ComponentRef component =
+        project.system.modules.empty() ? project.machine_named("M") : project.first_module();
     std::string error;
     const auto model = CyclicModel::load(project.system, project.instantiation, component, 1, {}, project.sources,
                                          project.diagnostics, error);
     ASSERT_NE(model, nullptr) << error;
     const ChoiceAutomaton machine = choice_automaton(*model, {});
-    EXPECT_EQ(machine.deterministic(), !choices);
+    EXPECT_EQ(machine.is_deterministic(), !choices);
     AllowedCycles graph;
     std::istringstream text(choice_graph(machine, *model, "M", 1));
     ASSERT_TRUE(graph.read(text));
-    ASSERT_EQ(graph.states.size(), machine.states());
+    ASSERT_EQ(graph.states.size(), machine.state_count());
     test::Bench bench(project, component);
     std::size_t killed = 0;
     std::size_t all = 0;
     for (const Fault fault : faults)
-        for (std::uint32_t site = 0; site < (fault == Fault::none ? 1 : bench.sites(fault)); ++site) {
+        for (std::uint32_t site = 0; site < (fault == Fault::none ? 1 : bench.site_count(fault)); ++site) {
             cpp_emit::Options options;
             options.fault = fault;
             options.fault_site = site;
             const auto emission =
                 cpp_emit::emit(project.system, project.instantiation, component, options, project.diagnostics);
-            const auto object = test::build(emission, error);
+            const auto object = test::compile_quietly(emission, error);
             ASSERT_NE(object, nullptr) << error;
             Generated implementation(object->interface(), machine, graph, *model);
             const AdaptiveVerdict verdict = AdaptiveTest<Generated>(graph, implementation, 2'000'000).run();
-            const bool differs = bench.check(object->interface()).outcome == Outcome::differs;
+            const bool differs = bench.check_code(object->interface()).outcome == Outcome::differs;
             EXPECT_EQ(verdict.kind, differs ? Verdict::failed : Verdict::passed)
                 << static_cast<int>(fault) << " at " << site << ": " << verdict.reason;
             ++all;
             killed += differs ? 1 : 0;
         }
-    fmt::print("{}: {} states, {} of {} killed\n", folder, machine.states(), killed, all);
+    fmt::print("{}: {} states, {} of {} killed\n", folder, machine.state_count(), killed, all);
     EXPECT_GT(killed, 0U);
 }
 
 TEST(AdaptiveTests, KillTheMutantsOfAChoice) {
-    kill("tests/conformance/models/either", {Fault::none, Fault::wrong_target, Fault::entry_dropped}, true);
+    check_mutants("tests/conformance/models/either", {Fault::none, Fault::wrong_target, Fault::entry_dropped}, true);
 }
 
 TEST(AdaptiveTests, KillTheMutantsOfNested) {
-    kill("tests/conformance/models/nested",
-         {Fault::none, Fault::children_not_exited, Fault::exit_dropped, Fault::action_dropped}, true);
+    check_mutants("tests/conformance/models/nested",
+                  {Fault::none, Fault::children_not_exited, Fault::exit_dropped, Fault::action_dropped}, true);
 }
 
 TEST(AdaptiveTests, KillTheMutantsOfAggregation) {
-    kill("corpus/aggregation", {Fault::none, Fault::assignment_dropped}, false);
+    check_mutants("corpus/aggregation", {Fault::none, Fault::assignment_dropped}, false);
 }
 
 // ------------------------------------------------------------ verdicts, by hand
@@ -136,14 +138,14 @@ struct ByHand {
     std::vector<std::string> cycle(const std::vector<std::string>&) { return {what(++at, run)}; }
 };
 
-AdaptiveVerdict tested(const AllowedCycles& graph, std::function<std::string(int, int)> what,
-                       std::size_t most = 10'000) {
+AdaptiveVerdict adaptive_verdict(const AllowedCycles& graph, std::function<std::string(int, int)> what,
+                                 std::size_t most = 10'000) {
     ByHand implementation{std::move(what)};
     return AdaptiveTest<ByHand>(graph, implementation, most).run();
 }
 
 TEST(AdaptiveTests, WhateverTheModelAllowsPasses) {
-    const auto turns = tested(a_or_b(0), [](int cycle, int) { return cycle % 2 == 0 ? "a!" : "b!0.50"; });
+    const auto turns = adaptive_verdict(a_or_b(0), [](int cycle, int) { return cycle % 2 == 0 ? "a!" : "b!0.50"; });
     EXPECT_EQ(turns.kind, Verdict::passed) << turns.reason;
     EXPECT_EQ(turns.states, 2U);
 }
@@ -152,16 +154,17 @@ TEST(AdaptiveTests, WhateverTheModelAllowsPasses) {
 /// extra states.
 TEST(AdaptiveTests, AFaultFarAwayNeedsMoreStates) {
     const auto fifth = [](int cycle, int) { return cycle == 5 ? "c!" : "a!"; };
-    const auto few = tested(a_or_b(0), fifth);
+    const auto few = adaptive_verdict(a_or_b(0), fifth);
     EXPECT_EQ(few.kind, Verdict::passed);
     EXPECT_EQ(few.states, 1U);
-    const auto more = tested(a_or_b(4), fifth);
+    const auto more = adaptive_verdict(a_or_b(4), fifth);
     EXPECT_EQ(more.kind, Verdict::failed);
     EXPECT_THAT(more.reason, HasSubstr("cycle 5: nothing\nit did c!; the model allows one of\n    a!\n    b!0.5"));
 }
 
 TEST(AdaptiveTests, WhatCannotBeDecidedIsInconclusive) {
-    const auto moody = tested(a_or_b(2), [](int cycle, int run) { return cycle == 2 && run > 2 ? "b!0.5" : "a!"; });
+    const auto moody =
+        adaptive_verdict(a_or_b(2), [](int cycle, int run) { return cycle == 2 && run > 2 ? "b!0.5" : "a!"; });
     EXPECT_EQ(moody.kind, Verdict::inconclusive);
     EXPECT_THAT(moody.reason, HasSubstr("not deterministic"));
     // An implementation that counts has infinitely many states.
@@ -170,7 +173,7 @@ TEST(AdaptiveTests, WhatCannotBeDecidedIsInconclusive) {
             if (next == cycle) return "b!0.5";
         return "a!";
     };
-    const auto endless = tested(a_or_b(3), counter, 2'000);
+    const auto endless = adaptive_verdict(a_or_b(3), counter, 2'000);
     EXPECT_EQ(endless.kind, Verdict::inconclusive);
     EXPECT_THAT(endless.reason, HasSubstr("more than 2000 cycles"));
 }

@@ -32,7 +32,7 @@ Result conform_component(test::Model& model, const ir::ComponentRef& component, 
 
 Result conform_module(const std::string& folder, const Options& options = {}) {
     test::Model model(folder);
-    return conform_component(model, model.module(), options);
+    return conform_component(model, model.first_module(), options);
 }
 
 TEST(CaseStudies, AggregationConforms) {
@@ -56,14 +56,14 @@ TEST(CaseStudies, NestedConforms) {
 // If a machine is checked alone, the environment may write its shared variables.
 TEST(CaseStudies, NestedMachineConforms) {
     test::Model model("tests/conformance/models/nested");
-    const Result result = conform_component(model, model.machine("Nested"));
+    const Result result = conform_component(model, model.machine_named("Nested"));
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
 // There is a register for every shared variable that the machine reads.
 TEST(CaseStudies, SwarmTaxisMachineConforms) {
     test::Model model("corpus/swarm_taxis");
-    const Result result = conform_component(model, model.machine("SwarmTaxisFSM"));
+    const Result result = conform_component(model, model.machine_named("SwarmTaxisFSM"));
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
@@ -72,16 +72,16 @@ TEST(CaseStudies, SwarmTaxisControllerConforms) {
     ir::InstantiationOptions few;
     few.ranges = {{"nat", {0, 0}}, {"int", {0, 0}}, {"real", {0, 0}}};
     test::Model model("corpus/swarm_taxis", few);
-    const Result result = conform_component(model, model.controller());
+    const Result result = conform_component(model, model.first_controller());
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
 TEST(CaseStudies, ControllersConform) {
     test::Model nested("tests/conformance/models/nested");
-    const Result small = conform_component(nested, nested.controller());
+    const Result small = conform_component(nested, nested.first_controller());
     EXPECT_EQ(small.outcome, Outcome::conforms) << small.reason;
     test::Model model("corpus/aggregation");
-    const Result result = conform_component(model, model.controller());
+    const Result result = conform_component(model, model.first_controller());
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
@@ -113,7 +113,7 @@ TEST(CaseStudies, AggregationWithoutWaitsSetsASpeedTwice) {
 // If the machine is checked alone, the operations that it calls are platform calls, which take no time.
 TEST(CaseStudies, AggregationMachineAloneCallsAnOperationTwice) {
     test::Model model("corpus/aggregation");
-    const Result result = conform_component(model, model.machine("AggregationFSM"));
+    const Result result = conform_component(model, model.machine_named("AggregationFSM"));
     expect_twice(result, {"seeWall", "seeRobot"}, "MoveClockwise(-0.75, -10.88)");
     EXPECT_THAT(result.register_cycles->cycles[0].outputs,
                 ElementsAre("MoveClockwise(-0.75, -10.88)", "RotateClockwise(-5.02)"));

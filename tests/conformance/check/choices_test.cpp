@@ -13,12 +13,12 @@ const char* const either = "tests/conformance/models/either";
 
 TEST(Choices, TheFirstIsOneOfAll) {
     test::Model model(either);
-    test::Bench bench(model, model.machine("M"));
-    const Result first = bench.check();
+    test::Bench bench(model, model.machine_named("M"));
+    const Result first = bench.check_code();
     EXPECT_EQ(first.outcome, Outcome::conforms) << first.reason;
     EXPECT_EQ(first.code_states, 3U);  // before the first cycle, Waiting, Left: t2 is never taken
     bench.explore_choices();
-    const Result all = bench.check();
+    const Result all = bench.check_code();
     EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
     EXPECT_EQ(all.code_states, 4U);  // also the state Right, by t2 and j1
 }
@@ -27,17 +27,17 @@ TEST(Choices, TheFirstIsOneOfAll) {
 /// alternative is explored. A wrong target of t1 or j2 is the target of the other alternative, which the model allows.
 TEST(Choices, FaultsBehindOtherChoicesAreFound) {
     test::Model model(either);
-    test::Bench bench(model, model.machine("M"));
+    test::Bench bench(model, model.machine_named("M"));
     const auto found = [&] {
         std::size_t differ = 0;
         for (std::uint32_t site = 0; site < 7; ++site)
-            differ += bench.check(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;
+            differ += bench.check_code(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;
         return differ;
     };
-    ASSERT_EQ(bench.sites(cpp_emit::Fault::wrong_target), 7U);
+    ASSERT_EQ(bench.site_count(cpp_emit::Fault::wrong_target), 7U);
     EXPECT_EQ(found(), 2U);
     bench.explore_choices();
-    ASSERT_EQ(bench.sites(cpp_emit::Fault::wrong_target), 7U);
+    ASSERT_EQ(bench.site_count(cpp_emit::Fault::wrong_target), 7U);
     EXPECT_EQ(found(), 5U);
 }
 
@@ -53,11 +53,11 @@ stm S {
 }
 )")
                           .path());
-    test::Bench bench(model, model.machine("S"));
-    const Result first = bench.check();
+    test::Bench bench(model, model.machine_named("S"));
+    const Result first = bench.check_code();
     EXPECT_EQ(first.outcome, Outcome::conforms) << first.reason;
     bench.explore_choices();
-    const Result all = bench.check();
+    const Result all = bench.check_code();
     EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
     EXPECT_GT(all.code_states, first.code_states);
 }
@@ -67,9 +67,9 @@ TEST(Choices, CompositesAndTeams) {
     for (const char* folder :
          {"tests/conformance/models/nested", "tests/conformance/models/team", "corpus/aggregation"}) {
         test::Model model(folder);
-        test::Bench bench(model, model.module());
+        test::Bench bench(model, model.first_module());
         bench.explore_choices();
-        const Result all = bench.check();
+        const Result all = bench.check_code();
         EXPECT_EQ(all.outcome, Outcome::conforms) << folder << ": " << all.reason << " " << all.expected;
     }
 }

@@ -24,7 +24,7 @@ Result judge_turner(int fault, std::vector<Edge> model = test::turner_model(),
     if (!object) return {};
     process::EventTable events;
     test::GraphSystem system(std::move(model), events);
-    return judge(system, events, interface, object->interface(), 1, {});
+    return judge_component(system, events, interface, object->interface(), 1, {});
 }
 
 TEST(Judge, RightControllerConforms) {
@@ -229,7 +229,7 @@ TEST(Judge, InputMissingFromTheInterface) {
     const Alphabet alphabet(interface, events);
     test::GraphSystem system(test::turner_model(), events);
     ModelGraph graph(system, alphabet);
-    EXPECT_THROW((void)schedulable(graph, alphabet, 1, {}), AlphabetError);
+    EXPECT_THROW((void)check_schedulability(graph, alphabet, 1, {}), AlphabetError);
     EXPECT_EQ(judge_turner(0, {{0, "T::jump.in", 0}}).outcome, Outcome::differs);
 }
 
@@ -241,7 +241,7 @@ TEST(Judge, LimitsAreInconclusive) {
     test::GraphSystem system(test::turner_model(), events);
     refine::Limits limits;
     limits.max_states = 3;
-    const Result result = judge(system, events, test::turner_interface(), object->interface(), 1, limits);
+    const Result result = judge_component(system, events, test::turner_interface(), object->interface(), 1, limits);
     EXPECT_EQ(result.outcome, Outcome::inconclusive);
     EXPECT_FALSE(result.reason.empty());
 }

@@ -18,8 +18,8 @@ const char* const reacts = "tests/conformance/models/reacts";
 /// dispatched.
 TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
     test::Model model("corpus/aggregation");
-    test::Bench bench(model, model.module());
-    const Result result = bench.check();
+    test::Bench bench(model, model.first_module());
+    const Result result = bench.check_code();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     EXPECT_EQ(result.code_states, 5U);
     EXPECT_EQ(result.dispatched, 5U * (1 + 2));
@@ -30,8 +30,8 @@ TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
 /// to A.
 TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
     test::Model model(reacts);
-    test::Bench bench(model, model.machine("Reacts"));
-    const Result result = bench.check(Fault::dispatch_exits_dropped, 0);
+    test::Bench bench(model, model.machine_named("Reacts"));
+    const Result result = bench.check_code(Fault::dispatch_exits_dropped, 0);
     ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
     EXPECT_EQ(result.reason, "the event API differs from the cycle: `dispatch` of a: another state");
     ASSERT_EQ(result.cycles.size(), 1U);
@@ -50,10 +50,10 @@ TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
 /// Before the first cycle: `v` with 0 leads to Check, which has a transition without a trigger.
 TEST(EventApi, WhatIsStillEnabledIsReported) {
     test::Model model(reacts);
-    test::Bench bench(model, model.machine("Reacts"));
+    test::Bench bench(model, model.machine_named("Reacts"));
     bool reported = false;
-    for (std::uint32_t site = 0; !reported && site < bench.sites(Fault::dispatch_look_dropped); ++site) {
-        const Result result = bench.check(Fault::dispatch_look_dropped, site);
+    for (std::uint32_t site = 0; !reported && site < bench.site_count(Fault::dispatch_look_dropped); ++site) {
+        const Result result = bench.check_code(Fault::dispatch_look_dropped, site);
         if (result.reason.find("it leaves something enabled") == std::string::npos) continue;
         reported = true;
         EXPECT_EQ(result.outcome, Outcome::differs);
@@ -68,8 +68,8 @@ TEST(EventApi, WhatIsStillEnabledIsReported) {
 /// units after its entry.
 TEST(EventApi, PassIsACycleWithoutInputs) {
     test::Model model(reacts);
-    test::Bench bench(model, model.machine("Reacts"));
-    const Result result = bench.check(Fault::pass_not_quiet, 0);
+    test::Bench bench(model, model.machine_named("Reacts"));
+    const Result result = bench.check_code(Fault::pass_not_quiet, 0);
     ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
     EXPECT_NE(result.reason.find("`pass`"), std::string::npos) << result.reason;
     ASSERT_TRUE(result.api_difference);
@@ -91,8 +91,8 @@ stm Twice {
     transition t2 { from B to A trigger go }
 })");
     test::Model model(folder.path());
-    test::Bench bench(model, model.machine("Twice"));
-    const Result result = bench.check();
+    test::Bench bench(model, model.machine_named("Twice"));
+    const Result result = bench.check_code();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     EXPECT_EQ(result.dispatched, 2U * 3);  // the initial state, A, B; `go` or no event
 }
@@ -104,18 +104,18 @@ TEST(EventApi, AsksWhatTheCycleAsks) {
     for (const auto& [folder, machine, event] :
          {std::tuple("tests/conformance/models/either", "M", "go"), std::tuple(reacts, "Reacts", "a")}) {
         test::Model model(folder);
-        test::Bench bench(model, model.machine(machine));
-        const auto takes_first = bench.compiled(Fault::none, 0);
+        test::Bench bench(model, model.machine_named(machine));
+        const auto takes_first = bench.compile_fault(Fault::none, 0);
         bench.explore_choices();
-        const auto asks = bench.compiled(Fault::none, 0);
+        const auto asks = bench.compile_fault(Fault::none, 0);
         ASSERT_TRUE(takes_first && asks);
-        const Result whole = bench.check(asks->interface());
+        const Result whole = bench.check_code(asks->interface());
         EXPECT_EQ(whole.outcome, Outcome::conforms) << whole.reason;
         EXPECT_GT(whole.dispatched, 0U);
         rc_interface mixed = asks->interface();
         ASSERT_EQ(mixed.state_size, takes_first->interface().state_size);
         mixed.dispatch = takes_first->interface().dispatch;
-        const Result result = bench.check(mixed);
+        const Result result = bench.check_code(mixed);
         EXPECT_EQ(result.outcome, Outcome::differs);
         EXPECT_EQ(result.reason,
                   std::string("the event API differs from the cycle: `dispatch` of ") + event + ": other choices");

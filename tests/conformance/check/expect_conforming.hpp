@@ -18,7 +18,7 @@ inline Result expect_conforming(Model& model, const ir::ComponentRef& component,
     diagnostics::Diagnostics found;
     Result result = conform(model.system, model.instantiation, component, options, model.sources, found);
     std::string said = result.reason.substr(0, 2000);
-    for (const auto& each : found.sorted()) said += fmt::format("\n{} {}", each.rule->code, each.message());
+    for (const auto& each : found.sorted_findings()) said += fmt::format("\n{} {}", each.rule->code, each.message());
     EXPECT_EQ(result.outcome, Outcome::conforms) << said;
     return result;
 }

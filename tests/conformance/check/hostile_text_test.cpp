@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// Escapes text for a RoboChart literal: quotes and backslashes get a backslash; line ends and tabs become `\n` and
 /// `\t`.
-std::string written(const std::string& text) {
+std::string escape_text(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '\n')
@@ -34,7 +34,7 @@ std::string written(const std::string& text) {
 
 /// A machine with strings as values of events, variables, constants, conditions, predicates and assignments.
 std::string machine(const std::string& text) {
-    const std::string literal = written(text);
+    const std::string literal = escape_text(text);
     return "stm S { event e : string event f : string event g var s : string var b : boolean const c : string = " +
            literal + "\n initial i state A { } state B { entry f!" + literal +
            " }\n transition t0 { from i to A action s = c }\n transition t1 { from A to B trigger e?s condition s == " +
@@ -43,7 +43,7 @@ std::string machine(const std::string& text) {
 
 Outcome outcome_of(const test::TemporaryFolder& folder) {
     test::Model model(folder.path());
-    return test::expect_conforming(model, model.machine("S")).outcome;
+    return test::expect_conforming(model, model.machine_named("S")).outcome;
 }
 
 /// The value of this `let` refers to an outer variable with the same name as the bound variable.

@@ -30,28 +30,28 @@ private:
     std::string error_;
 };
 
-Outcome judged(const rc_interface& code) {
+Outcome outcome_of_check(const rc_interface& code) {
     process::EventTable events;
     test::GraphSystem model(test::turner_model(), events);
-    return judge(model, events, test::turner_interface(), code, 1, {}).outcome;
+    return judge_component(model, events, test::turner_interface(), code, 1, {}).outcome;
 }
 
-Outcome walked(const rc_interface& code) {
+Outcome outcome_of_walk(const rc_interface& code) {
     process::EventTable events;
     test::GraphSystem model(test::turner_model(), events);
     const Alphabet alphabet(test::turner_interface(), events);
     ModelGraph graph(model, alphabet);
-    return walk(graph, alphabet, code, 1, {}, WalkOptions{5'000, 10, 3}).outcome;
+    return run_random_walks(graph, alphabet, code, 1, {}, WalkOptions{5'000, 10, 3}).outcome;
 }
 
 TEST(KnownBad, PairsAreReportedBadInAnyOrder) {
     Loaded loaded;
     for (const int fault : bad) (void)loaded[fault];
     for (const int fault : bad) {
-        EXPECT_EQ(judged(loaded[0]), Outcome::conforms) << "before " << fault;
-        EXPECT_EQ(judged(loaded[fault]), Outcome::differs) << fault;
-        EXPECT_EQ(walked(loaded[0]), Outcome::inconclusive) << "before " << fault;
-        EXPECT_EQ(walked(loaded[fault]), Outcome::differs) << fault;
+        EXPECT_EQ(outcome_of_check(loaded[0]), Outcome::conforms) << "before " << fault;
+        EXPECT_EQ(outcome_of_check(loaded[fault]), Outcome::differs) << fault;
+        EXPECT_EQ(outcome_of_walk(loaded[0]), Outcome::inconclusive) << "before " << fault;
+        EXPECT_EQ(outcome_of_walk(loaded[fault]), Outcome::differs) << fault;
     }
 }
 
@@ -63,7 +63,7 @@ TEST(KnownBad, ASmallerModelFindsTheRightControllerWrong) {
     edges.push_back({3, "T::DriveCall.2", 4});
     process::EventTable events;
     test::GraphSystem model(edges, events);
-    EXPECT_EQ(judge(model, events, test::turner_interface(), loaded[0], 1, {}).outcome, Outcome::differs);
+    EXPECT_EQ(judge_component(model, events, test::turner_interface(), loaded[0], 1, {}).outcome, Outcome::differs);
 }
 
 }  // namespace

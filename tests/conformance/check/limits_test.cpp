@@ -15,7 +15,7 @@ struct Subject {
     std::string machine;  ///< "": the module, or the controller if there is no module
 };
 
-std::vector<Subject> subjects() {
+std::vector<Subject> test_subjects() {
     const std::string models = "tests/conformance/models/";
     std::vector<Subject> all{{"corpus/aggregation", ""}, {"corpus/aggregation", "AggregationFSM"}};
     for (const char* module : {"nested", "parcels", "team", "helpers", "wires"}) all.push_back({models + module, ""});
@@ -32,7 +32,7 @@ class Limited {
 public:
     Limited(test::Model& model, const ir::ComponentRef& component, cpp_emit::Fault fault = cpp_emit::Fault::none,
             std::uint32_t site = 0)
-        : model_(model), component_(component), bench_(model, component), code_(bench_.compiled(fault, site)) {
+        : model_(model), component_(component), bench_(model, component), code_(bench_.compile_fault(fault, site)) {
         EXPECT_TRUE(code_);
     }
 
@@ -45,18 +45,18 @@ public:
         const Result whole = judge({});
         ASSERT_NE(whole.outcome, Outcome::inconclusive) << name << ": " << whole.reason;
         for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
-            for (const std::uint64_t seed : {1U, 2U}) expect(name, whole, with(states, seed, 1));
-        expect(name, whole, with(20, 1, 4));
-        Options little_memory = with(1'000'000, 1, 1);
+            for (const std::uint64_t seed : {1U, 2U}) expect_consistent(name, whole, options_with(states, seed, 1));
+        expect_consistent(name, whole, options_with(20, 1, 4));
+        Options little_memory = options_with(1'000'000, 1, 1);
         little_memory.limits.memory_bytes = 1U << 20U;
-        expect(name, whole, little_memory);
-        Options no_walks = with(20, 1, 1);
+        expect_consistent(name, whole, little_memory);
+        Options no_walks = options_with(20, 1, 1);
         no_walks.walks.cycles = 0;
-        expect(name, whole, no_walks);
+        expect_consistent(name, whole, no_walks);
     }
 
 private:
-    static Options with(std::uint64_t states, std::uint64_t seed, unsigned threads) {
+    static Options options_with(std::uint64_t states, std::uint64_t seed, unsigned threads) {
         Options options;
         options.limits.max_states = states;
         options.limits.threads = threads;
@@ -64,7 +64,7 @@ private:
         return options;
     }
 
-    void expect(const std::string& name, const Result& whole, const Options& options) {
+    void expect_consistent(const std::string& name, const Result& whole, const Options& options) {
         const Result found = judge(options);
         const std::string limits = fmt::format("{}, {} states, seed {}: {}", name, options.limits.max_states,
                                                options.walks.seed, found.reason);
@@ -86,9 +86,10 @@ private:
 };
 
 TEST(Limits, NeverTurnAnAnswerIntoAnother) {
-    for (const Subject& subject : subjects()) {
+    for (const Subject& subject : test_subjects()) {
         test::Model model(subject.folder);
-        const ir::ComponentRef component = subject.machine.empty() ? model.module() : model.machine(subject.machine);
+        const ir::ComponentRef component =
+            subject.machine.empty() ? model.first_module() : model.machine_named(subject.machine);
         Limited(model, component).expect_the_same_or_nothing(subject.folder + " " + subject.machine);
     }
 }
@@ -97,13 +98,13 @@ TEST(Limits, NeverTurnAnAnswerIntoAnother) {
 TEST(Limits, NeverExcuseAFault) {
     test::Model model("corpus/aggregation");
     for (const cpp_emit::Fault fault : {cpp_emit::Fault::action_dropped, cpp_emit::Fault::entry_dropped})
-        Limited(model, model.module(), fault).expect_the_same_or_nothing("aggregation with a fault");
+        Limited(model, model.first_module(), fault).expect_the_same_or_nothing("aggregation with a fault");
 }
 
 Result unlimited_and_limited(const std::string& text, const std::string& machine) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
-    Limited limited(model, machine.empty() ? model.controller() : model.machine(machine));
+    Limited limited(model, machine.empty() ? model.first_controller() : model.machine_named(machine));
     limited.expect_the_same_or_nothing(machine);
     return limited.judge({});
 }
@@ -166,7 +167,7 @@ stm Counts {
     ir::InstantiationOptions sizes;
     sizes.ranges["nat"] = {0, 2500};
     test::Model model(folder.path(), sizes);
-    Limited limited(model, model.machine("Counts"));
+    Limited limited(model, model.machine_named("Counts"));
     const Result result = limited.judge({});
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     ASSERT_TRUE(result.register_cycles);

@@ -23,7 +23,8 @@ std::vector<MissedEvent> missed_in(const std::string& members, std::uint32_t cyc
     diagnostics::Diagnostics found;
     Options options;
     options.cycle_length = cycle_length;
-    const Result result = conform(model.system, model.instantiation, model.machine("M"), options, model.sources, found);
+    const Result result =
+        conform(model.system, model.instantiation, model.machine_named("M"), options, model.sources, found);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     return result.missed;
 }

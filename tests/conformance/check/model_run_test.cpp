@@ -28,11 +28,11 @@ Result with_fault(const std::string& text, cpp_emit::Fault fault, std::uint64_t 
     Options options;
     options.generator.fault = fault;
     if (most_states > 0) options.limits.max_states = most_states;
-    return conform(model.system, model.instantiation, model.machine("M"), options, model.sources, found);
+    return conform(model.system, model.instantiation, model.machine_named("M"), options, model.sources, found);
 }
 
 /// The events of a run, without entries and exits of states.
-std::vector<std::string> texts(const runs::Run& run) {
+std::vector<std::string> event_texts(const runs::Run& run) {
     std::vector<std::string> result;
     for (const runs::Step& step : run.steps)
         if (step.event.kind != runs::Kind::entered && step.event.kind != runs::Kind::exited)
@@ -40,7 +40,7 @@ std::vector<std::string> texts(const runs::Run& run) {
     return result;
 }
 
-std::vector<std::string> offered(const runs::Run& run) {
+std::vector<std::string> offered_events(const runs::Run& run) {
     std::vector<std::string> result;
     for (const runs::Event& each : run.end.offered) result.push_back(each.text);
     return result;
@@ -53,8 +53,8 @@ TEST(ModelRun, GoesAsFarAsTheCodeDoes) {
     ASSERT_TRUE(searched.explanation.run);
     const runs::Run& run = *searched.explanation.run;
     EXPECT_EQ(searched.explanation.rule, nullptr) << "the fault is not the model's";
-    EXPECT_THAT(texts(run), ElementsAre("t0: i -> Idle", "input go", "3 time units pass"));
-    EXPECT_THAT(offered(run), ElementsAre("call Brake"));
+    EXPECT_THAT(event_texts(run), ElementsAre("t0: i -> Idle", "input go", "3 time units pass"));
+    EXPECT_THAT(offered_events(run), ElementsAre("call Brake"));
     EXPECT_EQ(run.end.why, searched.reason);
     ASSERT_EQ(run.steps.back().machines.size(), 1U);
     EXPECT_EQ(run.steps.back().machines.front().text, "entry action of B, at Brake()");
@@ -63,7 +63,7 @@ TEST(ModelRun, GoesAsFarAsTheCodeDoes) {
     const Result walked = with_fault(late_brake, cpp_emit::Fault::call_dropped, 1);
     ASSERT_EQ(walked.outcome, Outcome::differs) << walked.reason;
     ASSERT_TRUE(walked.explanation.run) << walked.reason;
-    EXPECT_THAT(offered(*walked.explanation.run), ElementsAre("call Brake"));
+    EXPECT_THAT(offered_events(*walked.explanation.run), ElementsAre("call Brake"));
 }
 
 // The code brakes twice. Its second call is not part of the model's run.
@@ -71,24 +71,24 @@ TEST(ModelRun, EndsInFrontOfWhatTheModelDoesNotAllow) {
     const Result result = with_fault(late_brake, cpp_emit::Fault::output_repeated);
     ASSERT_EQ(result.outcome, Outcome::differs);
     ASSERT_TRUE(result.explanation.run);
-    EXPECT_THAT(texts(*result.explanation.run),
+    EXPECT_THAT(event_texts(*result.explanation.run),
                 ElementsAre("t0: i -> Idle", "input go", "3 time units pass", "call Brake"));
-    EXPECT_THAT(offered(*result.explanation.run), ElementsAre("one time unit passes"));
+    EXPECT_THAT(offered_events(*result.explanation.run), ElementsAre("one time unit passes"));
 }
 
 TEST(ModelRun, IsFoundForPartialReadings) {
     const test::TemporaryFolder folder(late_brake);
     test::Model model(folder.path());
-    test::Bench bench(model, model.machine("M"));
+    test::Bench bench(model, model.machine_named("M"));
     for (const cpp_emit::Fault fault : {cpp_emit::Fault::call_dropped, cpp_emit::Fault::output_repeated}) {
-        const auto object = bench.compiled(fault, 0);
+        const auto object = bench.compile_fault(fault, 0);
         ASSERT_TRUE(object);
         const Alphabet alphabet(bench.interface(), bench.session().event_table());
         ModelGraph graph(bench.system(), alphabet);
         Result result = judge_partially(graph, alphabet, object->interface(), 1, {});
         ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
-        explain(result, bench.session(), bench.process(), alphabet,
-                {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
+        explain_result(result, bench.session(), bench.process(), alphabet,
+                       {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
         ASSERT_TRUE(result.explanation.run);
         EXPECT_EQ(result.explanation.run->time, 3);
     }
@@ -100,8 +100,8 @@ TEST(ModelRun, ShowsWhereAnOutputIsMadeTwice) {
 state B { entry x!1 ; x!2 } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",
                                      cpp_emit::Fault::none);
     ASSERT_TRUE(result.register_cycles && result.register_cycles->run) << result.reason;
-    EXPECT_THAT(texts(*result.register_cycles->run), ElementsAre("t0: i -> Idle", "input go", "output x with 1"));
-    EXPECT_THAT(offered(*result.register_cycles->run), ::testing::Contains("output x with 2"));
+    EXPECT_THAT(event_texts(*result.register_cycles->run), ElementsAre("t0: i -> Idle", "input go", "output x with 1"));
+    EXPECT_THAT(offered_events(*result.register_cycles->run), ::testing::Contains("output x with 2"));
 }
 
 // The answer is due one time unit after `go`, and then time stops.
@@ -111,8 +111,8 @@ state B { entry (answer?x) <{1} } transition t0 { from i to Idle } transition t1
                                      cpp_emit::Fault::none);
     ASSERT_TRUE(result.deadlines && result.deadlines->run) << result.reason;
     const runs::Run& run = *result.deadlines->run;
-    EXPECT_THAT(texts(run), ElementsAre("t0: i -> Idle", "input go", "1 time unit passes"));
-    for (const std::string& each : offered(run)) EXPECT_THAT(each, ::testing::StartsWith("input answer"));
+    EXPECT_THAT(event_texts(run), ElementsAre("t0: i -> Idle", "input go", "1 time unit passes"));
+    for (const std::string& each : offered_events(run)) EXPECT_THAT(each, ::testing::StartsWith("input answer"));
     EXPECT_FALSE(run.end.offered.empty());
 }
 

@@ -15,7 +15,7 @@ void expect_conforming(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
     ASSERT_FALSE(model.system.controllers.empty());
-    EXPECT_GT(test::expect_conforming(model, model.controller()).code_cycles, 1U);
+    EXPECT_GT(test::expect_conforming(model, model.first_controller()).code_cycles, 1U);
 }
 
 const std::string interfaces =

@@ -28,7 +28,7 @@ std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
     const Result result =
-        conform(model.system, model.instantiation, model.machine("M"), Options(), model.sources, found);
+        conform(model.system, model.instantiation, model.machine_named("M"), Options(), model.sources, found);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     return result.overtaken;
 }

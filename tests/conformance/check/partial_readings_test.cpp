@@ -18,11 +18,11 @@ namespace {
 class Both {
 public:
     Both(const std::string& folder, const std::string& machine)
-        : model_(folder), bench_(model_, machine.empty() ? model_.module() : model_.machine(machine)) {}
+        : model_(folder), bench_(model_, machine.empty() ? model_.first_module() : model_.machine_named(machine)) {}
 
     /// The results of both searches; no value if the code does not compile.
-    std::optional<std::pair<Result, Result>> judge(cpp_emit::Fault fault, std::uint32_t site) {
-        const auto object = bench_.compiled(fault, site);
+    std::optional<std::pair<Result, Result>> judge_both(cpp_emit::Fault fault, std::uint32_t site) {
+        const auto object = bench_.compile_fault(fault, site);
         if (!object) return std::nullopt;
         const Alphabet alphabet(bench_.interface(), bench_.session().event_table());
         ModelGraph graph(bench_.system(), alphabet);
@@ -30,7 +30,7 @@ public:
         Result partial = judge_partially(graph, alphabet, object->interface(), 1, {});
         return std::pair{std::move(whole), std::move(partial)};
     }
-    [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault) { return bench_.sites(fault); }
+    [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault) { return bench_.site_count(fault); }
 
 private:
     test::Model model_;
@@ -51,7 +51,7 @@ TEST(PartialReadings, AgreeWithAllValuations) {
              {Fault::none, Fault::guard_negated, Fault::action_dropped, Fault::event_kept, Fault::output_repeated,
               Fault::wait_dropped, Fault::deadline_kept, Fault::outside_write_lost}) {
             if (fault != Fault::none && both.sites(fault) == 0) continue;
-            const auto results = both.judge(fault, 0);
+            const auto results = both.judge_both(fault, 0);
             if (!results) continue;
             EXPECT_EQ(results->first.outcome, results->second.outcome)
                 << folder << " " << static_cast<int>(fault) << ": " << results->first.reason << " / "
@@ -80,16 +80,16 @@ TEST(PartialReadings, ReachWhatAllValuationsCannot) {
     Options options;
     options.limits.max_states = 100'000;
     options.walks.cycles = 0;
-    const Result result =
-        conform(model.system, model.instantiation, model.machine("Ring"), options, model.sources, model.diagnostics);
+    const Result result = conform(model.system, model.instantiation, model.machine_named("Ring"), options,
+                                  model.sources, model.diagnostics);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     EXPECT_LT(result.product.states, 1000U);
 }
 
 TEST(PartialReadings, AreInconclusiveAtALimit) {
     test::Model model("corpus/aggregation");
-    test::Bench bench(model, model.module());
-    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    test::Bench bench(model, model.first_module());
+    const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     const Alphabet alphabet(bench.interface(), bench.session().event_table());
     ModelGraph graph(bench.system(), alphabet);
     refine::Limits limits;

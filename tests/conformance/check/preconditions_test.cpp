@@ -94,7 +94,7 @@ const Called shapes[] = {{"Nested", "some(some(x))"},
                          {"Greatest", "max({n : nat | n < x @ n})"},
                          {"Inter", "size(Inter({n : nat | n < x @ {n}}))"}};
 
-std::string with(std::string body, const std::string& expression) {
+std::string insert_expression(std::string body, const std::string& expression) {
     if (body.front() == '2') body.replace(0, 1, two_states);
     for (std::size_t at = body.find('%'); at != std::string::npos; at = body.find('%', at + expression.size()))
         body.replace(at, 1, expression);
@@ -126,16 +126,16 @@ void expect_asked(const std::string& body) {
     const test::TemporaryFolder folder(model_of(body));
     test::Model model(folder.path());
     ASSERT_TRUE(model.diagnostics.ok()) << body;
-    test::Bench bench(model, model.module());
-    const Result schedulable = bench.schedulability();
+    test::Bench bench(model, model.first_module());
+    const Result schedulable = bench.judge_schedulability();
     ASSERT_EQ(schedulable.outcome, Outcome::conforms) << schedulable.reason;
-    const Result result = bench.check();
+    const Result result = bench.check_code();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     constexpr auto not_asked = cpp_emit::Fault::function_precondition_dropped;
     bool killed = false;
-    for (std::uint32_t site = 0; site < bench.sites(not_asked) && !killed; ++site)
-        killed = bench.check(not_asked, site).outcome == Outcome::differs;
-    EXPECT_TRUE(killed) << bench.sites(not_asked) << " places where it can be forgotten";
+    for (std::uint32_t site = 0; site < bench.site_count(not_asked) && !killed; ++site)
+        killed = bench.check_code(not_asked, site).outcome == Outcome::differs;
+    EXPECT_TRUE(killed) << bench.site_count(not_asked) << " places where it can be forgotten";
 }
 
 using Row = std::tuple<Position, Called>;
@@ -144,7 +144,7 @@ class Preconditions : public ::testing::TestWithParam<Row> {};
 
 TEST_P(Preconditions, AreAsked) {
     const auto& [position, called] = GetParam();
-    expect_asked(with(position.body, called.text));
+    expect_asked(insert_expression(position.body, called.text));
 }
 
 std::string row_name(const ::testing::TestParamInfo<Row>& info) {
@@ -162,9 +162,9 @@ INSTANTIATE_TEST_SUITE_P(OfEveryShape, Preconditions,
 // A function as a value contains a pair for each argument that satisfies its precondition.
 TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
     const test::TemporaryFolder folder(
-        model_of(with("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
+        model_of(insert_expression("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
     test::Model model(folder.path());
-    (void)test::expect_conforming(model, model.module());
+    (void)test::expect_conforming(model, model.first_module());
 }
 
 // The guard uses the value that the trigger receives, and so does the predicate of an input statement.
@@ -177,11 +177,11 @@ TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
 
 // The deadline of a statement that waits forever expires: time stops in the model, so it is not schedulable.
 TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
-    const test::TemporaryFolder folder(
-        model_of(with("2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
+    const test::TemporaryFolder folder(model_of(insert_expression(
+        "2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
     test::Model model(folder.path());
-    test::Bench bench(model, model.module());
-    const Result result = bench.schedulability();
+    test::Bench bench(model, model.first_module());
+    const Result result = bench.judge_schedulability();
     EXPECT_EQ(result.outcome, Outcome::not_schedulable);
     EXPECT_NE(result.reason.find("neither go on nor let time pass"), std::string::npos) << result.reason;
 }
@@ -191,10 +191,12 @@ TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
 TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
     for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"}) {
         const test::TemporaryFolder folder(
-            model_of(with("2 transition t1 { from A to B trigger go action op(x) }", ""), "precondition " + condition));
+            model_of(insert_expression("2 transition t1 { from A to B trigger go action op(x) }", ""),
+                     "precondition " + condition));
         test::Model model(folder.path());
         diagnostics::Diagnostics found;
-        const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
+        const Result result =
+            conform(model.system, model.instantiation, model.first_module(), {}, model.sources, found);
         EXPECT_EQ(result.outcome, Outcome::differs) << condition << result.reason;
         EXPECT_EQ(result.reason, "the code calls an operation outside its precondition") << condition;
     }
@@ -208,7 +210,7 @@ TEST(PreconditionsOfFunctions, HoldUpADuringActionUntilItsStateIsLeft) {
         "stm S { requires Acts event go initial i state A { during act(f()) } state B { }\n"
         "transition t0 { from i to A } transition t1 { from A to B trigger go } }\n");
     test::Model model(folder.path());
-    const Result result = test::expect_conforming(model, model.machine("S"));
+    const Result result = test::expect_conforming(model, model.machine_named("S"));
     EXPECT_TRUE(result.deadlines && result.deadlines->holds) << "time passes while the call waits";
 }
 

@@ -41,8 +41,8 @@ TEST(Probabilistic, ChancesAreExpressions) {
         changed.replace(changed.find("0.25"), 4, second);
         changed.replace(changed.find("event go"), 8, "const q : real = 0.5 event go");
         test::Model model(test::TemporaryFolder(changed).path());
-        test::Bench bench(model, model.machine("S"));
-        const Result result = bench.check();
+        test::Bench bench(model, model.machine_named("S"));
+        const Result result = bench.check_code();
         EXPECT_EQ(result.outcome, Outcome::conforms) << first << " and " << second << ": " << result.reason;
         EXPECT_GE(result.code_states, 3U);
     }
@@ -50,16 +50,16 @@ TEST(Probabilistic, ChancesAreExpressions) {
 
 TEST(Probabilistic, EveryWayIsExplored) {
     test::Model model(test::TemporaryFolder(text).path());
-    test::Bench bench(model, model.machine("S"));
-    const Result right = bench.check();
+    test::Bench bench(model, model.machine_named("S"));
+    const Result right = bench.check_code();
     EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;
     EXPECT_GE(right.code_states, 3U);  // Waiting, Left and Right
     // The check detects every transition with a wrong target, also the less probable alternative of the junction. The
     // exception is `go`: with a wrong target it may lead directly to a state after the junction, which is an allowed
     // alternative.
     std::size_t found = 0;
-    for (std::uint32_t site = 0; site < bench.sites(cpp_emit::Fault::wrong_target); ++site)
-        found += bench.check(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;
+    for (std::uint32_t site = 0; site < bench.site_count(cpp_emit::Fault::wrong_target); ++site)
+        found += bench.check_code(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;
     EXPECT_EQ(found, 5U);
 }
 

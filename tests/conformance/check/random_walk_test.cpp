@@ -24,7 +24,7 @@ Result walk_by_hand(int fault, bool waits = true, const WalkOptions& options = f
     const auto object = test::hand_made("turner", fault, error);
     EXPECT_NE(object, nullptr) << error;
     ModelGraph graph(model, alphabet);
-    return walk(graph, alphabet, object->interface(), 1, {}, options);
+    return run_random_walks(graph, alphabet, object->interface(), 1, {}, options);
 }
 
 TEST(Walks, ClaimNothingOfACorrectController) {
@@ -67,13 +67,13 @@ TEST(Walks, FollowWhereALimitIsReached) {
     Options options;
     options.limits.max_states = 50;
     options.walks = few;
-    const Result right =
-        conform(project.system, project.instantiation, project.module(), options, project.sources, project.diagnostics);
+    const Result right = conform(project.system, project.instantiation, project.first_module(), options,
+                                 project.sources, project.diagnostics);
     EXPECT_EQ(right.outcome, Outcome::inconclusive);
     EXPECT_THAT(right.reason, HasSubstr("no difference in "));
     options.walks.cycles = 0;
-    const Result none =
-        conform(project.system, project.instantiation, project.module(), options, project.sources, project.diagnostics);
+    const Result none = conform(project.system, project.instantiation, project.first_module(), options, project.sources,
+                                project.diagnostics);
     EXPECT_EQ(none.outcome, Outcome::inconclusive);
     EXPECT_THAT(none.reason, ::testing::Not(HasSubstr("walks")));
 }

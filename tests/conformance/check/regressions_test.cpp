@@ -14,7 +14,7 @@ namespace {
 void expect_conformance_of(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
-    const ir::ComponentRef component = model.system.modules.empty() ? model.machine("S") : model.module();
+    const ir::ComponentRef component = model.system.modules.empty() ? model.machine_named("S") : model.first_module();
     (void)test::expect_conforming(model, component);
 }
 

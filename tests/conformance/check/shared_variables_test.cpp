@@ -81,10 +81,10 @@ using ::testing::Not;
 
 TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
     test::Model model(folder_.path());
-    const ir::ComponentRef controller = model.controller();
+    const ir::ComponentRef controller = model.first_controller();
     (void)test::expect_conforming(model, controller);
     test::Bench bench(model, controller);
-    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     Driven code(object->interface());
     // A write inside the component does not reach the reader; a write from the environment does.
@@ -97,9 +97,9 @@ TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
 
 TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     test::Model model(folder_.path());
-    (void)test::expect_conforming(model, model.module());
-    test::Bench bench(model, model.module());
-    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    (void)test::expect_conforming(model, model.first_module());
+    test::Bench bench(model, model.first_module());
+    const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     EXPECT_THAT(Driven(object->interface()).cycle(), Contains(EndsWith("seen.out")));
 }
@@ -190,7 +190,7 @@ TEST(WritesHeldUp, WritesWaitForThem) {
         test::Model model(folder.path());
         ASSERT_FALSE(model.system.modules.empty()) << each.what;
         SCOPED_TRACE(each.what);
-        EXPECT_GT(test::expect_conforming(model, model.module()).code_cycles, 1U);
+        EXPECT_GT(test::expect_conforming(model, model.first_module()).code_cycles, 1U);
     }
 }
 

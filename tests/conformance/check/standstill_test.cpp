@@ -28,7 +28,7 @@ Result run_in_cycles(const std::string& text, Options options) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
-    return conform(model.system, model.instantiation, model.machine("M"), options, model.sources, found);
+    return conform(model.system, model.instantiation, model.machine_named("M"), options, model.sources, found);
 }
 
 Result run_in_cycles(const std::string& text, std::uint32_t cycle_length = 1) {
@@ -148,16 +148,16 @@ TEST(Standstill, IsExplainedWhereWalksFindIt) {
 TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
     const test::TemporaryFolder folder(endless_loop);
     test::Model model(folder.path());
-    test::Bench bench(model, model.machine("M"));
-    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    test::Bench bench(model, model.machine_named("M"));
+    const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     const Alphabet alphabet(bench.interface(), bench.session().event_table());
     ModelGraph graph(bench.system(), alphabet);
     Result result = judge_partially(graph, alphabet, object->interface(), 1, {});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
     EXPECT_EQ(code_of_cause(result), "RC-K01");
-    explain(result, bench.session(), bench.process(), alphabet,
-            {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
+    explain_result(result, bench.session(), bench.process(), alphabet,
+                   {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 

@@ -75,7 +75,7 @@ std::chrono::seconds seconds() {
 
 class Survey : public ::testing::Test {
 protected:
-    void project(const std::string& path) {
+    void survey_project(const std::string& path) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
         const std::string name = fs::path(path).filename().string();
@@ -86,11 +86,11 @@ protected:
         if (!diagnostics.ok()) return;
         ir::InstantiationOptions values;
         if (name == "robotool-csp-2026") values.constants["av"] = "1";  // a constant without a value, used as a divisor
-        const ir::Instantiation instantiation = ir::instantiate(system, values, diagnostics);
+        const ir::Instantiation instantiation = ir::instantiate_system(system, values, diagnostics);
         const auto each = [&](const auto& items, ir::ComponentKind kind, const auto& wanted) {
             for (std::uint32_t i = 0; i < items.size(); ++i)
                 if (wanted(items[i]))
-                    component(system, instantiation, {kind, items[i].name, items[i].package, i}, name, sources);
+                    survey_component(system, instantiation, {kind, items[i].name, items[i].package, i}, name, sources);
         };
         const auto all = [](const auto&) { return true; };
         each(system.modules, ir::ComponentKind::module, all);
@@ -101,11 +101,11 @@ protected:
         });
     }
 
-    void component(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
-                   const std::string& model, diagnostics::SourceManager& sources) {
+    void survey_component(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
+                          const std::string& model, diagnostics::SourceManager& sources) {
         const bool large = model == "hvc" || model == "swarm_taxis";
         if (large && std::getenv("ROBOCHART_SURVEY_SECONDS") == nullptr)
-            return compile(system, instantiation, ref, model + "/" + ref.path);
+            return compile_only(system, instantiation, ref, model + "/" + ref.path);
         diagnostics::Diagnostics found;
         Options options;
         options.flags = flags();
@@ -114,14 +114,15 @@ protected:
         options.limits.deadline = std::chrono::steady_clock::now() + seconds();
         const Result result = conform(system, instantiation, ref, options, sources, found);
         std::string said = result.reason;
-        for (const auto& finding : found.sorted()) said += fmt::format(" {} {}", finding.rule->code, finding.message());
-        judge(model + "/" + ref.path, result, said);
+        for (const auto& finding : found.sorted_findings())
+            said += fmt::format(" {} {}", finding.rule->code, finding.message());
+        judge_result(model + "/" + ref.path, result, said);
     }
 
     /// The industrial controller and the larger case study are too expensive for every run: their code is only
     /// generated and compiled. tests/long.sh survey checks all of their components.
-    void compile(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
-                 const std::string& name) {
+    void compile_only(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
+                      const std::string& name) {
         diagnostics::Diagnostics found;
         const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, ref, {}, found);
         ASSERT_FALSE(code.shim.empty()) << ref.path;
@@ -132,7 +133,7 @@ protected:
         seen_.insert(name);
     }
 
-    void judge(const std::string& name, const Result& result, const std::string& said) {
+    void judge_result(const std::string& name, const Result& result, const std::string& said) {
         ++components_;
         const auto row = std::find_if(std::begin(exceptions), std::end(exceptions),
                                       [&](const Exception& exception) { return exception.component == name; });
@@ -169,7 +170,7 @@ TEST_F(Survey, EveryComponentConformsButTheExceptions) {
     std::ranges::sort(projects);
     const char* const only = std::getenv("ROBOCHART_SURVEY");
     for (const std::string& path : projects)
-        if (only == nullptr || fs::path(path).filename() == only) project(path);
+        if (only == nullptr || fs::path(path).filename() == only) survey_project(path);
     fmt::print("{} components, {} conform ({:.0f} %; {} in register cycles, {} may miss a deadline); {} more compile\n",
                components_, conforming_, 100.0 * static_cast<double>(conforming_) / static_cast<double>(components_),
                in_registers_, may_miss_, compiled_);

@@ -129,7 +129,7 @@ void expect_cases(std::size_t first, std::size_t last) {
     if (!read.diagnostics.ok()) return;
     Options options;
     options.flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
-    (void)test::expect_conforming(read, read.machine("Values"), options);
+    (void)test::expect_conforming(read, read.machine_named("Values"), options);
 }
 
 TEST(Values, EveryExpressionIsThatOfTheModel) {
@@ -158,11 +158,11 @@ TEST(Values, LeastAndGreatestOfTheRealsReceived) {
         })");
     test::Model read(folder.path());
     std::string said;
-    for (const auto& each : read.diagnostics.sorted())
+    for (const auto& each : read.diagnostics.sorted_findings())
         said += std::string(each.rule->code) + " " + each.message() + "\n";
     ASSERT_TRUE(read.diagnostics.ok()) << said;
-    test::Bench bench(read, read.machine("Values"));
-    const Result result = bench.check();
+    test::Bench bench(read, read.machine_named("Values"));
+    const Result result = bench.check_code();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 

@@ -44,12 +44,12 @@ TEST(CodeEquality, TellsFaultsFromTheOriginalAndNothingFromItself) {
 /// RoboTool's second generation of code, `while (tryTransitions())`, over a loop that waits for an input in the model.
 TEST(Watchdog, ALoopThatNeverEndsIsFoundAndNotWaitedFor) {
     test::Model model("tests/conformance/models/blink");
-    test::Bench bench(model, model.machine("Blink"));
-    const Result endless = bench.check(Fault::loop_never_ends, 0);
+    test::Bench bench(model, model.machine_named("Blink"));
+    const Result endless = bench.check_code(Fault::loop_never_ends, 0);
     EXPECT_EQ(endless.outcome, Outcome::differs);
     EXPECT_THAT(endless.reason, HasSubstr("`step` does not return"));
     EXPECT_EQ(endless.cycles.size(), 1U);
-    EXPECT_EQ(bench.check().outcome, Outcome::conforms);
+    EXPECT_EQ(bench.check_code().outcome, Outcome::conforms);
 }
 
 TEST(Watchdog, LeavesCodeThatReturnsAlone) {
@@ -62,7 +62,7 @@ TEST(Watchdog, LeavesCodeThatReturnsAlone) {
     code.initial(plain.data());
     const std::vector<rc_register> registers(code.inputs);
     CycleLog one, other;
-    const Stepped stepped = watched_step(code, watched.data(), registers.data(), &one, Patience::short_);
+    const Stepped stepped = step_watched(code, watched.data(), registers.data(), &one, Patience::short_);
     EXPECT_FALSE(stepped.endless);
     EXPECT_EQ(stepped.result, code.step(plain.data(), registers.data(), &other));
     EXPECT_EQ(watched, plain);
@@ -77,7 +77,7 @@ TEST(Uncompilable, IsReportedWithTheCompilersWords) {
         Options options;
         options.generator.fault = fault;
         const Result result =
-            conform(model.system, model.instantiation, model.module(), options, model.sources, model.diagnostics);
+            conform(model.system, model.instantiation, model.first_module(), options, model.sources, model.diagnostics);
         EXPECT_EQ(result.outcome, Outcome::not_generated);
         EXPECT_THAT(result.reason, HasSubstr("c++ failed with status"));
         EXPECT_THAT(result.reason, HasSubstr(words));

@@ -32,21 +32,21 @@ std::vector<test::Edge> aggregation_model() {
 Result judge_aggregation(cpp_emit::Fault fault) {
     const ir::System system = ir::samples::aggregation();
     diagnostics::Diagnostics found;
-    const ir::Instantiation instantiation = ir::instantiate(system, {}, found);
+    const ir::Instantiation instantiation = ir::instantiate_system(system, {}, found);
     cpp_emit::Options options;
     options.fault = fault;
     const ir::ComponentRef module{ir::ComponentKind::module, "Aggregation", "aggregation", 0};
     const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, module, options, found);
     EXPECT_TRUE(found.ok());
     std::string error;
-    const auto object = test::build(code, error);
+    const auto object = test::compile_quietly(code, error);
     EXPECT_TRUE(object) << error;
     if (!object) return {};
     Interface interface = interface_of(object->interface());
     interface.component = "aggregation::Aggregation";
     process::EventTable events;
     test::GraphSystem model(aggregation_model(), events);
-    return judge(model, events, interface, object->interface(), 1, {});
+    return judge_component(model, events, interface, object->interface(), 1, {});
 }
 
 TEST(Generated, AggregationConforms) {

@@ -27,7 +27,7 @@ TEST(Alphabet, RolesOfModelEvents) {
     EXPECT_EQ(role("U::seeWall.in").kind, Kind::foreign);
     EXPECT_EQ(role("T::DriveCall.-2").kind, Kind::output);
     EXPECT_EQ(events.name(role("T::DriveCall.-2").write), "registerWrite.wrote__DriveCall.-2");
-    EXPECT_EQ(role("T::DriveCall.-2").write, alphabet.write(0, {-2}));
+    EXPECT_EQ(role("T::DriveCall.-2").write, alphabet.write_event(0, {-2}));
 }
 
 TEST(Alphabet, TellsEventsToPeople) {
@@ -38,12 +38,12 @@ TEST(Alphabet, TellsEventsToPeople) {
     interface.outputs[0].arguments[0].kind = Carrier::Kind::real;
     interface.outputs.push_back({"set_lit", {{Carrier::Kind::boolean, {}, {}}}});
     const Alphabet alphabet(interface, events);
-    EXPECT_EQ(alphabet.tell(alphabet.read(0, 0)), "no seeRobot");
-    EXPECT_EQ(alphabet.tell(alphabet.read(0, 1)), "seeRobot");
-    EXPECT_EQ(alphabet.tell(alphabet.read(2, 1)), "speed = -0.02");
-    EXPECT_EQ(alphabet.tell(alphabet.write(0, {-1088})), "Drive(-10.88)");
-    EXPECT_EQ(alphabet.tell(alphabet.write(2, {1})), "lit = true");
-    EXPECT_EQ(alphabet.tell(alphabet.tock()), "end of cycle");
+    EXPECT_EQ(alphabet.describe_event(alphabet.read_event(0, 0)), "no seeRobot");
+    EXPECT_EQ(alphabet.describe_event(alphabet.read_event(0, 1)), "seeRobot");
+    EXPECT_EQ(alphabet.describe_event(alphabet.read_event(2, 1)), "speed = -0.02");
+    EXPECT_EQ(alphabet.describe_event(alphabet.write_event(0, {-1088})), "Drive(-10.88)");
+    EXPECT_EQ(alphabet.describe_event(alphabet.write_event(2, {1})), "lit = true");
+    EXPECT_EQ(alphabet.describe_event(alphabet.tock()), "end of cycle");
 }
 
 TEST(Alphabet, ExactDecimals) {

@@ -59,7 +59,8 @@ TEST(StateText, MatricesAreCanonical) {
     const test::TemporaryFolder folder(matrix_model);
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, model.machine("S"), {}, model.sources, found);
+    const Result result =
+        conform(model.system, model.instantiation, model.machine_named("S"), {}, model.sources, found);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     EXPECT_THAT(result.warnings, IsEmpty());
 }
@@ -67,8 +68,8 @@ TEST(StateText, MatricesAreCanonical) {
 TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
     const test::TemporaryFolder folder(every_type);
     test::Model model(folder.path());
-    test::Bench bench(model, model.machine("S"));
-    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    test::Bench bench(model, model.machine_named("S"));
+    const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     expect_the_words_of_every_type(state_after(object->interface(), 2));
 }
@@ -77,8 +78,8 @@ TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
 TEST(StateText, ReportsTellThem) {
     const test::TemporaryFolder folder(every_type);
     test::Model model(folder.path());
-    test::Bench bench(model, model.machine("S"));
-    const Result result = bench.check(cpp_emit::Fault::send_dropped, 0);
+    test::Bench bench(model, model.machine_named("S"));
+    const Result result = bench.check_code(cpp_emit::Fault::send_dropped, 0);
     ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
     ASSERT_FALSE(result.cycles.empty());
     expect_the_words_of_every_type(result.cycles.back().state);
@@ -92,15 +93,15 @@ TEST(StateText, BatchesTellThemToo) {
         const test::TemporaryFolder folder(text);
         models.push_back(std::make_unique<test::Model>(folder.path()));
         test::Model& model = *models.back();
-        candidates.push_back(
-            candidate(model.system, model.instantiation, model.machine("S"), {}, model.sources, model.diagnostics));
+        candidates.push_back(candidate(model.system, model.instantiation, model.machine_named("S"), {}, model.sources,
+                                       model.diagnostics));
         ASSERT_TRUE(candidates.back());
     }
     std::string error;
     const auto batch = Batch::build(std::move(candidates), {}, error);
     ASSERT_TRUE(batch) << error;
     for (std::size_t index = 0; index < models.size(); ++index) {
-        const Result result = batch->judge(index);
+        const Result result = batch->judge_candidate(index);
         EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
         EXPECT_THAT(result.warnings, IsEmpty());
     }
@@ -124,8 +125,8 @@ TEST(StateText, BuffersTellWhatTheyHold) {
         "connection P on go to k on go ( _async )\n"
         "connection c on e to k on e ( _async ) connection c on b to k on b ( _async ) }\n");
     test::Model model(folder.path());
-    test::Bench bench(model, model.module());
-    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    test::Bench bench(model, model.first_module());
+    const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     const std::string state = state_after(object->interface(), 1);
     EXPECT_THAT(state, HasSubstr("=(0.5,true)"));

@@ -20,23 +20,23 @@ using testing::IsEmpty;
 // The operations write these variables, and no expression reads them.
 TEST(Component, UnreadVariablesOfAggregation) {
     test::Model model("corpus/aggregation");
-    EXPECT_THAT(unread_variables(model.system, model.machine("AggregationFSM")),
+    EXPECT_THAT(unread_variables(model.system, model.machine_named("AggregationFSM")),
                 testing::UnorderedElementsAre("linearSpeed", "angularSpeed"));
-    EXPECT_THAT(unread_variables(model.system, model.module()), IsEmpty());
+    EXPECT_THAT(unread_variables(model.system, model.first_module()), IsEmpty());
 }
 
 // An operation that the controller defines reads `illuminated`. If the machine is checked alone, this operation is
 // unknown.
 TEST(Component, UnreadVariablesDependOnTheContext) {
     test::Model model("corpus/swarm_taxis");
-    EXPECT_THAT(unread_variables(model.system, model.machine("SwarmTaxisFSM")),
+    EXPECT_THAT(unread_variables(model.system, model.machine_named("SwarmTaxisFSM")),
                 testing::UnorderedElementsAre("avoidanceRadius", "illuminated"));
-    EXPECT_THAT(unread_variables(model.system, model.controller()), ElementsAre("avoidanceRadius"));
+    EXPECT_THAT(unread_variables(model.system, model.first_controller()), ElementsAre("avoidanceRadius"));
 }
 
 TEST(Component, CarriersComeFromTheModelsTypes) {
     test::Model model("corpus/swarm_taxis");
-    test::Bench bench(model, model.module());
+    test::Bench bench(model, model.first_module());
     const Interface interface = bench.interface();
     EXPECT_EQ(interface.component, "swarm_taxis::SwarmTaxis");
     std::map<std::string, Carrier::Kind> kinds;

@@ -46,14 +46,14 @@ TEST(LoggedValues, EveryValueIsReadAsWritten) {
     ASSERT_EQ(model.system.machines.size(), 1U);
     for (const ir::Variable& variable : model.system.machines[0].variables) {
         const ValueReader reader(model.system, model.instantiation, variable.type, {});
-        const bool whole = cpp_emit::composed(model.system.type(variable.type));
+        const bool whole = cpp_emit::is_composed(model.system.type(variable.type));
         std::set<std::string> written;
         std::int64_t place = 0;
-        for (const ir::Value& value : ir::carrier(model.system, model.instantiation, variable.type)) {
+        for (const ir::Value& value : ir::carrier_values(model.system, model.instantiation, variable.type)) {
             const std::string word = log_text(model.system, model.instantiation, variable.type, value);
             EXPECT_EQ(word.find_first_of(" \t?!"), std::string::npos) << word;
             EXPECT_TRUE(written.insert(word).second) << variable.name << " " << word;
-            EXPECT_EQ(reader.read(word).number, whole ? place : value.number) << variable.name << " " << word;
+            EXPECT_EQ(reader.read_value(word).number, whole ? place : value.number) << variable.name << " " << word;
             ++place;
         }
         EXPECT_GE(place, 2) << variable.name;

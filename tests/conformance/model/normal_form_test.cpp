@@ -97,10 +97,10 @@ struct Both {
     void expect_equal(const std::string& what) {
         const auto one = refine::refines(*text, direct, refine::Model::failures_divergences, {});
         const auto two = refine::refines(direct, *text, refine::Model::failures_divergences, {});
-        EXPECT_EQ(one.outcome, refine::Outcome::holds) << what << tell(one);
-        EXPECT_EQ(two.outcome, refine::Outcome::holds) << what << tell(two);
+        EXPECT_EQ(one.outcome, refine::Outcome::holds) << what << describe_verdict(one);
+        EXPECT_EQ(two.outcome, refine::Outcome::holds) << what << describe_verdict(two);
     }
-    std::string tell(const refine::Verdict& verdict) const {
+    std::string describe_verdict(const refine::Verdict& verdict) const {
         std::string shown = "\n" + verdict.reason;
         if (!verdict.counterexample) return shown;
         for (const refine::Step& step : verdict.counterexample->steps)
@@ -151,7 +151,7 @@ TEST(NormalForm, RepeatedOutputsAreThoseOfTheTraces) {
         Frame frame;
         frame.outputs = Outputs::once;
         NormalFormSystem strict(both.graph, both.alphabet, 1, frame);
-        const bool marked = can_do(strict, strict.repeats());
+        const bool marked = can_do(strict, strict.repeat_event());
         EXPECT_EQ(marked, repeats) << model;
         repeating += repeats ? 1U : 0U;
     }
@@ -171,7 +171,7 @@ TEST(NormalForm, OneOrderOfReadingLosesNothing) {
 // The same comparison on a case study; FDR would get this text.
 TEST(NormalForm, TextAndSystemAgreeOnAggregation) {
     test::Model model("corpus/aggregation");
-    test::Bench bench(model, model.module());
+    test::Bench bench(model, model.first_module());
     const Interface interface = bench.interface();
     process::EventTable scratch;
     const NormalFormScript form =

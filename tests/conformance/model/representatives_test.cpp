@@ -62,27 +62,27 @@ ir::InstantiationOptions two_numbers() {
     return options;
 }
 
-Representatives chosen(const std::string& text) {
+Representatives choose_for_text(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
-    const auto component = cpp_emit::resolve(model.system, model.instantiation,
-                                             model.machine(model.system.machines.front().name), model.diagnostics);
-    return representatives(model.system, model.instantiation, *component);
+    const auto component = cpp_emit::resolve_component(
+        model.system, model.instantiation, model.machine_named(model.system.machines.front().name), model.diagnostics);
+    return choose_representatives(model.system, model.instantiation, *component);
 }
 
-Result checked(const std::string& text, Fault fault = Fault::none, const ir::InstantiationOptions& values = {}) {
+Result check_text(const std::string& text, Fault fault = Fault::none, const ir::InstantiationOptions& values = {}) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path(), values);
     Options options;
     options.generator.fault = fault;
     options.walks.cycles = 0;
     diagnostics::Diagnostics found;
-    return conform(model.system, model.instantiation, model.machine(model.system.machines.front().name), options,
+    return conform(model.system, model.instantiation, model.machine_named(model.system.machines.front().name), options,
                    model.sources, found);
 }
 
 TEST(Representatives, AreTheDefaultAndTwoThatDifferInEveryPart) {
-    const Representatives few = chosen(forward);
+    const Representatives few = choose_for_text(forward);
     ASSERT_EQ(few.types.size(), 1U);
     EXPECT_EQ(few.types[0].name, "Scan");
     EXPECT_EQ(few.types[0].values, 3U);
@@ -97,9 +97,9 @@ TEST(Representatives, AreTheDefaultAndTwoThatDifferInEveryPart) {
 TEST(Representatives, AreNotUsedWhereAllCanBeExplored) {
     const test::TemporaryFolder folder(forward);
     test::Model model(folder.path(), two_numbers());
-    const auto component =
-        cpp_emit::resolve(model.system, model.instantiation, model.machine("Forward"), model.diagnostics);
-    EXPECT_TRUE(representatives(model.system, model.instantiation, *component).types.empty());
+    const auto component = cpp_emit::resolve_component(model.system, model.instantiation,
+                                                       model.machine_named("Forward"), model.diagnostics);
+    EXPECT_TRUE(choose_representatives(model.system, model.instantiation, *component).types.empty());
 }
 
 /// A machine that receives a block of 15 reals, with an action or condition on it.
@@ -111,13 +111,13 @@ std::string with_block(const std::string& action) {
 }
 
 TEST(Representatives, OnlyOfWhatNothingDependsOn) {
-    EXPECT_EQ(chosen(with_block("action answer!b")).types.size(), 1U);
-    EXPECT_EQ(chosen(with_block("action c = b; wait(1); answer!c")).types.size(), 1U);
+    EXPECT_EQ(choose_for_text(with_block("action answer!b")).types.size(), 1U);
+    EXPECT_EQ(choose_for_text(with_block("action c = b; wait(1); answer!c")).types.size(), 1U);
     for (const char* const depends :
          {"condition b == c action answer!b", "action answer!(b + c)",
           "action answer!(if b[1, 1] > 0 then b else c end)", "action b[1, 1] = 0; answer!b",
           "condition exists x : matrix(real, 3, 5) @ x == b action answer!b"})
-        EXPECT_TRUE(chosen(with_block(depends)).types.empty()) << depends;
+        EXPECT_TRUE(choose_for_text(with_block(depends)).types.empty()) << depends;
 }
 
 /// The representatives include the constants to which variables are initialised.
@@ -128,7 +128,7 @@ TEST(Representatives, HaveTheValuesFromTheStart) {
         "R\n"
         "initial i state A { } transition t0 { from i to A }\n"
         "transition t1 { from A to A trigger in1?v action answer!v; wait(1); v = k } }\n";
-    const Representatives few = chosen(text);
+    const Representatives few = choose_for_text(text);
     ASSERT_EQ(few.types.size(), 1U);
     EXPECT_EQ(few.types[0].values, 4U);
 }
@@ -140,31 +140,31 @@ TEST(Representatives, OfNumbers) {
         "A "
         "}\n"
         "transition t1 { from A to A trigger given1?v action answer!v; wait(1); v = 9000 } }\n";
-    const Representatives few = chosen(text);
+    const Representatives few = choose_for_text(text);
     ASSERT_EQ(few.types.size(), 1U);
     EXPECT_EQ(few.types[0].name, "real");
     EXPECT_EQ(few.instantiation.real, (std::vector<std::int64_t>{-2, -1, 0, 1, 9000})) << "1 is a literal too";
-    const Result result = checked(text);
+    const Result result = check_text(text);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
 TEST(FewValues, ConformWhereAllDo) {
-    const Result few = checked(forward);
+    const Result few = check_text(forward);
     EXPECT_EQ(few.outcome, Outcome::conforms) << few.reason;
     ASSERT_EQ(few.represented.size(), 1U);
     EXPECT_EQ(few.represented[0].type, "Scan");
-    const Result all = checked(forward, Fault::none, two_numbers());
+    const Result all = check_text(forward, Fault::none, two_numbers());
     EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
     EXPECT_TRUE(all.represented.empty());
     EXPECT_LT(few.code_states, all.code_states);
 }
 
 TEST(FewValues, OfPartsOfWhatIsLookedInto) {
-    const Result result = checked(unpack);
+    const Result result = check_text(unpack);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     ASSERT_EQ(result.represented.size(), 1U);
     EXPECT_EQ(result.represented[0].type, "Scan");
-    EXPECT_EQ(checked(unpack, Fault::field_dropped).outcome, Outcome::differs);
+    EXPECT_EQ(check_text(unpack, Fault::field_dropped).outcome, Outcome::differs);
 }
 
 TEST(FewValues, FindTheFaultsThatAllFind) {
@@ -172,8 +172,8 @@ TEST(FewValues, FindTheFaultsThatAllFind) {
     for (const Fault fault : {Fault::value_not_stored, Fault::fields_lost, Fault::wrong_output,
                               Fault::assignment_dropped, Fault::send_dropped, Fault::argument_swapped,
                               Fault::wrong_input, Fault::guard_dropped, Fault::wait_dropped}) {
-        const Result few = checked(forward, fault);
-        const Result all = checked(forward, fault, two_numbers());
+        const Result few = check_text(forward, fault);
+        const Result all = check_text(forward, fault, two_numbers());
         EXPECT_EQ(few.outcome, all.outcome) << static_cast<int>(fault) << " " << few.reason << " | " << all.reason;
         found += all.outcome == Outcome::differs ? 1 : 0;
     }
@@ -190,7 +190,7 @@ TEST(FewValues, DoNotStandForAllWhereTheModelChoosesBetweenValues) {
         "transition t1 { from A to B trigger one?x } transition t2 { from B to j trigger two?y }\n"
         "transition t3 { from j to A action wait(1); answer!x } transition t4 { from j to A action wait(1); answer!y } "
         "}\n";
-    const Result result = checked(text);
+    const Result result = check_text(text);
     EXPECT_EQ(result.outcome, Outcome::inconclusive);
     EXPECT_NE(result.reason.find("do not stand for all"), std::string::npos) << result.reason;
 }

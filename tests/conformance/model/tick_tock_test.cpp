@@ -25,7 +25,7 @@ struct Answers {
     refine::Verdict failures_divergences, tick_tock;
 };
 
-Answers ask(const std::vector<Edge>& specification, const std::vector<Edge>& implementation) {
+Answers compare_refinements(const std::vector<Edge>& specification, const std::vector<Edge>& implementation) {
     process::EventTable events;
     const process::Event tock = events.intern("tock");
     GraphSystem s(specification, events);
@@ -40,13 +40,13 @@ const std::vector<Edge> late_offer = {{0, "tau", 1}, {0, "tau", 2},  {1, "tock",
 
 TEST(TickTock, WhatWasRefusedBeforeTimePassedCounts) {
     // the process refuses a, lets time pass, and then refuses b, which the specification never does
-    const Answers answers = ask(late_offer, {{0, "tock", 1}, {1, "tock", 1}});
+    const Answers answers = compare_refinements(late_offer, {{0, "tock", 1}, {1, "tock", 1}});
     EXPECT_EQ(answers.failures_divergences.outcome, refine::Outcome::holds);
     ASSERT_EQ(answers.tick_tock.outcome, refine::Outcome::fails);
     EXPECT_EQ(answers.tick_tock.counterexample->kind, refine::ViolationKind::refusal);
     EXPECT_EQ(answers.tick_tock.counterexample->steps.size(), 1U);
     // if the process offers a instead, it may refuse b after the time unit
-    const Answers offers = ask(late_offer, {{0, "tock", 1}, {0, "a", 1}, {1, "tock", 1}});
+    const Answers offers = compare_refinements(late_offer, {{0, "tock", 1}, {0, "a", 1}, {1, "tock", 1}});
     EXPECT_EQ(offers.tick_tock.outcome, refine::Outcome::holds);
 }
 
@@ -55,7 +55,7 @@ TEST(TickTock, ATockBehindARefusalThatNoStateHas) {
     // b.
     const std::vector<Edge> specification = {{0, "tau", 1},  {0, "tau", 2}, {1, "a", 3},
                                              {1, "tock", 0}, {2, "b", 3},   {3, "tock", 3}};
-    const Answers answers = ask(specification, {{0, "b", 1}, {0, "tock", 0}, {1, "tock", 1}});
+    const Answers answers = compare_refinements(specification, {{0, "b", 1}, {0, "tock", 0}, {1, "tock", 1}});
     EXPECT_EQ(answers.failures_divergences.outcome, refine::Outcome::holds);
     ASSERT_EQ(answers.tick_tock.outcome, refine::Outcome::fails);
     EXPECT_EQ(answers.tick_tock.counterexample->kind, refine::ViolationKind::trace);
@@ -63,14 +63,16 @@ TEST(TickTock, ATockBehindARefusalThatNoStateHas) {
 
 TEST(TickTock, TimelocksAndMissingEventsAreFound) {
     const std::vector<Edge> clock = {{0, "tock", 0}};
-    EXPECT_EQ(ask(clock, {{0, "tock", 1}}).tick_tock.outcome, refine::Outcome::fails);  // time stops
-    EXPECT_EQ(ask(clock, {{0, "a", 0}, {0, "tock", 0}}).tick_tock.outcome, refine::Outcome::fails);
-    EXPECT_EQ(ask({{0, "a", 1}, {0, "tock", 0}, {1, "tock", 1}}, clock).tick_tock.outcome, refine::Outcome::fails);
-    EXPECT_EQ(ask(clock, clock).tick_tock.outcome, refine::Outcome::holds);
+    EXPECT_EQ(compare_refinements(clock, {{0, "tock", 1}}).tick_tock.outcome, refine::Outcome::fails);  // time stops
+    EXPECT_EQ(compare_refinements(clock, {{0, "a", 0}, {0, "tock", 0}}).tick_tock.outcome, refine::Outcome::fails);
+    EXPECT_EQ(compare_refinements({{0, "a", 1}, {0, "tock", 0}, {1, "tock", 1}}, clock).tick_tock.outcome,
+              refine::Outcome::fails);
+    EXPECT_EQ(compare_refinements(clock, clock).tick_tock.outcome, refine::Outcome::holds);
     // Maximal progress: no time passes while a hidden event is possible.
-    EXPECT_EQ(ask({{0, "a", 1}, {1, "tock", 1}}, {{0, "tau", 1}, {0, "tock", 3}, {1, "a", 2}, {2, "tock", 2}})
-                  .tick_tock.outcome,
-              refine::Outcome::holds);
+    EXPECT_EQ(
+        compare_refinements({{0, "a", 1}, {1, "tock", 1}}, {{0, "tau", 1}, {0, "tock", 3}, {1, "a", 2}, {2, "tock", 2}})
+            .tick_tock.outcome,
+        refine::Outcome::holds);
 }
 
 // ------------------------------------------------------------ against model shifting
@@ -127,12 +129,12 @@ TEST(TickTock, AgreesWithModelShiftingOnRandomPairs) {
         const auto spec = session.system(cspm::build::name("TTP"));
         const auto impl = session.system(cspm::build::name("TTQ"));
         const auto expected = refine::refines(*spec, *impl, refine::Model::traces, {}).outcome;
-        const Answers answers = ask(p, q);
+        const Answers answers = compare_refinements(p, q);
         EXPECT_EQ(answers.tick_tock.outcome, expected) << text;
         holding += expected == refine::Outcome::holds ? 1U : 0U;
         differ += answers.failures_divergences.outcome != expected ? 1U : 0U;
         const auto itself = session.system(cspm::build::name("TTP"));
-        EXPECT_EQ(ask(p, p).tick_tock.outcome, refine::Outcome::holds) << text;
+        EXPECT_EQ(compare_refinements(p, p).tick_tock.outcome, refine::Outcome::holds) << text;
     }
     EXPECT_GT(holding, 10U);
     EXPECT_GT(differ, 0U);
@@ -143,14 +145,14 @@ TEST(TickTock, AgreesWithModelShiftingOnRandomPairs) {
 TEST(TickTock, AgreesWithFailuresDivergencesOnNormalForms) {
     for (const char* folder : {"corpus/aggregation", "tests/conformance/models/nested"}) {
         test::Model model(folder);
-        test::Bench bench(model, model.module());
+        test::Bench bench(model, model.first_module());
         for (const auto fault : {cpp_emit::Fault::none, cpp_emit::Fault::wait_dropped, cpp_emit::Fault::action_dropped,
                                  cpp_emit::Fault::single_transition_step}) {
-            if (fault != cpp_emit::Fault::none && bench.sites(fault) == 0) continue;
-            const auto object = bench.compiled(fault, 0);
+            if (fault != cpp_emit::Fault::none && bench.site_count(fault) == 0) continue;
+            const auto object = bench.compile_fault(fault, 0);
             ASSERT_NE(object, nullptr);
-            const Result one = bench.check(object->interface());
-            const Result other = bench.check(object->interface(), Relation::tick_tock);
+            const Result one = bench.check_code(object->interface());
+            const Result other = bench.check_code(object->interface(), Relation::tick_tock);
             EXPECT_EQ(one.outcome, other.outcome) << folder << " " << static_cast<int>(fault) << other.reason;
             EXPECT_TRUE(fault != cpp_emit::Fault::none || other.outcome == Outcome::conforms) << other.reason;
             EXPECT_EQ(one.cycles.size(), other.cycles.size()) << folder;

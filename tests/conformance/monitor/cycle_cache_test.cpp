@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <limits>
 #include <random>
@@ -39,7 +40,7 @@ public:
     }
 
     /// Reports a cycle to a monitor event by event.
-    void tell(Monitor& monitor, const std::vector<Written>& written) const {
+    void report_events(Monitor& monitor, const std::vector<Written>& written) const {
         for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
             if (signals[i].present == 0)
                 monitor.absent(i);
@@ -63,7 +64,7 @@ public:
 
     /// Reports the cycle to both monitors and compares them. The signals are cleared afterwards.
     void cycle(const std::vector<Written>& written) {
-        tell(single, written);
+        report_events(single, written);
         rc_actions actions{};
         for (const Written& one : written) {
             rc_action& action = actions.action[actions.count++];
@@ -71,7 +72,7 @@ public:
             for (std::uint32_t k = 0; k < one.arguments.size(); ++k)
                 action.argument[action.count++] = raw(outputs_[one.output], k, one.arguments[k]);
         }
-        cycles.tell(whole, signals.data(), actions, RC_DRIVE_QUIESCENT);
+        cycles.pass_cycle(whole, signals.data(), actions, RC_DRIVE_QUIESCENT);
         std::ranges::fill(signals, rc_signal{});
         ASSERT_EQ(whole.verdict(), single.verdict());
         ASSERT_EQ(whole.state(), single.state());
@@ -115,21 +116,21 @@ class Made {
 public:
     explicit Made(const std::string& folder) : project_(folder, {}) {
         std::string error;
-        model_ = CyclicModel::load(project_.system, project_.instantiation, project_.module(), 1, limits_,
+        model_ = CyclicModel::load(project_.system, project_.instantiation, project_.first_module(), 1, limits_,
                                    project_.sources, project_.diagnostics, error);
         EXPECT_NE(model_, nullptr) << error;
         build = MonitorBuild::make(*model_, limits_, project_.sources);
     }
     [[nodiscard]] std::uint32_t input(const std::string& name) const {
-        return named(build->tables().input, build->tables().inputs, name);
+        return find_channel(build->tables().input, build->tables().inputs, name);
     }
     [[nodiscard]] std::uint32_t output(const std::string& name) const {
-        return named(build->tables().output, build->tables().outputs, name);
+        return find_channel(build->tables().output, build->tables().outputs, name);
     }
     std::unique_ptr<MonitorBuild> build;
 
 private:
-    static std::uint32_t named(const MonitorChannel* channels, std::uint32_t count, const std::string& name) {
+    static std::uint32_t find_channel(const MonitorChannel* channels, std::uint32_t count, const std::string& name) {
         for (std::uint32_t i = 0; i < count; ++i)
             if (channels[i].name == name) return i;
         ADD_FAILURE() << name;
@@ -182,7 +183,7 @@ TEST(CycleCache, AreWhatTheirEventsAre) {
         if (!chance(0.02)) {
             const auto allowed = std::ranges::find_if(outcomes, [&](const auto& outcome) {
                 Monitor trial = pair.single;
-                pair.tell(trial, outcome);
+                pair.report_events(trial, outcome);
                 return trial.verdict() == MonitorVerdict::allowed;
             });
             if (allowed != outcomes.end()) outcomes[0] = *allowed;
@@ -192,7 +193,7 @@ TEST(CycleCache, AreWhatTheirEventsAre) {
         ++violated;
         pair.reset();
     }
-    EXPECT_GT(pair.cycles.remembered(), 5000U) << "else only events were reported";
+    EXPECT_GT(pair.cycles.hit_count(), 5000U) << "else only events were reported";
     EXPECT_GT(violated, 50);
 }
 
@@ -218,7 +219,7 @@ protected:
 TEST_F(ByHand, OutputsOfSeveralArguments) {
     for (int i = 0; i < 3; ++i) pair.cycle({{0, {0, 1}}});
     for (int i = 0; i < 3; ++i) pair.cycle({{0, {1, 0}}, {1, {0.5}}});
-    EXPECT_EQ(pair.cycles.remembered(), 4U) << "all but the first of each";
+    EXPECT_EQ(pair.cycles.hit_count(), 4U) << "all but the first of each";
     pair.cycle({{0, {0, 0}}});
     EXPECT_EQ(pair.whole.verdict(), MonitorVerdict::violated) << "its first argument is as before, its second is not";
 }
@@ -254,7 +255,7 @@ TEST_F(ByHand, ReadingsAreDistinguished) {
 TEST_F(ByHand, TerminationIsNoCycle) {
     pair.cycle({});
     const rc_actions nothing{};
-    pair.cycles.tell(pair.whole, pair.signals.data(), nothing, RC_DRIVE_TERMINATED);
+    pair.cycles.pass_cycle(pair.whole, pair.signals.data(), nothing, RC_DRIVE_TERMINATED);
     EXPECT_EQ(pair.whole.verdict(), MonitorVerdict::violated);
     EXPECT_STREQ(pair.whole.event(), "termination");
 }
@@ -264,7 +265,7 @@ TEST_F(ByHand, LongCycles) {
     const std::vector<Written> often(40, Written{1, {0.5}});
     pair.cycle(often);
     pair.cycle(often);
-    EXPECT_EQ(pair.cycles.remembered(), 0U);
+    EXPECT_EQ(pair.cycles.hit_count(), 0U);
     EXPECT_EQ(pair.whole.verdict(), MonitorVerdict::allowed);
 }
 

@@ -18,7 +18,7 @@ public:
     explicit MonitoredModel(const std::string& folder, const ir::InstantiationOptions& options = {})
         : project_(folder, options) {
         std::string error;
-        model_ = CyclicModel::load(project_.system, project_.instantiation, project_.module(), 1, limits_,
+        model_ = CyclicModel::load(project_.system, project_.instantiation, project_.first_module(), 1, limits_,
                                    project_.sources, project_.diagnostics, error);
         EXPECT_NE(model_, nullptr) << error;
         build = MonitorBuild::make(*model_, limits_, project_.sources);
@@ -94,7 +94,7 @@ TEST(Monitors, SayWhereTheyKnowNothing) {
 TEST(Monitors, AreSmall) {
     const MonitoredModel made("corpus/aggregation");
     EXPECT_LE(made.build->tables().states, 18U);
-    EXPECT_LT(made.build->tables().states, made.build->nodes());
+    EXPECT_LT(made.build->tables().states, made.build->node_count());
 }
 
 /// The generated header and the shipped runtime header compile without exceptions, RTTI or warnings.
@@ -119,7 +119,7 @@ extern "C" __attribute__((visibility("default"))) int run(double first, double s
     std::string error;
     const auto library = cpp_emit::SharedLibrary::build(files, {"use.cpp"}, options, error);
     ASSERT_NE(library, nullptr) << error;
-    const auto run = reinterpret_cast<int (*)(double, double)>(library->symbol("run"));
+    const auto run = reinterpret_cast<int (*)(double, double)>(library->find_symbol("run"));
     ASSERT_NE(run, nullptr);
     EXPECT_EQ(run(-0.75, -10.88), 0);
     EXPECT_EQ(run(-0.75, 0), 1);

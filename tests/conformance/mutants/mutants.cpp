@@ -28,19 +28,19 @@ refine::Limits limits() {
 }
 
 /// Keeps only the files that a batch needs.
-void strip(cpp_emit::Emission& code) {
+void strip_files(cpp_emit::Emission& code) {
     std::erase_if(code.files, [&](const cpp_emit::OutputFile& file) {
         return !file.path.ends_with("_core.hpp") && !file.path.ends_with("_trace.hpp") && file.path != code.shim;
     });
 }
 
-bool alike(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
+bool is_same_code(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
     return std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
                       [](const auto& one, const auto& other) { return one.text == other.text; });
 }
 
 /// The kind of evidence that distinguished a mutant from the model.
-std::string means(const Result& result) {
+std::string means_of_detection(const Result& result) {
     constexpr std::pair<const char*, const char*> words[] = {
         {"event API", "the event API"},
         {"does not return", "watchdog"},
@@ -66,11 +66,11 @@ Study::Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strate
     original_ = CodeBatch::build({&code_}, build_options(), error);
     EXPECT_TRUE(original_) << error;
     if (!original_) return;
-    original_code_ = original_->code(0, error);
+    original_code_ = original_->code_at(0, error);
     EXPECT_NE(original_code_, nullptr) << error;
     if (original_code_ == nullptr) return;
     Interface interface = interface_of(*original_code_);
-    complete(interface, model_.system, model_.instantiation, component_, bench_.script().provenance);
+    complete_interface(interface, model_.system, model_.instantiation, component_, bench_.script().provenance);
     alphabet_.emplace(interface, bench_.session().event_table());
     graph_.emplace(bench_.system(), *alphabet_);
 }
@@ -82,21 +82,21 @@ cpp_emit::Emission Study::emit(cpp_emit::Fault fault, std::uint32_t site) {
     options.strategy = strategy_;
     cpp_emit::Emission code =
         cpp_emit::emit(model_.system, model_.instantiation, component_, options, model_.diagnostics);
-    strip(code);
+    strip_files(code);
     return code;
 }
 
-Result Study::original() {
+Result Study::check_original() {
     if (original_code_ == nullptr) return {};
-    const Result result = schedulable(*graph_, *alphabet_, 1, limits());
-    return result.outcome == Outcome::conforms ? refined(*original_code_) : result;
+    const Result result = check_schedulability(*graph_, *alphabet_, 1, limits());
+    return result.outcome == Outcome::conforms ? check_refinement(*original_code_) : result;
 }
 
-Result Study::refined(const rc_interface& code) {
+Result Study::check_refinement(const rc_interface& code) {
     return refined_by(*graph_, *alphabet_, code, 1, limits());
 }
 
-std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_api_only) {
+std::vector<Study::Seeded> Study::seed_faults(std::size_t sites, bool event_api_only) {
     std::vector<Seeded> all;
     for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
         if (event_api_only && !cpp_emit::in_event_api(kind.fault)) continue;
@@ -105,7 +105,7 @@ std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_api_only) {
         for (std::uint32_t n = 0; n < wanted; ++n) {
             const std::uint32_t site = n * there / wanted;
             Seeded each{{kind, site, Fate::undecided, "", 0, ""}, emit(kind.fault, site)};
-            if (!alike(each.code, code_)) all.push_back(std::move(each));
+            if (!is_same_code(each.code, code_)) all.push_back(std::move(each));
         }
     }
     return all;
@@ -113,7 +113,7 @@ std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_api_only) {
 
 std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only) {
     if (original_code_ == nullptr) return {};
-    std::vector<Seeded> all = seed(sites, event_api_only);
+    std::vector<Seeded> all = seed_faults(sites, event_api_only);
     for (std::size_t first = 0; first < all.size(); first += at_once) {
         std::vector<Seeded*> together;
         for (std::size_t i = first; i < std::min(first + at_once, all.size()); ++i) together.push_back(&all[i]);
@@ -158,7 +158,7 @@ void Study::judge_together(std::vector<Seeded*> together) {
     ASSERT_TRUE(batch) << error.substr(0, 4000);
     for (std::size_t i = 0; i < together.size(); ++i) {
         std::string fault;
-        const rc_interface* const code = batch->code(i, fault);
+        const rc_interface* const code = batch->code_at(i, fault);
         ASSERT_NE(code, nullptr) << fault;
         judge(together[i]->mutant, *code);
     }
@@ -166,12 +166,12 @@ void Study::judge_together(std::vector<Seeded*> together) {
 
 void Study::judge(Mutant& mutant, const rc_interface& code) {
     try {
-        const Result result = refined(code);
+        const Result result = check_refinement(code);
         mutant.reported = result.reason;
-        if (result.outcome == Outcome::conforms) return compare(mutant, code);
+        if (result.outcome == Outcome::conforms) return compare_with_original(mutant, code);
         if (result.outcome != Outcome::differs) return;
         mutant.fate = Fate::killed;
-        mutant.by = means(result);
+        mutant.by = means_of_detection(result);
         mutant.cycles = std::max<std::size_t>(1, result.cycles.size());
     } catch (const AlphabetError& mismatch) {
         mutant.fate = Fate::killed;
@@ -180,7 +180,7 @@ void Study::judge(Mutant& mutant, const rc_interface& code) {
     }
 }
 
-void Study::compare(Mutant& mutant, const rc_interface& code) {
+void Study::compare_with_original(Mutant& mutant, const rc_interface& code) {
     try {
         const CodeEquality equality = compare_code(*original_code_, code, *alphabet_, 1, limits());
         mutant.fate = equality.same ? Fate::equivalent : Fate::variant;

@@ -36,7 +36,7 @@ public:
     Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
 
     /// The result for the unchanged code. If it is not `conforms`, the analysis has no meaning.
-    [[nodiscard]] Result original();
+    [[nodiscard]] Result check_original();
     /// Every mutant whose code differs from the original, at most `sites` of each kind, spread evenly.
     /// `event_api_only`: only faults of the event API.
     [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_api_only = false);
@@ -48,12 +48,12 @@ private:
     };
 
     [[nodiscard]] cpp_emit::Emission emit(cpp_emit::Fault, std::uint32_t site);
-    [[nodiscard]] std::vector<Seeded> seed(std::size_t sites, bool event_api_only);
+    [[nodiscard]] std::vector<Seeded> seed_faults(std::size_t sites, bool event_api_only);
     void judge_together(std::vector<Seeded*> together);
     void drop_uncompilable(std::vector<Seeded*>& together);
     void judge(Mutant&, const rc_interface& code);
-    void compare(Mutant&, const rc_interface& code);
-    [[nodiscard]] Result refined(const rc_interface& code);
+    void compare_with_original(Mutant&, const rc_interface& code);
+    [[nodiscard]] Result check_refinement(const rc_interface& code);
 
     Model& model_;
     ir::ComponentRef component_;

@@ -49,7 +49,7 @@ bool decides_only(Fault fault) {
                        [&](const Open& open) { return open.fault == fault && open.model == nullptr; });
 }
 
-const char* reason(const std::string& model, const Mutant& mutant) {
+const char* reason_open(const std::string& model, const Mutant& mutant) {
     for (const Open& open : open_choices)
         if (open.fault == mutant.kind.fault && (open.model == nullptr || model.ends_with(open.model))) return open.why;
     return nullptr;
@@ -77,21 +77,21 @@ protected:
 
     void try_module(const std::string& folder, std::size_t sites) {
         test::Model model(folder);
-        study(folder, test::Study(model, model.module()), sites);
+        study_model(folder, test::Study(model, model.first_module()), sites);
     }
     void try_machine(const std::string& folder, const std::string& machine, std::size_t sites,
                      const ir::InstantiationOptions& options = {}) {
         test::Model model(folder, options);
-        study(folder, test::Study(model, model.machine(machine)), sites);
+        study_model(folder, test::Study(model, model.machine_named(machine)), sites);
     }
     /// Tries only faults of the event API: these models contain little behaviour in a cycle.
     void try_events(const std::string& folder, const std::string& machine, cpp_emit::Strategy strategy) {
         test::Model model(folder);
-        study(folder, test::Study(model, model.machine(machine), strategy), 3, true);
+        study_model(folder, test::Study(model, model.machine_named(machine), strategy), 3, true);
     }
 
-    void study(const std::string& name, test::Study study, std::size_t sites, bool event_api_only = false) {
-        const Result original = study.original();
+    void study_model(const std::string& name, test::Study study, std::size_t sites, bool event_api_only = false) {
+        const Result original = study.check_original();
         ASSERT_EQ(original.outcome, Outcome::conforms) << name << ": " << original.reason;
         for (const Mutant& mutant : study.mutants(all() ? 1000 : sites, event_api_only)) {
             look_at(name, mutant);
@@ -106,7 +106,7 @@ protected:
         EXPECT_NE(mutant.fate, Fate::undecided)
             << name << ": " << mutant.kind.name << " at " << mutant.site << ": " << mutant.reported;
         if (mutant.fate != Fate::variant) return;
-        const char* const why = reason(name, mutant);
+        const char* const why = reason_open(name, mutant);
         EXPECT_NE(why, nullptr) << name << ": " << mutant.kind.name << " at " << mutant.site
                                 << " conforms and does otherwise: " << mutant.reported;
         if (all() && why != nullptr)

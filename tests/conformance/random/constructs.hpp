@@ -10,7 +10,7 @@
 namespace robochart::conformance::test {
 
 /// Names of the constructs in a module's machines, operations and connections: "during", "depth 3", "async".
-[[nodiscard]] std::set<std::string> constructs(const ir::System&);
+[[nodiscard]] std::set<std::string> constructs_in(const ir::System&);
 /// The constructs that random models of the core shape must cover.
 [[nodiscard]] std::set<std::string> claimed_constructs();
 /// The constructs that random models of the widened shape must cover.

@@ -24,9 +24,9 @@ using std::chrono::steady_clock;
 constexpr std::size_t at_once = 100;
 constexpr std::chrono::seconds patience{4};
 
-std::string causes(const diagnostics::Diagnostics& findings) {
+std::string error_codes(const diagnostics::Diagnostics& findings) {
     std::set<std::string> codes;
-    for (const auto& each : findings.sorted())
+    for (const auto& each : findings.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error) codes.emplace(each.rule->code);
     return fmt::format("refused: {}", fmt::join(codes, " "));
 }
@@ -45,7 +45,7 @@ std::string kind_of(const Result& result) {
 }
 
 /// Describes the difference; "" if there is none.
-std::string difference(const Result& result) {
+std::string describe_difference(const Result& result) {
     if (!result.warnings.empty()) return fmt::format("{}", fmt::join(result.warnings, "\n"));
     if (result.outcome != Outcome::differs) return {};
     std::string text = fmt::format("{}\nexpected: {}\n", result.reason, result.expected);
@@ -79,42 +79,42 @@ Options Campaign::options() const {
     return options;
 }
 
-Campaign::Prepared Campaign::prepare(const random_models::Project& project) const {
+Campaign::Prepared Campaign::prepare_candidate(const random_models::Project& project) const {
     const auto loaded = random_models::load(project);
     diagnostics::Diagnostics& findings = loaded->findings;
-    if (findings.errors() > 0) return {nullptr, causes(findings)};
+    if (findings.error_count() > 0) return {nullptr, error_codes(findings)};
     const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
-    const ir::Instantiation instantiation = ir::instantiate(system, {}, findings);
-    if (!findings.ok() || system.modules.empty()) return {nullptr, causes(findings)};
+    const ir::Instantiation instantiation = ir::instantiate_system(system, {}, findings);
+    if (!findings.ok() || system.modules.empty()) return {nullptr, error_codes(findings)};
     const ir::Module& module = system.modules.at(0);
     const ir::ComponentRef ref{ir::ComponentKind::module, module.name, module.package, 0};
     auto ready = candidate(system, instantiation, ref, options(), loaded->sources, findings);
-    return {std::move(ready), causes(findings)};
+    return {std::move(ready), error_codes(findings)};
 }
 
-void Campaign::add(std::uint64_t seed) {
+void Campaign::add_model(std::uint64_t seed) {
     ++tally_.models;
-    Prepared prepared = prepare(random_models::well_formed(seed, shape_of_(seed)));
+    Prepared prepared = prepare_candidate(random_models::well_formed(seed, shape_of_(seed)));
     if (!prepared.candidate) {
         ++tally_.outcomes[prepared.refusal];
         return;
     }
     candidates_.push_back(std::move(prepared.candidate));
     seeds_.push_back(seed);
-    if (candidates_.size() == at_once) finish();
+    if (candidates_.size() == at_once) judge_remaining();
 }
 
-void Campaign::finish() {
-    if (!candidates_.empty()) judge(std::exchange(seeds_, {}), std::exchange(candidates_, {}));
+void Campaign::judge_remaining() {
+    if (!candidates_.empty()) judge_batch(std::exchange(seeds_, {}), std::exchange(candidates_, {}));
 }
 
 /// Candidates that do not compile are recorded and excluded from the batch.
-void Campaign::judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates) {
+void Campaign::judge_batch(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates) {
     std::string error;
     const auto batch = Batch::build(std::move(candidates), options(), error);
     if (batch) {
         for (std::size_t i = 0; i < batch->size(); ++i)
-            count(seeds[i], batch->candidate(i), batch->judge(i, steady_clock::now() + patience));
+            count_result(seeds[i], batch->candidate(i), batch->judge_candidate(i, steady_clock::now() + patience));
         return;
     }
     const std::vector<std::string> errors = errors_by_candidate(error, seeds.size());
@@ -123,7 +123,7 @@ void Campaign::judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_p
     for (std::size_t i = 0; i < seeds.size(); ++i) {
         if (errors[i].empty() && seeds.size() > 1) {
             others.push_back(seeds[i]);
-            again.push_back(prepare(random_models::well_formed(seeds[i], shape_of_(seeds[i]))).candidate);
+            again.push_back(prepare_candidate(random_models::well_formed(seeds[i], shape_of_(seeds[i]))).candidate);
             continue;
         }
         ++tally_.outcomes["DOES NOT COMPILE"];
@@ -133,40 +133,42 @@ void Campaign::judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_p
         for (std::size_t i = 0; i < others.size(); ++i) {
             std::vector<std::unique_ptr<Candidate>> alone;
             alone.push_back(std::move(again[i]));
-            judge({others[i]}, std::move(alone));
+            judge_batch({others[i]}, std::move(alone));
         }
     } else if (!others.empty()) {
-        judge(std::move(others), std::move(again));
+        judge_batch(std::move(others), std::move(again));
     }
 }
 
-void Campaign::count(std::uint64_t seed, const Candidate& candidate, const Result& result) {
+void Campaign::count_result(std::uint64_t seed, const Candidate& candidate, const Result& result) {
     ++tally_.outcomes[kind_of(result)];
-    const std::string found = difference(result);
+    const std::string found = describe_difference(result);
     if (!found.empty()) tally_.disagreements.push_back({seed, found});
     if (result.outcome != Outcome::conforms) return;
     ++tally_.conforming;
     tally_.cycles += result.code_cycles;
-    for (const std::string& word : constructs(candidate.system)) ++tally_.constructs[word];
+    for (const std::string& word : constructs_in(candidate.system)) ++tally_.constructs[word];
 }
 
-std::string Campaign::disagreement(const random_models::Project& project) const {
-    Prepared prepared = prepare(project);
+std::string Campaign::find_disagreement(const random_models::Project& project) const {
+    Prepared prepared = prepare_candidate(project);
     if (!prepared.candidate) return {};
     std::vector<std::unique_ptr<Candidate>> alone;
     alone.push_back(std::move(prepared.candidate));
     std::string error;
     const auto batch = Batch::build(std::move(alone), options(), error);
     if (!batch) return "error: " + errors_by_candidate(error, 1)[0];
-    return difference(batch->judge(0, steady_clock::now() + patience));
+    return describe_difference(batch->judge_candidate(0, steady_clock::now() + patience));
 }
 
-std::string Campaign::shrunk(const Disagreement& found, std::size_t budget) const {
+std::string Campaign::shrink_disagreement(const Disagreement& found, std::size_t budget) const {
     const std::string kind = kind_of(found.what);
-    const auto fails = [&](const random_models::Project& project) { return kind_of(disagreement(project)) == kind; };
+    const auto fails = [&](const random_models::Project& project) {
+        return kind_of(find_disagreement(project)) == kind;
+    };
     const random_models::Project small =
         random_models::shrink(random_models::well_formed(found.seed, shape_of_(found.seed)), fails, budget);
-    return fmt::format("seed {}: {}\n{}", found.seed, disagreement(small),
+    return fmt::format("seed {}: {}\n{}", found.seed, find_disagreement(small),
                        without_blank_lines(random_models::listing(small)));
 }
 

@@ -36,13 +36,13 @@ public:
 
     Campaign(ShapeOf shape_of, bool all_choices) : shape_of_(std::move(shape_of)), all_choices_(all_choices) {}
 
-    void add(std::uint64_t seed);
+    void add_model(std::uint64_t seed);
     /// Judges the models that were added since the last batch.
-    void finish();
+    void judge_remaining();
     [[nodiscard]] const Tally& tally() const { return tally_; }
     /// Shrinks the model while it still shows a disagreement of the same kind; returns the smallest one found, with its
     /// disagreement.
-    [[nodiscard]] std::string shrunk(const Disagreement& found, std::size_t budget) const;
+    [[nodiscard]] std::string shrink_disagreement(const Disagreement& found, std::size_t budget) const;
 
 private:
     /// A model in the current batch.
@@ -52,11 +52,11 @@ private:
     };
 
     [[nodiscard]] Options options() const;
-    [[nodiscard]] Prepared prepare(const random_models::Project& project) const;
+    [[nodiscard]] Prepared prepare_candidate(const random_models::Project& project) const;
     /// Describes the disagreement of one model; "" if there is none.
-    [[nodiscard]] std::string disagreement(const random_models::Project& project) const;
-    void judge(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates);
-    void count(std::uint64_t seed, const Candidate& candidate, const Result& result);
+    [[nodiscard]] std::string find_disagreement(const random_models::Project& project) const;
+    void judge_batch(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates);
+    void count_result(std::uint64_t seed, const Candidate& candidate, const Result& result);
 
     ShapeOf shape_of_;
     bool all_choices_ = false;

@@ -72,14 +72,14 @@ void write_report(const Campaign& campaign) {
         out << fmt::format("disagreement {} {}\n", found.seed, found.what.substr(0, found.what.find('\n')));
     constexpr std::size_t budget = 200;
     if (tally.models == 1)
-        for (const Disagreement& found : tally.disagreements) out << campaign.shrunk(found, budget);
+        for (const Disagreement& found : tally.disagreements) out << campaign.shrink_disagreement(found, budget);
     out << "whole\n";
 }
 
 Campaign run(random_models::Shape (*shape_of)(std::uint64_t), bool all_choices, std::size_t models) {
     Campaign campaign(shape_of, all_choices);
-    for (const std::uint64_t seed : random_models::seeds(models)) campaign.add(seed);
-    campaign.finish();
+    for (const std::uint64_t seed : random_models::seeds(models)) campaign.add_model(seed);
+    campaign.judge_remaining();
     for (const Disagreement& found : campaign.tally().disagreements)
         ADD_FAILURE() << "seed " << found.seed << ": " << found.what;
     write_report(campaign);
@@ -108,9 +108,9 @@ TEST(RandomModels, WidenedHaveEveryConstruct) {
     constexpr std::size_t models = 1500;
     for (std::uint64_t seed = 0; seed < models; ++seed) {
         const auto loaded = random_models::load(random_models::well_formed(seed, widened_shape(seed)));
-        ASSERT_EQ(loaded->findings.errors(), 0U) << "seed " << seed << "\n" << loaded->report();
+        ASSERT_EQ(loaded->findings.error_count(), 0U) << "seed " << seed << "\n" << loaded->report();
         const ir::System system = ir::lower(loaded->model, loaded->sources, loaded->findings);
-        for (const std::string& word : constructs(system)) ++counts[word];
+        for (const std::string& word : constructs_in(system)) ++counts[word];
     }
     for (const std::string& word : widened_constructs()) EXPECT_GE(counts[word], 3U) << word << " is made too seldom";
 }
@@ -122,9 +122,9 @@ TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     constexpr std::size_t models = 200;
     for (std::uint64_t seed = 0; seed < models; ++seed) {
         const auto loaded = random_models::load(random_models::well_formed(seed, toolkits_shape(seed)));
-        ASSERT_EQ(loaded->findings.errors(), 0U) << "seed " << seed << "\n" << loaded->report();
+        ASSERT_EQ(loaded->findings.error_count(), 0U) << "seed " << seed << "\n" << loaded->report();
         const ir::System system = ir::lower(loaded->model, loaded->sources, loaded->findings);
-        found += constructs(system).count("call of a toolkit function with a precondition");
+        found += constructs_in(system).count("call of a toolkit function with a precondition");
     }
     EXPECT_GE(found, 3U);
 }

@@ -61,7 +61,8 @@ stm M {
 class Suites {
 public:
     explicit Suites(const std::string& folder)
-        : project(folder), component(project.system.modules.empty() ? project.machine("M") : project.module()) {
+        : project(folder),
+          component(project.system.modules.empty() ? project.machine_named("M") : project.first_module()) {
         std::string error;
         model = CyclicModel::load(project.system, project.instantiation, component, 1, limits, project.sources,
                                   project.diagnostics, error);
@@ -70,7 +71,7 @@ public:
     }
 
     /// Whether the compiled code makes the outputs of the model in every run of the suite.
-    bool passes(const rc_interface& code, const std::vector<TestWord>& suite) const {
+    bool passes_suite(const rc_interface& code, const std::vector<TestWord>& suite) const {
         for (const TestWord& test : suite) {
             std::vector<unsigned char> image(code.state_size);
             code.initial(image.data());
@@ -83,21 +84,21 @@ public:
                 const rc_result result = code.step(image.data(), registers.data(), &log);
                 const CycleStep& step = machine.steps[state][symbol];
                 const rc_result wanted = step.target == CycleAutomaton::over ? RC_TERMINATED : RC_QUIESCENT;
-                if (result != wanted || log.overflow != 0 || writes(log) != step.writes) return false;
+                if (result != wanted || log.overflow != 0 || logged_writes(log) != step.writes) return false;
                 state = step.target;
             }
         }
         return true;
     }
 
-    std::unique_ptr<SharedObject> code(Fault fault, std::uint32_t site) {
+    std::unique_ptr<SharedObject> compile_fault(Fault fault, std::uint32_t site) {
         cpp_emit::Options options;
         options.fault = fault;
         options.fault_site = site;
         const auto emission =
             cpp_emit::emit(project.system, project.instantiation, component, options, project.diagnostics);
         std::string error;
-        auto object = test::build(emission, error);
+        auto object = test::compile_quietly(emission, error);
         EXPECT_NE(object, nullptr) << error;
         return object;
     }
@@ -109,10 +110,10 @@ public:
     CycleAutomaton machine;
 
 private:
-    std::vector<process::Event> writes(const rc_log& log) const {
+    std::vector<process::Event> logged_writes(const rc_log& log) const {
         std::vector<process::Event> events;
         for (std::uint32_t r = 0; r < log.count; ++r)
-            events.push_back(model->alphabet().write(
+            events.push_back(model->alphabet().write_event(
                 log.record[r].output, {log.record[r].argument, log.record[r].argument + log.record[r].count}));
         return events;
     }
@@ -123,8 +124,8 @@ private:
 TEST(TestSuites, TheMachineOfAggregationIsSmall) {
     const Suites suites("corpus/aggregation");
     EXPECT_EQ(suites.machine.inputs.size(), 4U);
-    EXPECT_GE(suites.machine.states(), 3U);
-    EXPECT_LE(suites.machine.states(), 8U);
+    EXPECT_GE(suites.machine.state_count(), 3U);
+    EXPECT_LE(suites.machine.state_count(), 8U);
     const auto none = complete_suite(suites.machine, 0);
     const auto one = complete_suite(suites.machine, 1);
     EXPECT_LT(none.size(), one.size());
@@ -142,7 +143,7 @@ TEST(TestSuites, AreRunsOfTheModel) {
         TraceChecker checker(*suites.model, {"M"}, suites.limits, suites.project.sources);
         std::istringstream in(log);
         std::string reported;
-        const LogReport report = checker.check(in, {}, [&](const RunReport& run) { reported += run.what + "\n"; });
+        const LogReport report = checker.check_log(in, {}, [&](const RunReport& run) { reported += run.what + "\n"; });
         EXPECT_FALSE(report.fault.has_value()) << report.fault->text;
         EXPECT_EQ(report.accepted, tests.size()) << reported;
         if (folder == stores.path()) {
@@ -153,18 +154,18 @@ TEST(TestSuites, AreRunsOfTheModel) {
 
 /// Kills every mutant that the exhaustive check distinguishes from the model and that has at most as many states as the
 /// fault domain allows. The correct code and equivalent mutants pass.
-void kill(const std::string& folder, const std::vector<Fault>& faults) {
+void check_mutants(const std::string& folder, const std::vector<Fault>& faults) {
     Suites suites(folder);
     test::Bench bench(suites.project, suites.component);
     const std::uint32_t extra = 1;
     const auto suite = complete_suite(suites.machine, extra);
-    EXPECT_TRUE(suites.passes(suites.code(Fault::none, 0)->interface(), suite));
+    EXPECT_TRUE(suites.passes_suite(suites.compile_fault(Fault::none, 0)->interface(), suite));
     std::size_t different = 0;
     std::size_t killed = 0;
     for (const Fault fault : faults)
-        for (std::uint32_t site = 0; site < bench.sites(fault); ++site) {
-            const Result oracle = bench.check(fault, site);
-            const bool passed = suites.passes(suites.code(fault, site)->interface(), suite);
+        for (std::uint32_t site = 0; site < bench.site_count(fault); ++site) {
+            const Result oracle = bench.check_code(fault, site);
+            const bool passed = suites.passes_suite(suites.compile_fault(fault, site)->interface(), suite);
             if (oracle.outcome == Outcome::conforms) {
                 EXPECT_TRUE(passed) << static_cast<int>(fault) << " at " << site;
                 continue;
@@ -172,7 +173,7 @@ void kill(const std::string& folder, const std::vector<Fault>& faults) {
             ASSERT_EQ(oracle.outcome, Outcome::differs);
             ++different;
             killed += passed ? 0 : 1;
-            if (oracle.code_states <= suites.machine.states() + extra) {
+            if (oracle.code_states <= suites.machine.state_count() + extra) {
                 EXPECT_FALSE(passed) << static_cast<int>(fault) << " at " << site;
             }
         }
@@ -181,22 +182,22 @@ void kill(const std::string& folder, const std::vector<Fault>& faults) {
 }
 
 TEST(TestSuites, KillTheMutantsOfAggregation) {
-    kill("corpus/aggregation",
-         {Fault::wrong_target, Fault::entry_dropped, Fault::argument_swapped, Fault::assignment_dropped,
-          Fault::event_kept, Fault::wait_dropped, Fault::single_transition_step});
+    check_mutants("corpus/aggregation",
+                  {Fault::wrong_target, Fault::entry_dropped, Fault::argument_swapped, Fault::assignment_dropped,
+                   Fault::event_kept, Fault::wait_dropped, Fault::single_transition_step});
 }
 
 TEST(TestSuites, KillTheMutantsOfAPump) {
-    kill(test::TemporaryFolder(pump).path(),
-         {Fault::guard_negated, Fault::guard_dropped, Fault::wrong_target, Fault::entry_dropped, Fault::clock_not_reset,
-          Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
+    check_mutants(test::TemporaryFolder(pump).path(),
+                  {Fault::guard_negated, Fault::guard_dropped, Fault::wrong_target, Fault::entry_dropped,
+                   Fault::clock_not_reset, Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
 }
 
 /// If two outputs may come in either order, there is no deterministic machine of cycles.
 TEST(TestSuites, ModelsThatLeaveAChoiceAreRefused) {
     try {
         const Suites suites("tests/conformance/models/nested");
-        FAIL() << "it has " << suites.machine.states() << " states";
+        FAIL() << "it has " << suites.machine.state_count() << " states";
     } catch (const std::length_error& refused) {
         EXPECT_THAT(refused.what(), HasSubstr("leaves a choice"));
     }
@@ -214,7 +215,7 @@ class Mine : public Implementation {
 public:
     void reset() override { state = 'i'; }
     std::vector<std::string> cycle(const std::vector<std::string>& inputs) override {
-        const auto has = [&](const char* e) { return std::ranges::find(inputs, e) != inputs.end(); };
+        const auto has = [&](const char* e) { return std::find(inputs.begin(), inputs.end(), e) != inputs.end(); };
         if (state == 'i' || (state == '2' && has("seeWall?"))) {
             state = '1';
             return {"angularSpeed!-0.750", "linearSpeed!-10.88"};

@@ -22,7 +22,8 @@ class Replay {
 public:
     Replay(const std::string& folder, const std::string& component, std::uint32_t cycle = 1) : project_(folder) {
         EXPECT_TRUE(project_.diagnostics.ok());
-        const ir::ComponentRef ref = component == "module" ? project_.module() : project_.machine(component);
+        const ir::ComponentRef ref =
+            component == "module" ? project_.first_module() : project_.machine_named(component);
         std::string error;
         model_ = CyclicModel::load(project_.system, project_.instantiation, ref, cycle, limits_, project_.sources,
                                    project_.diagnostics, error);
@@ -32,13 +33,13 @@ public:
 
     /// Checks the runs of a log and stores the reports of those that are not accepted; `header` follows the first
     /// lines.
-    LogReport check(const std::string& runs, const std::string& header = "") {
-        return whole("robochart-trace 1\ncomponent M\n" + header + runs);
+    LogReport check_runs(const std::string& runs, const std::string& header = "") {
+        return check_whole_log("robochart-trace 1\ncomponent M\n" + header + runs);
     }
-    LogReport whole(const std::string& text, const std::vector<std::string>& constants = {}) {
+    LogReport check_whole_log(const std::string& text, const std::vector<std::string>& constants = {}) {
         std::istringstream in(text);
         reported.clear();
-        return checker_->check(in, constants, [this](const RunReport& run) { reported.push_back(run); });
+        return checker_->check_log(in, constants, [this](const RunReport& run) { reported.push_back(run); });
     }
 
     std::vector<RunReport> reported;
@@ -50,7 +51,7 @@ private:
     std::unique_ptr<TraceChecker> checker_;
 };
 
-Replay aggregation() {
+Replay aggregation_replay() {
     return {"corpus/aggregation", "module"};
 }
 
@@ -58,9 +59,9 @@ Replay aggregation() {
 TEST(Traces, AHeaderWithOtherConstantsIsRefused) {
     Replay replay("corpus/aggregation", "module");
     const std::string log = "robochart-trace 1\ncomponent M\nconst pace=3\nrun a\n";
-    EXPECT_FALSE(replay.whole(log, {"pace=3"}).fault);
+    EXPECT_FALSE(replay.check_whole_log(log, {"pace=3"}).fault);
     for (const std::vector<std::string>& chosen : {std::vector<std::string>{}, {"pace=4"}, {"pace=3", "speed=1"}}) {
-        const LogReport report = replay.whole(log, chosen);
+        const LogReport report = replay.check_whole_log(log, chosen);
         ASSERT_TRUE(report.fault);
         EXPECT_EQ(report.fault->fault.rule, &rules::log_of_other);
         EXPECT_EQ(report.runs, 0U);
@@ -70,13 +71,13 @@ TEST(Traces, AHeaderWithOtherConstantsIsRefused) {
 constexpr const char* start = "run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock\n";
 
 TEST(Traces, WhatTheModelDoesIsAccepted) {
-    Replay replay = aggregation();
-    const LogReport report = replay.check(std::string(start) +
-                                          "seeRobot? angularSpeed!-5.02 linearSpeed!0 tock  // turns\n"
-                                          "\n"
-                                          "seeRobot? tock\n"
-                                          "seeWall? angularSpeed!-0.75\nlinearSpeed!-10.88 tock tock\n"
-                                          "run b\nseeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n");
+    Replay replay = aggregation_replay();
+    const LogReport report = replay.check_runs(std::string(start) +
+                                               "seeRobot? angularSpeed!-5.02 linearSpeed!0 tock  // turns\n"
+                                               "\n"
+                                               "seeRobot? tock\n"
+                                               "seeWall? angularSpeed!-0.75\nlinearSpeed!-10.88 tock tock\n"
+                                               "run b\nseeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n");
     EXPECT_FALSE(report.fault.has_value());
     EXPECT_EQ(report.runs, 2U);
     EXPECT_EQ(report.accepted, 2U) << (replay.reported.empty() ? "" : replay.reported.front().what);
@@ -85,8 +86,8 @@ TEST(Traces, WhatTheModelDoesIsAccepted) {
 
 /// Maximal progress (R3): the model has no cycle that ends before it makes its output.
 TEST(Traces, AMissingOutputIsRejectedWhereTheCycleEnds) {
-    Replay replay = aggregation();
-    const LogReport report = replay.check(std::string(start) + "seeRobot? tock\ntock\n");
+    Replay replay = aggregation_replay();
+    const LogReport report = replay.check_runs(std::string(start) + "seeRobot? tock\ntock\n");
     ASSERT_EQ(report.rejected, 1U);
     const RunReport& run = replay.reported.at(0);
     EXPECT_EQ(run.what, "the end of the cycle");
@@ -107,8 +108,8 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
              {"angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},
              {"seeRobot? angularSpeed!-5.02 linearSpeed!0 linearSpeed!0 tock", "linearSpeed!0"},  // once too often
              {"angularSpeed!-0.75 linearSpeed!-10.88 tock", "angularSpeed!-0.75"}}) {
-        Replay replay = aggregation();
-        EXPECT_EQ(replay.check(std::string(start) + cycle + "\n").rejected, 1U) << cycle;
+        Replay replay = aggregation_replay();
+        EXPECT_EQ(replay.check_runs(std::string(start) + cycle + "\n").rejected, 1U) << cycle;
         ASSERT_EQ(replay.reported.size(), 1U) << cycle;
         EXPECT_EQ(replay.reported[0].what, what);
     }
@@ -116,48 +117,48 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
 
 /// R1: every input is read once, before anything is written.
 TEST(Traces, ReadsComeFirstAndOnce) {
-    Replay replay = aggregation();
-    EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75 seeWall? linearSpeed!-10.88 tock\n").rejected, 1U);
+    Replay replay = aggregation_replay();
+    EXPECT_EQ(replay.check_runs("run a\nangularSpeed!-0.75 seeWall? linearSpeed!-10.88 tock\n").rejected, 1U);
     EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre(HasSubstr("before anything is written")));
-    EXPECT_EQ(replay.check("run a\nseeWall? seeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nseeWall? seeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n").rejected, 1U);
 }
 
 /// traces(NF) is closed under prefixes: a log may end anywhere.
 TEST(Traces, ALogMayEndInTheMiddleOfACycle) {
-    Replay replay = aggregation();
-    EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\nseeWall?").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\n").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\nlinearSpeed!0").rejected, 1U);
+    Replay replay = aggregation_replay();
+    EXPECT_EQ(replay.check_runs("run a\nangularSpeed!-0.75").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nseeWall?").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nlinearSpeed!0").rejected, 1U);
 }
 
 TEST(Traces, WhatIsNotObservedMayHaveHappened) {
-    Replay replay = aggregation();
+    Replay replay = aggregation_replay();
     const std::string seen = "run a\nlinearSpeed!-10.88 tock\nlinearSpeed!0 tock\n";
-    EXPECT_EQ(replay.check(seen, "unobserved angularSpeed! seeRobot?\n").accepted, 1U);
-    EXPECT_EQ(replay.check(seen, "unobserved angularSpeed!\n").rejected, 1U) << "nobody was seen";
-    EXPECT_EQ(replay.check(seen, "unobserved seeRobot?\n").rejected, 1U) << "angularSpeed was not written";
+    EXPECT_EQ(replay.check_runs(seen, "unobserved angularSpeed! seeRobot?\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs(seen, "unobserved angularSpeed!\n").rejected, 1U) << "nobody was seen";
+    EXPECT_EQ(replay.check_runs(seen, "unobserved seeRobot?\n").rejected, 1U) << "angularSpeed was not written";
     // This is no run of the model for any inputs: the speeds alternate.
     EXPECT_EQ(replay
-                  .check("run a\nlinearSpeed!-10.88 tock\nlinearSpeed!-10.88 tock\n",
-                         "unobserved angularSpeed! seeRobot? seeWall?\n")
+                  .check_runs("run a\nlinearSpeed!-10.88 tock\nlinearSpeed!-10.88 tock\n",
+                              "unobserved angularSpeed! seeRobot? seeWall?\n")
                   .rejected,
               1U);
     // An event that the header declares as unobserved must not be logged.
-    EXPECT_TRUE(replay.check("run a\nangularSpeed!-0.75 tock\n", "unobserved angularSpeed!\n").fault.has_value());
+    EXPECT_TRUE(replay.check_runs("run a\nangularSpeed!-0.75 tock\n", "unobserved angularSpeed!\n").fault.has_value());
 }
 
 TEST(Traces, ALogMayStartLateAndLoseCycles) {
-    Replay replay = aggregation();
+    Replay replay = aggregation_replay();
     const std::string turns = "seeRobot? angularSpeed!-5.02 linearSpeed!0 tock\n";
     const std::string drives = "seeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n";
-    EXPECT_EQ(replay.check("run a\n" + turns).rejected, 1U);
-    EXPECT_EQ(replay.check("run a\nlate\n" + turns + drives).accepted, 1U);
-    EXPECT_EQ(replay.check("run a\nlate\n" + drives + "tock\n").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\nlate\n" + drives + drives).rejected, 1U) << "it drives already";
-    EXPECT_EQ(replay.check(std::string(start) + "lost\n" + drives).accepted, 1U);
-    EXPECT_EQ(replay.check(std::string(start) + drives).rejected, 1U);
-    EXPECT_TRUE(replay.check(std::string(start) + "late\n").fault.has_value()) << "late is for the beginning";
+    EXPECT_EQ(replay.check_runs("run a\n" + turns).rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nlate\n" + turns + drives).accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nlate\n" + drives + "tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nlate\n" + drives + drives).rejected, 1U) << "it drives already";
+    EXPECT_EQ(replay.check_runs(std::string(start) + "lost\n" + drives).accepted, 1U);
+    EXPECT_EQ(replay.check_runs(std::string(start) + drives).rejected, 1U);
+    EXPECT_TRUE(replay.check_runs(std::string(start) + "late\n").fault.has_value()) << "late is for the beginning";
 }
 
 /// Headings are only passed on (DataIndependence): values outside the finite instantiation are replaced by values
@@ -169,15 +170,15 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
         return "robotDetected? CalcAvoidanceHeading! tock\nheading?" + heard + " desiredTurningDegree!" + turned +
                " reached!false StartTurning!" + turned + " tock\n";
     };
-    const LogReport good = replay.check(first + turn("-84.377682133819", "-84.377682133819"));
+    const LogReport good = replay.check_runs(first + turn("-84.377682133819", "-84.377682133819"));
     EXPECT_EQ(good.accepted, 1U) << (replay.reported.empty() ? "" : replay.reported[0].what);
     EXPECT_EQ(good.replaced, 3U);
     // The output differs from the input. Each run chooses its replacements at random, and few of them are equal.
     std::string many;
     for (int i = 0; i < 20; ++i) many += first + turn("-84.377682133819", "84.377682133819");
-    EXPECT_GE(replay.check(many).rejected, 10U);
+    EXPECT_GE(replay.check_runs(many).rejected, 10U);
     // A value inside the finite instantiation is not replaced.
-    EXPECT_EQ(replay.check(first + turn("0.1", "0.2")).rejected, 1U);
+    EXPECT_EQ(replay.check_runs(first + turn("0.1", "0.2")).rejected, 1U);
 }
 
 /// A value that the model tests must be in the finite instantiation. Otherwise the rest of the run is undecided.
@@ -202,9 +203,9 @@ stm M {
 )")
                       .path(),
                   "M");
-    EXPECT_EQ(replay.check("run a\ntock\ndistance?1 near! tock\nname?Red tock\n").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\ntock\ndistance?2 near! tock\n").rejected, 1U);
-    EXPECT_EQ(replay.check("run a\ntock\ndistance?1.5 near! tock\n").inconclusive, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\ndistance?1 near! tock\nname?Red tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\ndistance?2 near! tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\ndistance?1.5 near! tock\n").inconclusive, 1U);
     EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("1.5 is outside the finite instantiation"));
     EXPECT_EQ(replay.reported.at(0).cycle, 2U);
 }
@@ -238,11 +239,11 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
          {"pose?(1,true) go!(1,true)", "pose?( 1.0 , true ) go!(1,true)", "path?<> follow!<>",
           "path?<2,0> follow!<2, 0>", "seen?{Red,Green} paint!{Green,Red,Green}", "seen?{Colour_Red} paint!{Red}",
           "seen?{} paint!{ }", "kinds?{(true,Red),(false,Green)} label!{(false,Green),(true,Red)}"})
-        EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").accepted, 1U) << cycle;
+        EXPECT_EQ(replay.check_runs(std::string("run a\ntock\n") + cycle + " tock\n").accepted, 1U) << cycle;
     for (const char* cycle :
          {"pose?(1,true) go!(1,false)", "path?<2,0> follow!<0,2>", "path?<2,0> follow!<2>",
           "seen?{Red,Green} paint!{Green}", "kinds?{(true,Red),(false,Green)} label!{(true,Red),(false,Red)}"})
-        EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").rejected, 1U) << cycle;
+        EXPECT_EQ(replay.check_runs(std::string("run a\ntock\n") + cycle + " tock\n").rejected, 1U) << cycle;
 }
 
 /// The model only passes reals on. A real outside the carrier is replaced by one of the carrier, consistently in all
@@ -251,16 +252,17 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
 TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     const std::string first = "run a\ntock\n";
-    const LogReport good = replay.check(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
+    const LogReport good =
+        replay.check_runs(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
     EXPECT_EQ(good.accepted, 1U) << (replay.reported.empty() ? "" : replay.reported[0].what);
     EXPECT_EQ(good.replaced, 4U);
     std::string many;
     for (int i = 0; i < 20; ++i) many += first + "path?<0.31,7> follow!<7,0.31> tock\n";
-    EXPECT_GE(replay.check(many).rejected, 10U);
-    EXPECT_EQ(replay.check(first + "pose?(0.31,true) go!(0.31,false) tock\n").rejected, 1U);
-    EXPECT_EQ(replay.check(first + "path?<0,0,0> follow!<0,0,0> tock\n").inconclusive, 1U);
+    EXPECT_GE(replay.check_runs(many).rejected, 10U);
+    EXPECT_EQ(replay.check_runs(first + "pose?(0.31,true) go!(0.31,false) tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs(first + "path?<0,0,0> follow!<0,0,0> tock\n").inconclusive, 1U);
     EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("<0,0,0> is outside the finite instantiation"));
-    EXPECT_EQ(replay.check(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
+    EXPECT_EQ(replay.check_runs(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
 }
 
 /// The conversion of a sequence's elements is an operation on numbers.
@@ -280,8 +282,8 @@ stm M {
 )")
                       .path(),
                   "M");
-    EXPECT_EQ(replay.check("run a\ntock\npath?<2> follow!<2> tock\n").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\ntock\npath?<7> follow!<7> tock\n").inconclusive, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\npath?<2> follow!<2> tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\npath?<7> follow!<7> tock\n").inconclusive, 1U);
 }
 
 TEST(Traces, TerminationEndsARun) {
@@ -298,11 +300,11 @@ stm M {
 )")
                       .path(),
                   "M");
-    EXPECT_EQ(replay.check("run a\ntock\nstop? terminate\n").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\ntock\nstop? tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nstop? terminate\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nstop? tock\n").rejected, 1U);
     EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre("termination"));
-    EXPECT_EQ(replay.check("run a\ntock\nterminate\n").rejected, 1U);
-    EXPECT_EQ(replay.check("run a\nstop? terminate tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nterminate\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\nstop? terminate tock\n").rejected, 1U);
     EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre("nothing: it has terminated"));
 }
 
@@ -310,10 +312,12 @@ stm M {
 TEST(Traces, CyclesMayBeLonger) {
     Replay replay("corpus/aggregation", "module", 2);
     const std::string first = "run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock tock\n";
-    EXPECT_EQ(replay.check(first, "cycle 2\n").accepted, 1U);
-    EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock seeRobot? tock\n", "cycle 2\n").rejected,
-              1U);
-    EXPECT_EQ(replay.check(first).fault->fault.rule, &rules::log_of_other) << "RC-L04: the header says cycles of one";
+    EXPECT_EQ(replay.check_runs(first, "cycle 2\n").accepted, 1U);
+    EXPECT_EQ(
+        replay.check_runs("run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock seeRobot? tock\n", "cycle 2\n").rejected,
+        1U);
+    EXPECT_EQ(replay.check_runs(first).fault->fault.rule, &rules::log_of_other)
+        << "RC-L04: the header says cycles of one";
 }
 
 std::string code_of(const LogReport& report) {
@@ -322,28 +326,28 @@ std::string code_of(const LogReport& report) {
 
 /// Tests each rule for logs with a faulty log and a similar correct one.
 TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
-    Replay replay = aggregation();
-    EXPECT_EQ(code_of(replay.whole("")), "RC-L01");
-    EXPECT_EQ(code_of(replay.whole("hello\n")), "RC-L01");
-    EXPECT_EQ(code_of(replay.whole("robochart-trace 2\ncomponent M\n")), "RC-L01");
-    EXPECT_EQ(code_of(replay.whole("robochart-trace 1\nrun a\n")), "RC-L01") << "no component";
-    EXPECT_EQ(code_of(replay.whole("// by hand\nrobochart-trace 1\ncomponent M\n")), "");
-    EXPECT_EQ(code_of(replay.whole("\xEF\xBB\xBFrobochart-trace 1\ncomponent M\n")), "");
-    EXPECT_EQ(code_of(replay.check("tock\n")), "RC-L01") << "no run";
-    EXPECT_EQ(code_of(replay.check("run a\nhello\n")), "RC-L01");
-    EXPECT_EQ(code_of(replay.check("run a\n", "cycle 0\n")), "RC-L01");
-    EXPECT_EQ(code_of(replay.check("run a\n", "cycle many\n")), "RC-L01");
-    EXPECT_EQ(code_of(replay.check(std::string("run a\nto\0ck\n", 12))), "RC-L01");
-    EXPECT_EQ(code_of(replay.check("run a\n" + std::string(2U << 20U, 'x'))), "RC-L01");
-    EXPECT_EQ(code_of(replay.check("run a\nseeNobody? tock\n")), "RC-L02");
-    EXPECT_EQ(code_of(replay.check("run a\nseeWall! tock\n")), "RC-L02") << "an input is no output";
-    EXPECT_EQ(code_of(replay.check("run a\n", "unobserved speed!\n")), "RC-L02");
-    EXPECT_EQ(code_of(replay.check("run a\nseeWall?3 tock\n")), "RC-L03");
-    EXPECT_EQ(code_of(replay.check("run a\nangularSpeed! tock\n")), "RC-L03");
-    EXPECT_EQ(code_of(replay.check("run a\nangularSpeed!fast tock\n")), "RC-L03");
-    EXPECT_EQ(code_of(replay.check("run a\nangularSpeed!1!2 tock\n")), "RC-L03");
-    EXPECT_EQ(code_of(replay.whole("robochart-trace 1\ncomponent Other\n")), "RC-L04");
-    const LogReport report = replay.check("run a\n  seeWall? seeNobody? tock\n");
+    Replay replay = aggregation_replay();
+    EXPECT_EQ(code_of(replay.check_whole_log("")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_whole_log("hello\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_whole_log("robochart-trace 2\ncomponent M\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_whole_log("robochart-trace 1\nrun a\n")), "RC-L01") << "no component";
+    EXPECT_EQ(code_of(replay.check_whole_log("// by hand\nrobochart-trace 1\ncomponent M\n")), "");
+    EXPECT_EQ(code_of(replay.check_whole_log("\xEF\xBB\xBFrobochart-trace 1\ncomponent M\n")), "");
+    EXPECT_EQ(code_of(replay.check_runs("tock\n")), "RC-L01") << "no run";
+    EXPECT_EQ(code_of(replay.check_runs("run a\nhello\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_runs("run a\n", "cycle 0\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_runs("run a\n", "cycle many\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_runs(std::string("run a\nto\0ck\n", 12))), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_runs("run a\n" + std::string(2U << 20U, 'x'))), "RC-L01");
+    EXPECT_EQ(code_of(replay.check_runs("run a\nseeNobody? tock\n")), "RC-L02");
+    EXPECT_EQ(code_of(replay.check_runs("run a\nseeWall! tock\n")), "RC-L02") << "an input is no output";
+    EXPECT_EQ(code_of(replay.check_runs("run a\n", "unobserved speed!\n")), "RC-L02");
+    EXPECT_EQ(code_of(replay.check_runs("run a\nseeWall?3 tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check_runs("run a\nangularSpeed! tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check_runs("run a\nangularSpeed!fast tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check_runs("run a\nangularSpeed!1!2 tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check_whole_log("robochart-trace 1\ncomponent Other\n")), "RC-L04");
+    const LogReport report = replay.check_runs("run a\n  seeWall? seeNobody? tock\n");
     EXPECT_EQ(report.fault->line, 4U);
     EXPECT_EQ(report.fault->fault.column, 11U);
     EXPECT_EQ(report.fault->fault.length, 9U);
@@ -366,7 +370,7 @@ TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
              {"seen?<Red>", "a set `{...,...}`", 5},
              {"seen?{Blue}", "a literal of Colour", 6},
              {"kinds?{true,Red}", "pairs `{(...,...),...}`", 6}}) {
-        const LogReport report = replay.check(std::string("run a\ntock\n") + word + "\n");
+        const LogReport report = replay.check_runs(std::string("run a\ntock\n") + word + "\n");
         ASSERT_EQ(code_of(report), "RC-L03") << word;
         EXPECT_EQ(report.fault->fault.arguments.at(1), wanted) << word;
         EXPECT_EQ(report.fault->fault.column, column) << word;
@@ -375,8 +379,8 @@ TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
 
 /// A fault in a later line is reported even if an earlier run has a verdict.
 TEST(Traces, LogsAreReadToTheirEnd) {
-    Replay replay = aggregation();
-    const LogReport report = replay.check("run a\nlinearSpeed!0 tock\nseeNobody?\n");
+    Replay replay = aggregation_replay();
+    const LogReport report = replay.check_runs("run a\nlinearSpeed!0 tock\nseeNobody?\n");
     EXPECT_EQ(code_of(report), "RC-L02");
 }
 
@@ -385,10 +389,10 @@ TEST(Traces, TheInterfaceOfTheModelIsThatOfTheCode) {
     for (const char* folder : {"corpus/aggregation", "corpus/swarm_taxis", "tests/conformance/models/nested",
                                "tests/conformance/models/team", "tests/conformance/models/parcels"}) {
         test::Model project(folder);
-        const ir::ComponentRef ref = !project.system.modules.empty() ? project.module()
+        const ir::ComponentRef ref = !project.system.modules.empty() ? project.first_module()
                                      : !project.system.controllers.empty()
-                                         ? project.controller()
-                                         : project.machine(project.system.machines.front().name);
+                                         ? project.first_controller()
+                                         : project.machine_named(project.system.machines.front().name);
         test::Bench bench(project, ref);
         const Interface code = bench.interface();
         const auto model =

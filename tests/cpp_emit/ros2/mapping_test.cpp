@@ -4,9 +4,9 @@
 
 #include <fstream>
 
+#include "base/diagnostics/splitmix64.hpp"
 #include "cpp_emit/ros2/messages.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
-#include "base/diagnostics/splitmix64.hpp"
 #include "tests/cpp_emit/models.hpp"
 #include "tests/cpp_emit/ros2/package.hpp"
 
@@ -34,7 +34,7 @@ controller C { requires I uses E sref m = M opref turn_ref = turn
 
 /// The findings for one item. Findings for the elements that every mapping here omits are left out.
 std::string findings_of(const std::string& item) {
-    static const ir::System system = testing::model(model_text);
+    static const ir::System system = testing::load_model(model_text);
     const Planned planned = emit_package(system, "C", "ros2 for C {\n" + item + "\n}");
     std::string kept;
     std::size_t from = 0;
@@ -232,7 +232,7 @@ TEST(HostileMapping, DoesNotReachTheCode) {
         const std::string said = findings_of(fmt::format("publish operation stop as std_msgs/Empty on \"{}\"", name));
         EXPECT_TRUE(said.starts_with("RC-R04 2:45")) << name << "\n" << said;
     }
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "interface I { stop() } stm M { requires I initial i state A { entry stop() } transition t { from i to A } }");
     const Planned planned = emit_package(
         system, "M",
@@ -246,7 +246,7 @@ TEST(HostileMapping, DoesNotReachTheCode) {
 /// Mappings with changed, removed and doubled characters and words. Each is rejected with a finding, or the package is
 /// generated. In a generated package, changed text stays within its name or literal.
 TEST(HostileMapping, ChangedAtRandomIsRefusedOrWritten) {
-    const ir::System system = testing::model(
+    const ir::System system = testing::load_model(
         "enumeration L { A B } datatype P { x : real l : L } interface I { move(p : P, n : nat) var v : real }\n"
         "interface E { event e : P event f : boolean event g : int }\n"
         "stm M { requires I uses E var p : P var b : boolean initial i state S { entry move(p, 1) ; v = 1 }\n"
@@ -310,9 +310,9 @@ TEST(Names, OfRosAreThoseOfRosidl) {
 TEST(Names, OfAPackageAreItsOwn) {
     for (const char* const name : {"Launch", "Rclcpp", "StdMsgs", "Rcl_Interfaces"}) {
         const ir::System system =
-            testing::model(fmt::format("interface I {{ stop() }} stm {} {{ requires I initial i state A {{ entry "
-                                       "stop() }} transition t {{ from i to A }} }}",
-                                       name));
+            testing::load_model(fmt::format("interface I {{ stop() }} stm {} {{ requires I initial i state A {{ entry "
+                                            "stop() }} transition t {{ from i to A }} }}",
+                                            name));
         const Planned planned = emit_package(system, name, "");
         std::string text;
         for (const OutputFile& file : planned.emission.files)
@@ -331,7 +331,7 @@ TEST(Messages, OfTheTableAreWhole) {
         for (const std::string& type : known_messages(package)) {
             EXPECT_EQ(wrong_message(type), "");
             const MessageName message{package, type, {}};
-            for (const std::string& name : fields_of(message.text())) {
+            for (const std::string& name : fields_of(message.full_name())) {
                 EXPECT_EQ(wrong_field(name), "") << type;
                 const FoundField found = find_field(message, {{{name, {}}}});
                 EXPECT_EQ(found.missing, 1U) << type << " " << name;

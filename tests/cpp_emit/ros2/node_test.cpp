@@ -10,7 +10,7 @@ namespace robochart::cpp_emit::ros2 {
 namespace {
 
 TEST_F(Package, WithoutAMappingHasTopicsOfStdMsgs) {
-    emit(testing::corpus("swarm_taxis"), "SwarmTaxis");
+    emit(testing::load_corpus("swarm_taxis"), "SwarmTaxis");
     drive("SwarmTaxisFSM_node.hpp", R"(
 int main() {
     swarm_taxis::SwarmTaxisFSMNode node;
@@ -40,7 +40,7 @@ int main() {
 }
 
 TEST_F(Package, CarriesNumbersAndEnumerations) {
-    emit(testing::model(testing::typed_model), "Mod");
+    emit(testing::load_model(testing::typed_model), "Mod");
     drive("M_node.hpp", R"(
 int main() {
     p::MNode node;
@@ -74,7 +74,7 @@ int main() {
 
 /// The trace hook logs inputs and outputs in the notation of docs/traces.md.
 TEST_F(Package, WritesALog) {
-    emit(testing::model(testing::typed_model), "Mod");
+    emit(testing::load_model(testing::typed_model), "Mod");
     drive("M_node.hpp", R"(
 #include <fstream>
 #include <sstream>
@@ -134,14 +134,14 @@ const char* const wheels = R"(ros2 for Mod {
 }
 )";
 
-ir::InstantiationOptions chosen() {
+ir::InstantiationOptions chosen_constants() {
     ir::InstantiationOptions options;
     options.constants = {{"SPEED", "1.5"}, {"LIMIT", "7"}};
     return options;
 }
 
 TEST_F(Package, PublishesAndReceivesWhatTheMappingSays) {
-    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(
 #include <limits>
 int main() {
@@ -200,7 +200,7 @@ int main() {
 }
 
 TEST_F(Package, HasAQualityOfServiceForEachKind) {
-    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(
 int main() {
     p::MNode node;
@@ -230,7 +230,7 @@ int main() {
 }
 
 TEST_F(Package, RunsCyclesWhileItIsActive) {
-    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(
 int main() {
     using Twist = geometry_msgs::msg::Twist;
@@ -277,7 +277,7 @@ int main() {
 }
 
 TEST_F(Package, RefusesConstantsThatItWasNotGeneratedFor) {
-    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(
 int main() {
     Network& network = Network::get();
@@ -310,7 +310,7 @@ int main() {
 }
 
 TEST_F(Package, WarnsOfAnOperationThatNobodyDoes) {
-    emit(testing::model(testing::typed_model), "Mod",
+    emit(testing::load_model(testing::typed_model), "Mod",
          "ros2 for Mod { publish operation go as geometry_msgs/Vector3 on \"go\" { x = a y = b } }");
     drive("M_node.hpp", R"(
 class Robot : public p::MMessages {
@@ -353,7 +353,7 @@ int main() {
 
 /// Tests two machines, in two controllers, and a clock.
 TEST_F(Package, HasAStateForEachMachine) {
-    emit(testing::model(R"(package p
+    emit(testing::load_model(R"(package p
 interface I { beep() }
 interface E { event e : nat event f }
 stm S { uses E requires I clock T var n : nat initial i state A { } state B { entry beep() }
@@ -389,7 +389,7 @@ int main() {
 }
 
 TEST_F(Package, OfAMachineWithoutOperations) {
-    emit(testing::model("stm M { initial i state A { } transition t0 { from i to A } }"), "M", "ros2 for M { }");
+    emit(testing::load_model("stm M { initial i state A { } transition t0 { from i to A } }"), "M", "ros2 for M { }");
     drive("M_node.hpp", R"(
 int main() {
     robot::MNode node;
@@ -402,7 +402,7 @@ int main() {
 
 /// Elements have names that the node, its messages, ROS or C++ use. The package has the name of such an element.
 TEST_F(Package, OfElementsWithNamesOfRos) {
-    emit(testing::model(R"(package rclcpp_lifecycle
+    emit(testing::load_model(R"(package rclcpp_lifecycle
 enumeration State { active off }
 interface Twist { outbox(message : State, ^now : nat) message(put : real) std_msgs() to_cmd_vel(a0 : nat, a1 : nat) }
 interface MOutbox { event unfit : State event on_configure event from_scan : real }
@@ -428,7 +428,7 @@ stm M { requires Twist requires MMessages requires MNode uses MOutbox var s : St
 
 /// Runs the launch file in a stub of launch: it starts the node, configures it, and activates it once.
 TEST_F(Package, IsLaunched) {
-    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     write("check.py", R"(
 import runpy
 from launch.actions import DeclareLaunchArgument, EmitEvent, RegisterEventHandler
@@ -454,7 +454,7 @@ assert activate.event.transition_id == 3 and activate.event.matches(node)
 }
 
 TEST_F(Package, NamesWhatItNeeds) {
-    emit(testing::model(wheeled), "Mod", wheels, chosen());
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     folder_.run("grep -q '^    cycle: 0.1$' config/M.yaml && grep -q '^    # constants.SPEED: 1.5$' config/M.yaml");
     for (const char* const name : {"builtin_interfaces", "geometry_msgs", "rcl_interfaces", "sensor_msgs", "std_msgs"})
         folder_.run(
@@ -468,7 +468,7 @@ TEST_F(Package, NamesWhatItNeeds) {
 
 /// Shared variables of record types, in both directions. The environment writes one of them.
 TEST_F(Package, HasVariablesThatAreRecords) {
-    emit(testing::model(R"(package p
+    emit(testing::load_model(R"(package p
 enumeration Light { Red Green }
 datatype Place { x : real lamp : Light }
 datatype Both { first : Place second : nat }

@@ -23,11 +23,12 @@ Planned emit_package(const ir::System& system, const std::string& component, con
     options.mapping = text.empty() ? nullptr : &mapping;
     Planned planned;
     if (diagnostics.ok()) {
-        const ir::Instantiation inst = ir::instantiate(system, wanted, diagnostics);
-        planned.emission = cpp_emit::emit(system, inst, testing::component(system, component), options, diagnostics);
+        const ir::Instantiation inst = ir::instantiate_system(system, wanted, diagnostics);
+        planned.emission =
+            cpp_emit::emit(system, inst, testing::component_named(system, component), options, diagnostics);
     }
-    for (const auto& each : diagnostics.sorted()) {
-        const bool here = each.span.known() && !text.empty() && each.rule->code != "RC-R10";
+    for (const auto& each : diagnostics.sorted_findings()) {
+        const bool here = each.span.is_known() && !text.empty() && each.rule->code != "RC-R10";
         const diagnostics::Position at = here ? sources.position(source, each.span.begin) : diagnostics::Position{};
         planned.findings += fmt::format("{} {}{}\n", each.rule->code,
                                         here ? fmt::format("{}:{} ", at.line, at.column) : "", each.message());

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "base/diagnostics/render.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
@@ -17,7 +18,6 @@
 #include "csp_emit/emit.hpp"
 #include "csp_emit/swarm/compose.hpp"
 #include "csp_emit/swarm/read_swarm.hpp"
-#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
@@ -42,7 +42,7 @@ refine::Limits with_reduction() {
     return limits;
 }
 
-const char* word(refine::Outcome outcome) {
+const char* outcome_word(refine::Outcome outcome) {
     return outcome == refine::Outcome::holds ? "holds" : outcome == refine::Outcome::fails ? "fails" : "open";
 }
 
@@ -68,7 +68,7 @@ refine::Verdict decide(cspm::Session& session, const Obligation& obligation) {
 }
 
 /// Decides the claims of a swarm of the model in this folder or file.
-Decided decided(const std::string& path, const std::string& text, Time time = Time::timed, SwarmSize size = {}) {
+Decided decide_swarm(const std::string& path, const std::string& text, Time time = Time::timed, SwarmSize size = {}) {
     Decided result;
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
@@ -85,7 +85,7 @@ Decided decided(const std::string& path, const std::string& text, Time time = Ti
     for (const SwarmConstant& each : swarm.constants)
         if (!each.value.empty()) options.constants[each.name.text] = each.value;
     for (const SwarmRange& each : swarm.ranges) options.ranges[each.type.text] = {each.low, each.high};
-    const ir::Instantiation instantiation = ir::instantiate(system, options, found);
+    const ir::Instantiation instantiation = ir::instantiate_system(system, options, found);
     Emission emission = emit(system, instantiation, time, {}, sources, found);
     make_swarm(emission, swarm, time, system, instantiation, sources, found);
     if (found.ok()) (void)cspm::check_types(emission.script, found);
@@ -94,7 +94,7 @@ Decided decided(const std::string& path, const std::string& text, Time time = Ti
     for (const Obligation& obligation : emission.obligations) {
         try {
             const refine::Verdict verdict = decide(session, obligation);
-            result.verdicts.emplace_back(word(verdict.outcome));
+            result.verdicts.emplace_back(outcome_word(verdict.outcome));
             result.states.push_back(verdict.statistics.states);
         } catch (const cspm::EvaluationError& error) {
             result.verdicts.push_back(std::string("error: ") + error.what());
@@ -103,7 +103,7 @@ Decided decided(const std::string& path, const std::string& text, Time time = Ti
     return finish();
 }
 
-std::string alpha() {
+std::string alpha_folder() {
     return (tests::source_folder() / "corpus/alpha").string();
 }
 
@@ -120,10 +120,10 @@ using Verdicts = std::vector<std::string>;
 /// On a torus of three by three cells all robots are always adjacent, because diagonal steps count as one. No robot is
 /// ever lost or turns, and two that start with one heading stay in one cell.
 TEST(Swarm, WhoCannotGetAwayIsNeverLost) {
-    const Decided found =
-        decided(alpha(), swarm_of_alpha("robots 2 grid 3 by 3 place at (0, 0) heading 0 deg",
-                                        "accept deadlock free accept always linked(1) accept recurrent linked(1) "
-                                        "accept possible apart accept always not apart accept possible away(1)"));
+    const Decided found = decide_swarm(
+        alpha_folder(), swarm_of_alpha("robots 2 grid 3 by 3 place at (0, 0) heading 0 deg",
+                                       "accept deadlock free accept always linked(1) accept recurrent linked(1) "
+                                       "accept possible apart accept always not apart accept possible away(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"holds", "holds", "holds", "fails", "holds", "holds"}));
 }
@@ -131,9 +131,10 @@ TEST(Swarm, WhoCannotGetAwayIsNeverLost) {
 /// Two robots drive apart, one to the east and one to the west. Their distance grows by two cells with each step, so on
 /// a torus of five columns they lose each other immediately.
 TEST(Swarm, WhoDrivesApartIsLost) {
-    const Decided found = decided(alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading 0 deg "
-                                                          "place at (0, 0) heading 180 deg",
-                                                          "accept always linked(1) accept possible not linked(1)"));
+    const Decided found =
+        decide_swarm(alpha_folder(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading 0 deg "
+                                                    "place at (0, 0) heading 180 deg",
+                                                    "accept always linked(1) accept possible not linked(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"fails", "holds"}));
 }
@@ -157,13 +158,13 @@ struct World {
 
 constexpr int columns = 5;
 
-bool near(const World& world) {
+bool are_near(const World& world) {
     const auto apart = [](int offset) { return std::min(offset, columns - offset); };
     return apart(world.x) <= 1 && apart(world.y) <= 1;
 }
 
 /// The states in which a robot may be after its time unit.
-std::vector<Robot> after(Robot robot, int heard) {
+std::vector<Robot> next_states(Robot robot, int heard) {
     std::vector<Robot> result;
     if (robot.control >= 2) {  // it has turned by now, and continues to drive
         robot.control = robot.control == 2 ? 1 : 0;
@@ -194,7 +195,7 @@ std::vector<Robot> after(Robot robot, int heard) {
     return {robot};
 }
 
-std::vector<World> after(World world) {
+std::vector<World> next_states(World world) {
     constexpr std::array<int, 4> along_x{1, 0, -1, 0};
     constexpr std::array<int, 4> along_y{0, 1, 0, -1};
     for (int i = 0; i < 2; ++i) {
@@ -206,10 +207,11 @@ std::vector<World> after(World world) {
         world.x = (world.x + away * along_x[heading] + columns) % columns;
         world.y = (world.y + away * along_y[heading] + columns) % columns;
     }
-    const int heard = near(world) ? 1 : 0;
+    const int heard = are_near(world) ? 1 : 0;
     std::vector<World> result;
-    for (const Robot& first : after(world.robots[0], heard))
-        for (const Robot& second : after(world.robots[1], heard)) result.push_back({{first, second}, world.x, world.y});
+    for (const Robot& first : next_states(world.robots[0], heard))
+        for (const Robot& second : next_states(world.robots[1], heard))
+            result.push_back({{first, second}, world.x, world.y});
     return result;
 }
 
@@ -224,14 +226,14 @@ bool can_always_come_together() {
     while (!waiting.empty()) {
         const World world = waiting.back();
         waiting.pop_back();
-        for (const World& next : after(world)) {
+        for (const World& next : next_states(world)) {
             into[next].push_back(world);
             if (found.insert(next).second) waiting.push_back(next);
         }
     }
     std::set<World> good;
     for (const World& world : found)
-        if (near(world)) {
+        if (are_near(world)) {
             good.insert(world);
             waiting.push_back(world);
         }
@@ -245,8 +247,9 @@ bool can_always_come_together() {
 }
 
 TEST(Swarm, RecurrenceIsThatOfAnotherSearch) {
-    const Decided found = decided(
-        alpha(), swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading any", "accept recurrent linked(1)"));
+    const Decided found =
+        decide_swarm(alpha_folder(),
+                     swarm_of_alpha("robots 2 grid 5 by 5 place at (0, 0) heading any", "accept recurrent linked(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{can_always_come_together() ? "holds" : "fails"}));
 }
@@ -283,7 +286,7 @@ module Robot {
 }
 )";
 
-fs::path written(const std::string& name, const std::string& text) {
+fs::path write_model(const std::string& name, const std::string& text) {
     const fs::path folder = fs::path(testing::TempDir()) / ("swarm_" + name);
     fs::create_directories(folder);
     std::ofstream(folder / (name + ".rct")) << text;
@@ -292,12 +295,12 @@ fs::path written(const std::string& name, const std::string& text) {
 
 /// Without a receiver, a message waits forever. With other robots it is sent, whether or not they listen.
 TEST(Swarm, MessagesNeedOthers) {
-    const std::string folder = written("talkers", talkers).string();
+    const std::string folder = write_model("talkers", talkers).string();
     const std::string swarm =
         "swarm Talk for Robot { const id = robot range nat = 0 to 3 connect say to hear accept deadlock free }";
     for (const std::uint32_t robots : {1U, 2U, 3U})
         for (const Time time : {Time::untimed, Time::timed}) {
-            const Decided found = decided(folder, swarm, time, {robots, {}});
+            const Decided found = decide_swarm(folder, swarm, time, {robots, {}});
             ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
             const char* const several = time == Time::untimed ? "holds" : "open";  // sending takes up all the time
             EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : several})) << robots;
@@ -308,24 +311,25 @@ TEST(Swarm, MessagesNeedOthers) {
 
 /// The robots exchange messages indefinitely within the first time unit, in which no robot has moved.
 TEST(Swarm, TalkForEverLeavesNoTime) {
-    const Decided found = decided(written("talkers", talkers).string(),
-                                  "swarm Talk for Robot { robots 2 grid 5 by 5 place at (0, 0) heading 0 deg const id "
-                                  "= robot range nat = 0 to 3 connect say to hear accept always linked(1) accept "
-                                  "recurrent linked(1) accept deadlock free accept possible linked(1) accept always "
-                                  "not linked(1) }");
+    const Decided found =
+        decide_swarm(write_model("talkers", talkers).string(),
+                     "swarm Talk for Robot { robots 2 grid 5 by 5 place at (0, 0) heading 0 deg const id "
+                     "= robot range nat = 0 to 3 connect say to hear accept always linked(1) accept "
+                     "recurrent linked(1) accept deadlock free accept possible linked(1) accept always "
+                     "not linked(1) }");
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"open", "open", "open", "holds", "fails"}));
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string replace_text(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 /// A robot that drives in state Going, with a transition that may leave it.
-std::string driver(const std::string& transition, const std::string& argument = "real",
-                   const std::string& command = "move()") {
+std::string driver_model(const std::string& transition, const std::string& argument = "real",
+                         const std::string& command = "move()") {
     const std::string model = R"(
 enumeration Side { left right }
 interface Motors { move() halt() turn(angle : ARGUMENT) }
@@ -354,11 +358,12 @@ module Robot {
     connection body on go to brain on go (_async)
 }
 )";
-    return replaced(replaced(replaced(model, "TRANSITION", transition), "COMMAND", command), "ARGUMENT", argument);
+    return replace_text(replace_text(replace_text(model, "TRANSITION", transition), "COMMAND", command), "ARGUMENT",
+                        argument);
 }
 
 /// Two robots that drive apart, which is visible after the first time unit, if time passes.
-std::string drivers(const std::string& feed) {
+std::string two_drivers(const std::string& feed) {
     return "swarm Two for Robot { robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 180 deg "
            "range nat = 0 to 3 drive by forward on move " +
            feed + " accept always linked(1) accept recurrent linked(1) accept deadlock free accept possible apart }";
@@ -367,10 +372,11 @@ std::string drivers(const std::string& feed) {
 /// A transition on a value that can be sensed at any time is taken indefinitely within one time unit.
 TEST(Swarm, SensingForEverLeavesNoTime) {
     const std::string senses = "transition again { from Going to Going trigger neighbours?n }";
-    const Decided found = decided(written("senses", driver(senses)).string(), drivers("feed neighbours with count(1)"));
+    const Decided found = decide_swarm(write_model("senses", driver_model(senses)).string(),
+                                       two_drivers("feed neighbours with count(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"open", "open", "open", "fails"}));
-    const Decided none = decided(written("none", driver("")).string(), drivers(""));
+    const Decided none = decide_swarm(write_model("none", driver_model("")).string(), two_drivers(""));
     ASSERT_EQ(none.findings.find("error["), std::string::npos) << none.findings;
     EXPECT_EQ(none.verdicts, (Verdicts{"fails", "holds", "fails", "holds"}));
 }
@@ -381,11 +387,11 @@ TEST(Swarm, TimeThatWaitsForTheEnvironmentCanStop) {
         "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 3 drive by forward "
         "on move feed go with any accept always linked(1) }";
     const std::string goes = "transition again { from Going to Going trigger go }";
-    const std::string in_time = replaced(goes, "trigger go", "trigger go <{1}");
-    const Decided found = decided(written("deadline", driver(in_time)).string(), claims);
+    const std::string in_time = replace_text(goes, "trigger go", "trigger go <{1}");
+    const Decided found = decide_swarm(write_model("deadline", driver_model(in_time)).string(), claims);
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"open"}));
-    const Decided free = decided(written("free", driver(goes)).string(), claims);
+    const Decided free = decide_swarm(write_model("free", driver_model(goes)).string(), claims);
     ASSERT_EQ(free.findings.find("error["), std::string::npos) << free.findings;
     EXPECT_EQ(free.verdicts, (Verdicts{"holds"}));
 }
@@ -396,14 +402,14 @@ TEST(Swarm, TimeThatWaitsForTheEnvironmentCanStop) {
 /// reals finer. It is one cell away for a while, and never two.
 TEST(Swarm, WholeNumbersTurnByDegrees) {
     for (const std::string type : {"nat", "int", "real"}) {
-        std::string text = driver("", type, "move(); wait(1); turn(180); wait(1); move(); wait(1); halt()");
-        text = replaced(text, "var n : nat = 0", "var n : nat = 0 var r : real = 0.5");
-        const Decided found =
-            decided(written("turns_" + type, text).string(),
-                    "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 180 "
-                    "range int = 0 to 180 range real = 0 to 180 drive by turn(deg) on turn drive by forward on move "
-                    "drive by stop on halt accept possible away(1) accept always not away(2) accept recurrent not "
-                    "away(1) }");
+        std::string text = driver_model("", type, "move(); wait(1); turn(180); wait(1); move(); wait(1); halt()");
+        text = replace_text(text, "var n : nat = 0", "var n : nat = 0 var r : real = 0.5");
+        const Decided found = decide_swarm(
+            write_model("turns_" + type, text).string(),
+            "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 180 "
+            "range int = 0 to 180 range real = 0 to 180 drive by turn(deg) on turn drive by forward on move "
+            "drive by stop on halt accept possible away(1) accept always not away(2) accept recurrent not "
+            "away(1) }");
         ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
         EXPECT_EQ(found.verdicts, (Verdicts{"holds", "holds", "holds"})) << type;
     }
@@ -411,10 +417,11 @@ TEST(Swarm, WholeNumbersTurnByDegrees) {
 
 TEST(Swarm, OnlyNumbersTurn) {
     for (const auto& [type, value] : {std::pair{"boolean", "true"}, std::pair{"Side", "Side::left"}}) {
-        const std::string text = driver("", type, std::string("turn(") + value + ")");
-        const Decided found = decided(written(std::string("turns_") + type, text).string(),
-                                      "swarm One for Robot { robots 1 grid 8 by 8 drive by turn(deg) on turn accept "
-                                      "always linked(1) }");
+        const std::string text = driver_model("", type, std::string("turn(") + value + ")");
+        const Decided found =
+            decide_swarm(write_model(std::string("turns_") + type, text).string(),
+                         "swarm One for Robot { robots 1 grid 8 by 8 drive by turn(deg) on turn accept "
+                         "always linked(1) }");
         EXPECT_NE(found.findings.find("RC-V03"), std::string::npos) << found.findings;
         EXPECT_NE(found.findings.find("not one number"), std::string::npos) << found.findings;
     }
@@ -422,17 +429,18 @@ TEST(Swarm, OnlyNumbersTurn) {
 
 /// `max_id` is not `id`: it keeps its value, which is the robot's speed.
 TEST(Swarm, ANumberIsThatOfOneConstant) {
-    std::string text = driver(
+    std::string text = driver_model(
         "transition drives { from Going to Driving condition max_id == 2 /\\ id == 0 } state "
         "Driving { entry move() }",
         "real", "halt()");
-    text = replaced(text, "var n : nat = 0", "var n : nat = 0 const id : nat const max_id : nat const fixed : nat = 1");
-    const fs::path folder = written("constants", text);
+    text = replace_text(text, "var n : nat = 0",
+                        "var n : nat = 0 const id : nat const max_id : nat const fixed : nat = 1");
+    const fs::path folder = write_model("constants", text);
     const auto claimed = [&](const std::string& constants) {
-        return decided(folder.string(),
-                       "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range "
-                       "nat = 0 to 3 drive by forward on move " +
-                           constants + " accept possible away(1) }");
+        return decide_swarm(folder.string(),
+                            "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range "
+                            "nat = 0 to 3 drive by forward on move " +
+                                constants + " accept possible away(1) }");
     };
     for (const std::string id : {"id", "Driver::id"}) {
         const Decided found = claimed("const " + id + " = robot const max_id = 2");
@@ -445,16 +453,17 @@ TEST(Swarm, ANumberIsThatOfOneConstant) {
 
 /// Two machines with a constant of the same name.
 TEST(Swarm, ANumberForOneOfSeveralConstantsIsAmbiguous) {
-    std::string text = driver("transition again { from Going to Going trigger go condition id == 0 }");
-    text = replaced(text, "var n : nat = 0", "var n : nat = 0 const id : nat");
-    text = replaced(text, "controller Brain {",
-                    "stm Other { const id : nat initial i state Idle { } state Done { } transition begin { from i to "
-                    "Idle } transition ends { from Idle to Done condition id == 1 } }\ncontroller Brain { sref other = "
-                    "Other");
-    const fs::path folder = written("ambiguous", text);
+    std::string text = driver_model("transition again { from Going to Going trigger go condition id == 0 }");
+    text = replace_text(text, "var n : nat = 0", "var n : nat = 0 const id : nat");
+    text = replace_text(
+        text, "controller Brain {",
+        "stm Other { const id : nat initial i state Idle { } state Done { } transition begin { from i to "
+        "Idle } transition ends { from Idle to Done condition id == 1 } }\ncontroller Brain { sref other = "
+        "Other");
+    const fs::path folder = write_model("ambiguous", text);
     const auto claimed = [&](const std::string& constants) {
-        return decided(folder.string(), "swarm One for Robot { robots 1 grid 8 by 8 range nat = 0 to 3 " + constants +
-                                            " accept possible linked(1) }")
+        return decide_swarm(folder.string(), "swarm One for Robot { robots 1 grid 8 by 8 range nat = 0 to 3 " +
+                                                 constants + " accept possible linked(1) }")
             .findings;
     };
     const std::string both = claimed("const id = robot");
@@ -468,7 +477,7 @@ TEST(Swarm, ANumberForOneOfSeveralConstantsIsAmbiguous) {
 // ---------------------------------------------------------------- exchanged guards
 
 /// The algorithm without memory: after each count a robot turns back, or turns to any of four directions.
-std::string memoryless(const std::string& turns_back, const std::string& goes_on) {
+std::string memoryless_model(const std::string& turns_back, const std::string& goes_on) {
     std::string text = R"(
 interface Motors { moveForward() startTurning(degree : real) countNeighbours() }
 interface Sensors { event neighbours : nat event turned }
@@ -520,10 +529,10 @@ TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
         "forward "
         "on moveForward drive by turn(deg) on startTurning feed turned with turned feed neighbours with count(1) on "
         "countNeighbours accept always linked(1) accept possible linked(1) and away(2) }";
-    const Decided exchanged = decided(written("exchanged", memoryless(">", "<=")).string(), swarm);
+    const Decided exchanged = decide_swarm(write_model("exchanged", memoryless_model(">", "<=")).string(), swarm);
     ASSERT_EQ(exchanged.findings.find("error["), std::string::npos) << exchanged.findings;
     EXPECT_EQ(exchanged.verdicts, (Verdicts{"holds", "fails"}));
-    const Decided right = decided(written("right", memoryless("<", ">=")).string(), swarm);
+    const Decided right = decide_swarm(write_model("right", memoryless_model("<", ">=")).string(), swarm);
     ASSERT_EQ(right.findings.find("error["), std::string::npos) << right.findings;
     ASSERT_EQ(right.verdicts.size(), 2U);
     EXPECT_EQ(right.verdicts.back(), "holds");
@@ -534,7 +543,7 @@ TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
 /// one step before. So they are never more than three cells apart. With the guards exchanged, no robot ever hears more
 /// than one other, so they drive on forever.
 TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
-    std::ifstream file(fs::path(alpha()) / "alpha.rct");
+    std::ifstream file(fs::path(alpha_folder()) / "alpha.rct");
     std::string text{std::istreambuf_iterator<char>(file), {}};
     const auto exchange = [&](const std::string& from, const std::string& to) {
         for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -545,9 +554,9 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
     const std::string swarm =
         swarm_of_alpha("robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 90 deg",
                        "accept deadlock free accept always linked(3) accept possible linked(1) and away(3)");
-    const Decided right = decided(alpha(), swarm);
+    const Decided right = decide_swarm(alpha_folder(), swarm);
     EXPECT_EQ(right.verdicts, (Verdicts{"holds", "holds", "holds"})) << right.findings;
-    const Decided exchanged = decided(written("corpus", text).string(), swarm);
+    const Decided exchanged = decide_swarm(write_model("corpus", text).string(), swarm);
     ASSERT_EQ(exchanged.verdicts.size(), 3U) << exchanged.findings;
     EXPECT_EQ(exchanged.verdicts[1], "fails");
 }
@@ -571,7 +580,7 @@ TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
                                   std::to_string(robots - 1) +
                                   " const id = robot feed obstacle with any connect broadcast to broadcast connect "
                                   "receive to receive accept deadlock free }";
-        const Decided found = decided(folder.string(), swarm, Time::untimed, {robots, {}});
+        const Decided found = decide_swarm(folder.string(), swarm, Time::untimed, {robots, {}});
         ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
         EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
     }
@@ -579,27 +588,27 @@ TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
 
 // ---------------------------------------------------------------- what does not fit
 
-std::string findings(const std::string& swarm, Time time = Time::timed) {
-    return decided(alpha(), swarm, time).findings;
+std::string findings_of(const std::string& swarm, Time time = Time::timed) {
+    return decide_swarm(alpha_folder(), swarm, time).findings;
 }
 
 TEST(Swarm, WhatDoesNotFitIsReported) {
-    EXPECT_NE(findings("swarm A for alpha::Robot { robots 0 }").find("RC-V01"), std::string::npos);
-    EXPECT_NE(findings("swarm A for alpha::Robt { robots 2 }").find("did you mean"), std::string::npos);
-    EXPECT_NE(findings("swarm A for alpha::Robot { grid 5 by 5 drive by forward on moveForwards }").find("RC-V02"),
+    EXPECT_NE(findings_of("swarm A for alpha::Robot { robots 0 }").find("RC-V01"), std::string::npos);
+    EXPECT_NE(findings_of("swarm A for alpha::Robt { robots 2 }").find("did you mean"), std::string::npos);
+    EXPECT_NE(findings_of("swarm A for alpha::Robot { grid 5 by 5 drive by forward on moveForwards }").find("RC-V02"),
               std::string::npos);
-    EXPECT_NE(findings("swarm A for alpha::Robot { accept always linked(1) }").find("RC-V03"), std::string::npos);
-    EXPECT_NE(findings(swarm_of_alpha("robots 6 grid 5 by 5", "accept deadlock free")).find("hear up to 5"),
+    EXPECT_NE(findings_of("swarm A for alpha::Robot { accept always linked(1) }").find("RC-V03"), std::string::npos);
+    EXPECT_NE(findings_of(swarm_of_alpha("robots 6 grid 5 by 5", "accept deadlock free")).find("hear up to 5"),
               std::string::npos);
-    EXPECT_NE(findings(swarm_of_alpha("grid 5 by 5", "accept deadlock free"), Time::untimed).find("untimed"),
+    EXPECT_NE(findings_of(swarm_of_alpha("grid 5 by 5", "accept deadlock free"), Time::untimed).find("untimed"),
               std::string::npos);
-    EXPECT_NE(findings(swarm_of_alpha("grid 5 by 5", "feed neighbours with any")).find("twice"), std::string::npos);
+    EXPECT_NE(findings_of(swarm_of_alpha("grid 5 by 5", "feed neighbours with any")).find("twice"), std::string::npos);
     std::string deep = "swarm A for alpha::Robot { grid 5 by 5 accept always ";
     for (int i = 0; i < 100'000; ++i) deep += "(";
-    EXPECT_NE(findings(deep).find("RC-V01"), std::string::npos);
+    EXPECT_NE(findings_of(deep).find("RC-V01"), std::string::npos);
 }
 
-std::string chained(std::size_t conditions, const std::string& word) {
+std::string chain_conditions(std::size_t conditions, const std::string& word) {
     std::string text = "not apart";
     for (std::size_t i = 1; i < conditions; ++i) text += " " + word + " apart";
     return text;
@@ -608,12 +617,14 @@ std::string chained(std::size_t conditions, const std::string& word) {
 /// Two robots that are always in one cell are never apart: only the first condition of the chain is true.
 TEST(Swarm, LongConditionsHaveABound) {
     const std::string size = "robots 2 grid 3 by 3 place at (0, 0) heading 0 deg";
-    const Decided most = decided(
-        alpha(), swarm_of_alpha(size, "accept always " + chained(500, "or") + " accept always " + chained(500, "and")));
+    const Decided most =
+        decide_swarm(alpha_folder(), swarm_of_alpha(size, "accept always " + chain_conditions(500, "or") +
+                                                              " accept always " + chain_conditions(500, "and")));
     ASSERT_EQ(most.findings.find("error["), std::string::npos) << most.findings;
     EXPECT_EQ(most.verdicts, (Verdicts{"holds", "fails"}));
     for (const std::string word : {"or", "and"})
-        EXPECT_NE(findings("swarm A for alpha::Robot { grid 5 by 5 accept always " + chained(100'000, word) + " }")
+        EXPECT_NE(findings_of("swarm A for alpha::Robot { grid 5 by 5 accept always " +
+                              chain_conditions(100'000, word) + " }")
                       .find("at most 1000 conditions"),
                   std::string::npos);
 }
@@ -624,13 +635,13 @@ TEST(Swarm, LongConditionsHaveABound) {
 std::string assertions_file(const std::string& claims) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
-    const auto parsed = frontend::load_project(sources, alpha(), found);
+    const auto parsed = frontend::load_project(sources, alpha_folder(), found);
     const ir::System system = ir::lower(*parsed, sources, found);
     const std::string text = swarm_of_alpha("robots 2 grid 3 by 3 place at (0, 0) heading 0 deg", claims);
     const Swarm swarm = read_swarm(sources, sources.add("test.swarm", text), found);
     ir::InstantiationOptions options;
     options.ranges["nat"] = {0, 4};
-    const ir::Instantiation instantiation = ir::instantiate(system, options, found);
+    const ir::Instantiation instantiation = ir::instantiate_system(system, options, found);
     Emission emission = emit(system, instantiation, Time::timed, {}, sources, found);
     make_swarm(emission, swarm, Time::timed, system, instantiation, sources, found);
     EXPECT_TRUE(found.ok()) << diagnostics::render_text(sources, found);

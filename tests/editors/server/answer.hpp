@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A message from the server, with the accessors that the server uses for received messages (editors/server/protocol/json.hpp).
+// A message from the server, with the accessors that the server uses for received messages
+// (editors/server/protocol/json.hpp).
 #pragma once
 
 #include <string>
@@ -19,14 +20,14 @@ public:
     Answer operator[](std::string_view key) const { return View(json_)[key].json(); }
     Answer operator[](std::size_t index) const { return View(json_)[index].json(); }
     [[nodiscard]] std::string text() const { return View(json_).text(); }
-    [[nodiscard]] std::int64_t number(std::int64_t otherwise = 0) const { return View(json_).number(otherwise); }
-    [[nodiscard]] bool truth(bool otherwise = false) const { return View(json_).truth(otherwise); }
+    [[nodiscard]] std::int64_t number(std::int64_t otherwise = 0) const { return View(json_).number_or(otherwise); }
+    [[nodiscard]] bool truth(bool otherwise = false) const { return View(json_).truth_or(otherwise); }
     [[nodiscard]] std::vector<Answer> items() const {
         std::vector<Answer> result;
         for (const View each : View(json_).items()) result.emplace_back(each.json());
         return result;
     }
-    [[nodiscard]] bool has(std::string_view key) const { return View(json_).has(key); }
+    [[nodiscard]] bool has(std::string_view key) const { return View(json_).has_key(key); }
     [[nodiscard]] bool is_null() const { return json_.is_null(); }
     [[nodiscard]] bool is_array() const { return json_.is_array(); }
     [[nodiscard]] bool is_object() const { return json_.is_object(); }

@@ -43,7 +43,7 @@ public:
     /// Sends a request and returns the whole response.
     Answer ask(const std::string& method, Json params) {
         const std::int64_t id = ++last_id_;
-        server_.receive(json_text(
+        server_.receive_message(json_text(
             Json::object({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}})));
         work();
         for (const Answer& message : messages)
@@ -58,17 +58,17 @@ public:
         return response["result"];
     }
     void notify(const std::string& method, Json params) {
-        server_.receive(
+        server_.receive_message(
             json_text(Json::object({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}})));
         work();
     }
     void raw(const std::string& text) {
-        server_.receive(text);
+        server_.receive_message(text);
         work();
     }
     void work() {
-        while (server_.has_work()) server_.step();
-        server_.idle();
+        while (server_.has_work()) server_.handle_next();
+        server_.use_idle_time();
     }
 
     // Documents

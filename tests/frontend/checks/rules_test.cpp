@@ -40,7 +40,7 @@ std::multiset<std::string> expectations(const std::string& text) {
 /// Advice that goes beyond the published rules (RC-W) is ignored, except in its own folders.
 std::multiset<std::string> findings(const testing::Reading& reading, bool advice) {
     std::multiset<std::string> result;
-    for (const auto& d : reading.findings.sorted())
+    for (const auto& d : reading.findings.sorted_findings())
         if (advice || !d.rule->code.starts_with("RC-W"))
             result.insert(std::to_string(reading.sources.position(d.span.source, d.span.begin).line) + " " +
                           std::string(d.rule->code));
@@ -49,7 +49,7 @@ std::multiset<std::string> findings(const testing::Reading& reading, bool advice
 
 std::vector<const diagnostics::Rule*> all_rules() {
     std::vector<const diagnostics::Rule*> result = rules::all();
-    result.insert(result.end(), syntax::all().begin(), syntax::all().end());
+    result.insert(result.end(), syntax::rule_list().begin(), syntax::rule_list().end());
     return result;
 }
 
@@ -65,7 +65,7 @@ class Fixture : public ::testing::TestWithParam<std::string> {};
 TEST_P(Fixture, IsJudgedAsItSays) {
     const std::string& code = GetParam();
     for (const fs::path& path : files_of(fixtures / code)) {
-        const std::string text = testing::contents(path);
+        const std::string text = testing::read_contents(path);
         const auto reading = testing::resolved(text, path.extension() == ".assertions");
         const auto expected = expectations(text);
         EXPECT_EQ(findings(*reading, code.starts_with("RC-W")), expected) << path << "\n" << reading->report();

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 void draw_each(const random_models::Project& project, const std::function<void(const DrawnModel&)>& look) {
     const auto loaded = random_models::load(project);
     const Elements elements(loaded->model);
-    for (const Subject& subject : subjects(loaded->model, loaded->sources))
-        look({*loaded, elements, subject, draw(subject, {elements, nullptr, nullptr})});
+    for (const Subject& subject : find_subjects(loaded->model, loaded->sources))
+        look({*loaded, elements, subject, draw_subject(subject, {elements, nullptr, nullptr})});
 }
 
 std::size_t draw_below(const fs::path& folder, const std::function<void(const DrawnModel&)>& look) {
@@ -25,7 +25,7 @@ std::size_t draw_below(const fs::path& folder, const std::function<void(const Dr
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".rct") files.push_back(entry.path());
     std::ranges::sort(files);
-    for (const fs::path& file : files) draw_each({{file.string(), tests::contents(file)}}, look);
+    for (const fs::path& file : files) draw_each({{file.string(), tests::read_contents(file)}}, look);
     return files.size();
 }
 
@@ -54,7 +54,7 @@ std::size_t draw_documents(const std::function<void(const DrawnModel&)>& look) {
     std::ranges::sort(pages);
     std::size_t count = 0;
     for (const fs::path& page : pages)
-        for (const std::string& model : models_in(tests::contents(page))) {
+        for (const std::string& model : models_in(tests::read_contents(page))) {
             draw_each({{page.string() + ".rct", model}}, look);
             ++count;
         }

@@ -81,7 +81,7 @@ private:
             for (std::size_t b = 0; b < scene_.boxes.size(); ++b) {
                 const SceneBox& first = scene_.boxes[a];
                 const SceneBox& second = scene_.boxes[b];
-                if (a < b && !belong_together(a, b) && layout::overlap(first.place, second.place, 0.01))
+                if (a < b && !belong_together(a, b) && layout::rectangles_overlap(first.place, second.place, 0.01))
                     complain("boxes {} and {} overlap", first.name, second.name);
                 if (second.parent == a &&
                     (second.place.x < first.place.x || second.place.right() > first.place.right() ||
@@ -95,10 +95,12 @@ private:
             const SceneLine& line = scene_.lines[l];
             if (line.label.empty()) continue;
             for (std::size_t other = 0; other < l; ++other)
-                if (!scene_.lines[other].label.empty() && layout::overlap(line.label, scene_.lines[other].label, 0.01))
+                if (!scene_.lines[other].label.empty() &&
+                    layout::rectangles_overlap(line.label, scene_.lines[other].label, 0.01))
                     complain("labels of {} and {} overlap", line.name, scene_.lines[other].name);
             for (std::size_t b = 0; b < scene_.boxes.size(); ++b)
-                if (!contains(b, parent_of(line)) && layout::overlap(line.label, scene_.boxes[b].place, 0.01))
+                if (!contains(b, parent_of(line)) &&
+                    layout::rectangles_overlap(line.label, scene_.boxes[b].place, 0.01))
                     complain("label of {} is on box {}", line.name, scene_.boxes[b].name);
             for (const Segment& segment : segments_)
                 if (through(segment, line.label, 0.01)) complain("label of {} is on {}", line.name, name(segment));

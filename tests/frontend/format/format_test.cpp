@@ -21,7 +21,7 @@ void expect_format(const std::string& text, const std::string& wanted, bool is_a
 }
 
 TEST(Format, TheExampleOfTheDocumentationIsInTheStyle) {
-    const std::string page = testing::contents(tests::source_folder() / "docs/format.md");
+    const std::string page = testing::read_contents(tests::source_folder() / "docs/format.md");
     const std::string fence = "```robochart\n";
     const std::size_t begin = page.find(fence) + fence.size();
     const std::string example = page.substr(begin, page.find("```", begin) - begin);
@@ -149,7 +149,7 @@ TEST(Format, TextsWithSyntaxErrorsAreLeftAlone) {
     diagnostics::Diagnostics findings;
     const auto source = sources.add("t.rct", "stm S { state }");
     EXPECT_FALSE(format(sources, source, false, findings).has_value());
-    EXPECT_EQ(findings.errors(), 1U);
+    EXPECT_EQ(findings.error_count(), 1U);
 }
 
 TEST(Format, SameWordsSeesEveryDifference) {

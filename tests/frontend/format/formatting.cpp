@@ -84,7 +84,7 @@ void add_examples(std::vector<Example>& examples, const fs::path& folder) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!entry.is_regular_file() || (!is_assertions && entry.path().extension() != ".rct")) continue;
-        const Example example{entry.path().string(), contents(entry.path()), is_assertions};
+        const Example example{entry.path().string(), read_contents(entry.path()), is_assertions};
         if (is_correct(example)) examples.push_back(example);
     }
 }
@@ -92,7 +92,7 @@ void add_examples(std::vector<Example>& examples, const fs::path& folder) {
 /// The examples on the pages of the rules: their fenced blocks.
 void add_pages(std::vector<Example>& examples, const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder)) {
-        std::istringstream page(contents(entry.path()));
+        std::istringstream page(read_contents(entry.path()));
         std::string language;
         std::string text;
         std::size_t number = 0;
@@ -182,7 +182,7 @@ bool is_read_whole(const Example& example) {
 
 void expect_laws(const Example& example) {
     const auto tree = [&](const std::string& text) {
-        return random_models::structure(read(text, example.is_assertions)->file());
+        return random_models::structure_text(read(text, example.is_assertions)->file());
     };
     const std::string once = formatted(example.text, example.is_assertions);
     EXPECT_EQ(formatted(once, example.is_assertions), once) << example.origin << " is not stable:\n" << example.text;
@@ -196,7 +196,8 @@ Example respaced(const Example& example, const std::function<std::string(std::st
     std::size_t end = 0;
     for (const Words words(example); const Token& token : words.stream.tokens) {
         const std::string gap = choose(text.substr(end, token.span.begin - end));
-        const bool one_line = token.is("(") || token.escaped;  // a call or an operator `^` may not follow a line end
+        const bool one_line =
+            token.is_word("(") || token.escaped;  // a call or an operator `^` may not follow a line end
         out += one_line && gap.find_first_of("\r\n") != std::string::npos ? " " : gap;
         out += text.substr(token.span.begin, token.span.end - token.span.begin);
         end = token.span.end;

@@ -73,13 +73,13 @@ TEST(LintFixes, CorrectAnImport) {
 TEST(LintFixes, SuggestTheElementsOfASequence) {
     const auto reading = testing::resolved("interface I { const s:Seq(nat) = <1> const b:boolean = 1 in s }");
     EXPECT_EQ(reading->codes(), "RC-T23@1");
-    ASSERT_EQ(reading->findings.sorted().front().fixes.size(), 1U);
-    EXPECT_EQ(reading->findings.sorted().front().fixes.front().replacement, "ran(s)");
-    EXPECT_FALSE(diagnostics::is_certain(reading->findings.sorted().front().fixes.front()));
+    ASSERT_EQ(reading->findings.sorted_findings().front().fixes.size(), 1U);
+    EXPECT_EQ(reading->findings.sorted_findings().front().fixes.front().replacement, "ran(s)");
+    EXPECT_FALSE(diagnostics::is_certain(reading->findings.sorted_findings().front().fixes.front()));
     const std::string given = "import relation_toolkit::* interface I { const s:Seq(nat) = <1> const b:boolean = ";
     EXPECT_EQ(codes(given + "1 in ran(s) }"), "");
     EXPECT_EQ(codes(given + "(|1, 1|) in s }"), "");  // a sequence is the set of its pairs
-    EXPECT_EQ(testing::resolved(given + "true in s }")->findings.sorted().front().fixes.size(), 0U);
+    EXPECT_EQ(testing::resolved(given + "true in s }")->findings.sorted_findings().front().fixes.size(), 0U);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ logic::Finding decided(const std::string& guard, bool negated = false) {
     const auto reading = guarded(guard);
     logic::Reasoner reasoner(false);
     logic::Formula formula = reasoner.read(guard_of(*reading));
-    if (negated) formula = logic::negation(std::move(formula));
+    if (negated) formula = logic::negate_formula(std::move(formula));
     return reasoner.decide(formula);
 }
 
@@ -247,7 +247,7 @@ TEST(GuardLogic, GivesUpInsteadOfRunningForEver) {
 
 TEST(Lints, SayForWhichValuesAJunctionIsStuck) {
     const auto reading =
-        resolved(testing::contents(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W02/bad.rct"));
+        resolved(testing::read_contents(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W02/bad.rct"));
     EXPECT_NE(reading->report().find("junction `j` has no enabled transition: when `x` is 3, none of its guards holds"),
               std::string::npos)
         << reading->report();
@@ -268,8 +268,8 @@ TEST(Lints, SayTheDefaultOfWhatIsNotSet) {
 
 TEST(Lints, PointAtTheUseOfALooseEvent) {
     const auto reading =
-        resolved(testing::contents(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W01/bad.rct"));
-    const auto findings = reading->findings.sorted();
+        resolved(testing::read_contents(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W01/bad.rct"));
+    const auto findings = reading->findings.sorted_findings();
     ASSERT_EQ(findings.size(), 1U) << reading->report();
     ASSERT_EQ(findings.front().notes.size(), 1U);
     EXPECT_EQ(
@@ -301,13 +301,13 @@ TEST(Lints, LookAtOtherFilesOfAProjectWithErrorsOneByOne) {
 
 TEST(Lints, CanBeSwitchedOff) {
     testing::Reading reading;
-    reading.findings.allow("RC-W07");
-    reading.findings.allow("RC-N01");
+    reading.findings.allow_code("RC-W07");
+    reading.findings.allow_code("RC-N01");
     const auto id = reading.sources.add("t", careless);
     reading.model.files.push_back(parse(reading.sources, id, false, reading.findings));
     resolve(reading.model, reading.findings);
     EXPECT_EQ(reading.codes(), "RC-W03@1");
-    EXPECT_EQ(reading.findings.warnings(), 1U);
+    EXPECT_EQ(reading.findings.warning_count(), 1U);
 }
 
 /// Our own models cause no warnings, with two exceptions: the note that untimed checks ignore clocks, and the published
@@ -316,8 +316,8 @@ TEST(Lints, HaveNothingToSayAboutTheCorpus) {
     std::size_t models = 0;
     for (const auto& entry : std::filesystem::directory_iterator(tests::source_folder().string() + "/corpus")) {
         testing::Reading reading;
-        reading.findings.allow("RC-U01");
-        reading.findings.allow("STM8");
+        reading.findings.allow_code("RC-U01");
+        reading.findings.allow_code("STM8");
         const auto model = load_project(reading.sources, entry.path().string(), reading.findings);
         if (!reading.findings.ok()) continue;  // assertions about models of another folder
         ++models;

@@ -13,9 +13,9 @@ using testing::resolved;
 /// "line: message" of each note of the only finding.
 std::string notes(const testing::Reading& reading) {
     std::string out;
-    const diagnostics::Diagnostic finding = reading.findings.sorted().front();
+    const diagnostics::Diagnostic finding = reading.findings.sorted_findings().front();
     for (const diagnostics::Note& note : finding.notes) {
-        const bool known = note.span.known();
+        const bool known = note.span.is_known();
         const std::uint32_t line = known ? reading.sources.position(note.span.source, note.span.begin).line : 0;
         out += std::to_string(line) + ": " + note.message + "\n";
     }
@@ -33,7 +33,7 @@ TEST(Duplicates, OfAThousandShowAFew) {
     for (int i = 0; i < 1000; ++i) text += "event e\n";
     const auto reading = resolved(text + "}");
     EXPECT_EQ(reading->codes(), "RC-N03@3");
-    EXPECT_EQ(reading->findings.sorted().front().notes.size(), 8U);
+    EXPECT_EQ(reading->findings.sorted_findings().front().notes.size(), 8U);
     EXPECT_NE(notes(*reading).find(": and at 992 more places, last here"), std::string::npos) << notes(*reading);
 }
 
@@ -101,7 +101,7 @@ std::string steps(const ComponentPath& path) {
 }
 
 bool is_about_claims(const testing::Reading& reading) {
-    for (const auto& finding : reading.findings.sorted())
+    for (const auto& finding : reading.findings.sorted_findings())
         if (finding.rule->code.starts_with("RC-Q") || finding.rule->code.starts_with("RC-N")) return true;
     return false;
 }

@@ -22,7 +22,7 @@ using random_models::Random;
 
 /// The dump with targets and types, and every finding with its fixes.
 std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
-    return dump(model, sources, true) + diagnostics::render_text(sources, findings);
+    return dump_model(model, sources, true) + diagnostics::render_text(sources, findings);
 }
 
 std::string anew(const Project& project) {
@@ -123,7 +123,7 @@ TEST(Incremental, TheCorpusIsResolvedAsAnew) {
     Project project;
     for (const char* path : {"aggregation/aggregation.assertions", "aggregation/aggregation.rct",
                              "swarm_taxis/swarm_taxis.assertions", "swarm_taxis/swarm_taxis.rct"})
-        project.push_back({path, testing::contents(corpus / path)});
+        project.push_back({path, testing::read_contents(corpus / path)});
     Random random(7);
     EXPECT_GT(expect_the_same(project, 60, random), 20U);
 }

@@ -32,7 +32,7 @@ protected:
     void load(const std::string& text, bool is_assertions = false) {
         text_ = text;
         reading_ = resolved(text, is_assertions);
-        list_ = occurrences(reading_->model);
+        list_ = find_occurrences(reading_->model);
     }
     Found at(const std::string& marked) {
         const std::size_t bar = marked.find('@');
@@ -138,7 +138,7 @@ TEST_F(Occurrences, FollowReferencesAlongPathsInAssertions) {
     both.model.files.push_back(parse(both.sources, claims, true, both.findings));
     resolve(both.model, both.findings);
     ASSERT_TRUE(both.findings.ok()) << both.report();
-    list_ = occurrences(both.model);
+    list_ = find_occurrences(both.model);
     std::erase_if(list_, [&](const Occurrence& o) { return o.span.source != claims; });
     reading_ = std::make_unique<testing::Reading>(std::move(both));
     EXPECT_EQ(at("import @p").text, "p");
@@ -172,7 +172,7 @@ std::string uncovered(const std::string& path) {
     diagnostics::Diagnostics findings;
     const auto model = load_project(sources, path, findings);
     std::set<std::pair<diagnostics::SourceId, std::uint32_t>> covered;
-    for (const Occurrence& each : occurrences(*model)) covered.insert({each.span.source, each.span.begin});
+    for (const Occurrence& each : find_occurrences(*model)) covered.insert({each.span.source, each.span.begin});
     std::string missing;
     for (const auto& file : model->files) {
         if (file->is_library || file->has_syntax_errors) continue;
@@ -184,11 +184,11 @@ std::string uncovered(const std::string& path) {
         Token before;
         const TokenStream stream = tokenize(sources, file->source, file->is_assertions, ignored);
         for (const Token& token : stream.tokens) {
-            const bool diagram = before.is("diagram");
+            const bool diagram = before.is_word("diagram");
             const bool word = file->is_assertions && is_assertion_word(token.text);
             if (token.kind == TokenKind::identifier && !diagram && !word &&
                 !covered.contains({file->source, token.span.begin}))
-                missing += sources.place(token.span) + " " + std::string(token.text) + "\n";
+                missing += sources.path_and_line(token.span) + " " + std::string(token.text) + "\n";
             before = token;
         }
     }

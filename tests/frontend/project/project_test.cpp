@@ -37,7 +37,7 @@ protected:
         for (const auto& file : model->files)
             if (file->is_library == libraries)
                 files += fs::path(reading_->sources.path(file->source)).filename().string() + " ";
-        for (const auto& d : reading_->findings.sorted()) files += std::string(d.rule->code) + " ";
+        for (const auto& d : reading_->findings.sorted_findings()) files += std::string(d.rule->code) + " ";
         return files;
     }
 

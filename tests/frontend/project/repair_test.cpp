@@ -3,6 +3,7 @@
 #include "base/repair/repair.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <set>
@@ -37,7 +38,7 @@ int level_of(const diagnostics::Rule& rule) {
 
 std::multiset<std::string> said(const diagnostics::TextReading& reading, int level) {
     std::multiset<std::string> result;
-    for (const diagnostics::Diagnostic& finding : reading.findings.sorted())
+    for (const diagnostics::Diagnostic& finding : reading.findings.sorted_findings())
         if (level_of(*finding.rule) == level) result.insert(std::string(finding.rule->code) + " " + finding.message());
     return result;
 }
@@ -69,12 +70,12 @@ void expect_better(const diagnostics::TextReading& before, const diagnostics::Te
 /// Checks that each certain fix alone improves the text, and that all fixes that are made together do.
 void expect_repaired(const Texts& texts, std::size_t& fixes) {
     const auto before = read_texts(texts);
-    for (const diagnostics::Diagnostic& finding : before->findings.sorted()) {
+    for (const diagnostics::Diagnostic& finding : before->findings.sorted_findings()) {
         if (finding.fixes.empty() || !diagnostics::is_certain(finding.fixes.front())) continue;
         ++fixes;
         const auto after = read_texts(with_fix(*before, texts, finding.fixes.front()));
         expect_better(*before, *after,
-                      before->sources.place(finding.span) + ": " + finding.message() + " -> `" +
+                      before->sources.path_and_line(finding.span) + ": " + finding.message() + " -> `" +
                           finding.fixes.front().replacement + "`\n");
     }
     const diagnostics::Repaired result = repaired(texts);
@@ -94,7 +95,7 @@ TEST(Repair, MakesEveryFixtureBetter) {
          fs::recursive_directory_iterator(tests::source_folder() / "tests/frontend/fixtures")) {
         if (!is_read(entry.path())) continue;
         SCOPED_TRACE(entry.path().string());
-        expect_repaired({{entry.path().filename().string(), testing::contents(entry.path().string())}}, fixes);
+        expect_repaired({{entry.path().filename().string(), testing::read_contents(entry.path().string())}}, fixes);
     }
     EXPECT_GT(fixes, 3U);
 }
@@ -132,7 +133,7 @@ TEST(Repair, MakesEveryExampleOfAPageBetter) {
     std::size_t fixes = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(tests::source_folder() / "docs/rules")) {
         if (entry.path().extension() != ".md") continue;
-        for (const Example& example : examples_of(testing::contents(entry.path().string()))) {
+        for (const Example& example : examples_of(testing::read_contents(entry.path().string()))) {
             if (example.texts.empty()) continue;
             SCOPED_TRACE(entry.path().filename().string());
             expect_repaired(example.texts, fixes);

@@ -14,7 +14,7 @@ using diagnostics::SourceManager;
 
 /// The resolved model as text: the dump with targets and types, and every finding.
 std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
-    return dump(model, sources, true) + diagnostics::render_text(sources, findings);
+    return dump_model(model, sources, true) + diagnostics::render_text(sources, findings);
 }
 
 std::string resolve_again(Model& model, SourceManager& sources) {
@@ -30,7 +30,7 @@ void expect_repeatable(const std::string& path) {
     const auto model = load_project(sources, path, first);
     const std::string once = resolve_again(*model, sources);
     EXPECT_EQ(once, resolve_again(*model, sources)) << path;
-    const std::string fresh = dump(*model, sources, true);
+    const std::string fresh = dump_model(*model, sources, true);
     EXPECT_EQ(once.substr(0, fresh.size()), fresh) << path;
 }
 

@@ -30,7 +30,7 @@ std::vector<std::vector<std::string>> units_of(const std::vector<Text>& texts) {
     resolve(model, diagnostics);
     EXPECT_TRUE(diagnostics.ok());
     std::vector<std::vector<std::string>> result;
-    for (const Unit& unit : units(model)) {
+    for (const Unit& unit : split_into_units(model)) {
         result.emplace_back();
         if (unit.again) result.back().emplace_back("again");
         for (const std::size_t file : unit.files) result.back().push_back(sources.path(model.files[file]->source));
@@ -112,7 +112,7 @@ TEST(Units, AFileWithMistakesBelongsToThoseBesideIt) {
     for (const Text& each : {Text{"/p/a/m.rct", "stm S { initial"}, Text{"/p/a/n.rct", t}, Text{"/p/b/m.rct", t}})
         model.files.push_back(parse(sources, sources.add(each.path, each.text), false, diagnostics));
     resolve(model, diagnostics);
-    EXPECT_THAT(groups(model), ElementsAre(ElementsAre(0U, 1U), ElementsAre(2U)));
+    EXPECT_THAT(group_files(model), ElementsAre(ElementsAre(0U, 1U), ElementsAre(2U)));
 }
 
 TEST(Units, EachInstantiationIsAUnit) {

@@ -36,7 +36,7 @@ std::string project(const std::string& machine,
 std::size_t errors(const std::string& text, std::string& report) {
     const auto reading = resolved(text);
     report = reading->report();
-    return reading->findings.errors();
+    return reading->findings.error_count();
 }
 
 TEST(Missing, NothingIsMissing) {
@@ -92,11 +92,11 @@ TEST(Missing, TwoThingsAreTwoErrors) {
 
 TEST(Missing, AnImportThatBringsNothingIsOneErrorAndAWarning) {
     const auto reading = resolved("package p import q::* interface I { var a : T var b : U const c : V }");
-    EXPECT_EQ(reading->findings.errors(), 1U) << reading->report();
+    EXPECT_EQ(reading->findings.error_count(), 1U) << reading->report();
     EXPECT_NE(reading->report().find("there is no package `q`, which the file imports"), std::string::npos)
         << reading->report();
     // Without the import, each of them causes an error.
-    EXPECT_EQ(resolved("package p interface I { var a : T var b : U const c : V }")->findings.errors(), 3U);
+    EXPECT_EQ(resolved("package p interface I { var a : T var b : U const c : V }")->findings.error_count(), 3U);
 }
 
 TEST(Missing, TypesOfOneNameAreDistinguished) {

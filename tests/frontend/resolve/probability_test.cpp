@@ -33,7 +33,7 @@ std::unique_ptr<Reading> with_claims(const std::string& claims) {
 std::string errors(const std::string& claims) {
     const auto reading = with_claims(claims);
     std::string out;
-    for (const auto& finding : reading->findings.sorted()) {
+    for (const auto& finding : reading->findings.sorted_findings()) {
         if (finding.rule->severity != diagnostics::Severity::error) continue;
         out += (out.empty() ? "" : " ") + std::string(finding.rule->code);
         if (!finding.fixes.empty()) out += ":" + finding.fixes.front().replacement;
@@ -46,7 +46,7 @@ std::string targets(const std::string& claims) {
     const auto reading = with_claims(claims);
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
     std::string out;
-    walk(*reading->model.files[1]->probabilistic_assertions.front().property, [&](const Expr& expr) {
+    walk_tree(*reading->model.files[1]->probabilistic_assertions.front().property, [&](const Expr& expr) {
         if (expr.name.empty()) return;
         const Declaration* target = expr.target;
         const std::string around = target != nullptr && target->parent != nullptr ? target->parent->name + "." : "";

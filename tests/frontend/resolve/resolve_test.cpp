@@ -154,8 +154,8 @@ TEST(Compatibility, IsReflexiveAndWidens) {
     RandomTypes types;
     for (int i = 0; i < 2000; ++i) {
         const TypePtr type = types.next();
-        EXPECT_TRUE(compatible(type, type)) << to_string(type);
-        EXPECT_TRUE(compatible(type, widened(type))) << to_string(type) << " to " << to_string(widened(type));
+        EXPECT_TRUE(is_compatible(type, type)) << to_string(type);
+        EXPECT_TRUE(is_compatible(type, widened(type))) << to_string(type) << " to " << to_string(widened(type));
     }
 }
 
@@ -165,18 +165,18 @@ TEST(Compatibility, IsTransitive) {
         const TypePtr a = types.next();
         const TypePtr b = widened(a);
         const TypePtr c = widened(b);
-        EXPECT_TRUE(compatible(a, c)) << to_string(a) << ", " << to_string(b) << ", " << to_string(c);
+        EXPECT_TRUE(is_compatible(a, c)) << to_string(a) << ", " << to_string(b) << ", " << to_string(c);
         const TypePtr other = types.next();
-        EXPECT_TRUE(!compatible(b, other) || compatible(a, other)) << to_string(a) << ", " << to_string(other);
+        EXPECT_TRUE(!is_compatible(b, other) || is_compatible(a, other)) << to_string(a) << ", " << to_string(other);
     }
 }
 
 TEST(Compatibility, OfNumbersGoesOneWay) {
     const TypeForm forms[] = {TypeForm::nat, TypeForm::integer, TypeForm::real};
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) EXPECT_EQ(compatible(make_type(forms[i]), make_type(forms[j])), i <= j);
-    EXPECT_FALSE(compatible(make_type(TypeForm::boolean), make_type(TypeForm::nat)));
-    EXPECT_FALSE(compatible(make_type(TypeForm::string), make_type(TypeForm::boolean)));
+        for (int j = 0; j < 3; ++j) EXPECT_EQ(is_compatible(make_type(forms[i]), make_type(forms[j])), i <= j);
+    EXPECT_FALSE(is_compatible(make_type(TypeForm::boolean), make_type(TypeForm::nat)));
+    EXPECT_FALSE(is_compatible(make_type(TypeForm::string), make_type(TypeForm::boolean)));
 }
 
 TEST(Compatibility, SequencesAndFunctionsAreRelationsAndRelationsAreSets) {
@@ -187,29 +187,29 @@ TEST(Compatibility, SequencesAndFunctionsAreRelationsAndRelationsAreSets) {
     const TypePtr function = make_type(TypeForm::function, {nat, truth});
     const TypePtr sequence = make_type(TypeForm::sequence, {truth});
     for (const TypePtr& from : {relation, pairs, function, sequence})
-        for (const TypePtr& to : {relation, pairs}) EXPECT_TRUE(compatible(from, to)) << to_string(from);
-    EXPECT_FALSE(compatible(relation, function));
-    EXPECT_FALSE(compatible(relation, sequence));
-    EXPECT_FALSE(compatible(make_type(TypeForm::set, {truth}), relation));
+        for (const TypePtr& to : {relation, pairs}) EXPECT_TRUE(is_compatible(from, to)) << to_string(from);
+    EXPECT_FALSE(is_compatible(relation, function));
+    EXPECT_FALSE(is_compatible(relation, sequence));
+    EXPECT_FALSE(is_compatible(make_type(TypeForm::set, {truth}), relation));
 }
 
 TEST(Compatibility, OfVectorsLooksAtSizesAndProducts) {
     const TypePtr nat = make_type(TypeForm::nat);
     const TypePtr real = make_type(TypeForm::real);
-    EXPECT_TRUE(compatible(make_vector(nat, 2), make_vector(real, 2)));
-    EXPECT_FALSE(compatible(make_vector(nat, 2), make_vector(nat, 3)));
-    EXPECT_TRUE(compatible(make_vector(nat, 2), make_vector(nat, -1)));  // a constant without value
-    EXPECT_TRUE(compatible(make_vector(nat, 2), make_type(TypeForm::product, {nat, real})));
-    EXPECT_TRUE(compatible(make_type(TypeForm::product, {nat, nat}), make_vector(real, 2)));
-    EXPECT_FALSE(compatible(make_type(TypeForm::product, {nat, nat, nat}), make_vector(nat, 2)));
-    EXPECT_FALSE(compatible(make_matrix(nat, 2, 3), make_matrix(nat, 3, 2)));
+    EXPECT_TRUE(is_compatible(make_vector(nat, 2), make_vector(real, 2)));
+    EXPECT_FALSE(is_compatible(make_vector(nat, 2), make_vector(nat, 3)));
+    EXPECT_TRUE(is_compatible(make_vector(nat, 2), make_vector(nat, -1)));  // a constant without value
+    EXPECT_TRUE(is_compatible(make_vector(nat, 2), make_type(TypeForm::product, {nat, real})));
+    EXPECT_TRUE(is_compatible(make_type(TypeForm::product, {nat, nat}), make_vector(real, 2)));
+    EXPECT_FALSE(is_compatible(make_type(TypeForm::product, {nat, nat, nat}), make_vector(nat, 2)));
+    EXPECT_FALSE(is_compatible(make_matrix(nat, 2, 3), make_matrix(nat, 3, 2)));
 }
 
 TEST(Compatibility, EmptyCollectionsFitAny) {
     const TypePtr empty = make_type(TypeForm::set, {make_type(TypeForm::any)});
-    EXPECT_TRUE(compatible(empty, make_type(TypeForm::set, {make_type(TypeForm::string)})));
-    EXPECT_TRUE(compatible(make_type(TypeForm::set, {make_type(TypeForm::string)}), empty));
-    EXPECT_FALSE(compatible(empty, make_type(TypeForm::nat)));
+    EXPECT_TRUE(is_compatible(empty, make_type(TypeForm::set, {make_type(TypeForm::string)})));
+    EXPECT_TRUE(is_compatible(make_type(TypeForm::set, {make_type(TypeForm::string)}), empty));
+    EXPECT_FALSE(is_compatible(empty, make_type(TypeForm::nat)));
 }
 
 TEST(Types, OfGenericCalls) {
@@ -232,7 +232,7 @@ TypePtr written(const std::string& text) {
 }
 
 TEST(Types, CompatibilityIsOneWayWhereItNarrows) {
-    const auto fits = [](const char* from, const char* to) { return compatible(written(from), written(to)); };
+    const auto fits = [](const char* from, const char* to) { return is_compatible(written(from), written(to)); };
     EXPECT_TRUE(fits("nat", "int"));
     EXPECT_TRUE(fits("nat", "real"));
     EXPECT_FALSE(fits("int", "nat"));
@@ -356,7 +356,7 @@ TEST(Names, QualifiersOfOperationsAndVariablesAreLookedAt) {
             "package P interface I { op(p : nat) } interface V { var v : nat } stm S { requires I uses V "
             "event e : nat initial i state s { entry " +
             statement + " } transition t { from i to s } }");
-        return reading->findings.errors();
+        return reading->findings.error_count();
     };
     for (const char* right : {"op(1)", "I::op(1)", "P::I::op(1)", "e?v", "e?V::v", "e?P::V::v"})
         EXPECT_EQ(entering(right), 0U) << right;
@@ -366,9 +366,9 @@ TEST(Names, QualifiersOfOperationsAndVariablesAreLookedAt) {
 
 TEST(Names, SuggestsWhatWasMeant) {
     const auto reading = resolved("type Colour interface I { var v : Color }");
-    ASSERT_EQ(reading->findings.sorted().size(), 1U);
-    ASSERT_EQ(reading->findings.sorted()[0].fixes.size(), 1U);
-    EXPECT_EQ(reading->findings.sorted()[0].fixes[0].replacement, "Colour");
+    ASSERT_EQ(reading->findings.sorted_findings().size(), 1U);
+    ASSERT_EQ(reading->findings.sorted_findings()[0].fixes.size(), 1U);
+    EXPECT_EQ(reading->findings.sorted_findings()[0].fixes[0].replacement, "Colour");
 }
 
 TEST(Names, ManyUnknownNamesStayCheap) {
@@ -376,7 +376,7 @@ TEST(Names, ManyUnknownNamesStayCheap) {
     for (int i = 0; i < 5'000; ++i)
         text += "var v" + std::to_string(i) + " : T" + std::to_string(i) + " const c" + std::to_string(i) +
                 " : nat = q" + std::to_string(i) + "\n";
-    EXPECT_EQ(resolved(text + "}")->findings.errors(), 10'000U);
+    EXPECT_EQ(resolved(text + "}")->findings.error_count(), 10'000U);
 }
 
 const Transition& transition_of(const Machine& machine, const std::string& name) {

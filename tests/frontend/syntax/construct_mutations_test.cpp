@@ -67,7 +67,7 @@ void judge(const std::string& text, bool is_assertions, Count& count) {
     const auto reading = testing::read(
         text + (is_assertions ? "\nassertion Next : X terminates\n" : "\ninterface Next { var v : nat }\n"),
         is_assertions);
-    const std::size_t errors = reading->findings.errors();
+    const std::size_t errors = reading->findings.error_count();
     EXPECT_EQ(reading->file().has_syntax_errors, errors > 0) << text;
     ++count.mutations;
     count.accepted += errors == 0 ? 1U : 0U;

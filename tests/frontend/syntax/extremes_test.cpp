@@ -123,7 +123,7 @@ TEST(Extremes, NestedBracesAreAFewMistakes) {
                                         nested("controller C {", "}")}) {
             const auto reading = judged(around + text);
             EXPECT_FALSE(reading->findings.ok()) << around << text.substr(0, 20);
-            EXPECT_LE(reading->findings.errors(), 101U) << around << text.substr(0, 20);
+            EXPECT_LE(reading->findings.error_count(), 101U) << around << text.substr(0, 20);
         }
 }
 
@@ -131,8 +131,8 @@ TEST(Extremes, NestedBracesInAssertionsAreAFewMistakes) {
     for (const char* open : {"{", "(", "assertion A: ", "csp ", "rewards r = [", "label l = (", "formula f = (",
                              "with constant ", "const c : Seq("}) {
         const auto reading = judged("package P " + times(deep, open), true);
-        EXPECT_LE(reading->findings.errors(), 101U) << open;
-        EXPECT_LE(judged(times(deep, open) + times(deep, ")"), true)->findings.errors(), 101U) << open;
+        EXPECT_LE(reading->findings.error_count(), 101U) << open;
+        EXPECT_LE(judged(times(deep, open) + times(deep, ")"), true)->findings.error_count(), 101U) << open;
     }
 }
 
@@ -208,7 +208,7 @@ TEST(Extremes, AHundredThousandNamesInOneDeclaration) {
     EXPECT_EQ(judged(variables + ", w:Nat }")->codes(), "RC-N01@1");
     EXPECT_FALSE(judged(let + " @ y }")->findings.ok());
     EXPECT_EQ(judged("interface I { var v:nat" + times(deep, ", v:nat") + " }")->codes(), "RC-N03@1");
-    EXPECT_EQ(judged("interface I { var v:A" + times(deep, " * A") + " }")->findings.errors(), 1U);
+    EXPECT_EQ(judged("interface I { var v:A" + times(deep, " * A") + " }")->findings.error_count(), 1U);
     EXPECT_FALSE(judged("stm S { initial i state s { entry skip" + times(deep, "; skip") + " ; } }")->findings.ok());
 }
 
@@ -216,7 +216,7 @@ TEST(Extremes, ManyUnknownImportsStayCheap) {
     std::string text;
     for (std::size_t i = 0; i < deep; ++i) text += "import p" + std::to_string(i) + "::q\n";
     const auto reading = judged(text + "type A");
-    EXPECT_EQ(reading->findings.warnings(), deep);
+    EXPECT_EQ(reading->findings.warning_count(), deep);
 }
 
 TEST(Extremes, ManyLinesOfGarbageCostNoMoreThanOne) {

@@ -90,7 +90,7 @@ TEST(ForeignWords, EachRowIsReportedOnceAndFixedWhereAWordReplacesIt) {
         const std::string text = text_with(row);
         if (text.empty()) continue;
         const auto reading = read(text);
-        const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted();
+        const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted_findings();
         ASSERT_EQ(findings.size(), 1U) << row.word << "\n" << text << reading->report();
         EXPECT_EQ(findings[0].rule->code, "RC-P34") << text << reading->report();
         EXPECT_THAT(reading->report(), HasSubstr(std::string(row.reason)));
@@ -159,7 +159,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
     };
     for (const Written& form : forms) {
         const auto reading = read(before + form.text + after);
-        const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted();
+        const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted_findings();
         ASSERT_EQ(findings.size(), 1U) << form.text << reading->report();
         EXPECT_EQ(findings[0].rule->code, std::string_view(form.instead) == "=" ? "RC-P22" : "RC-P34") << form.text;
         EXPECT_THAT(reading->report(), HasSubstr(form.reason));
@@ -172,7 +172,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
 std::string fixed(const std::string& text, const std::string& code) {
     const auto reading = read(text, text.starts_with("assertion"));
     std::vector<diagnostics::FixIt> fixes;
-    for (const diagnostics::Diagnostic& each : reading->findings.sorted()) {
+    for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings()) {
         EXPECT_EQ(each.rule->code, code) << text;
         fixes.insert(fixes.end(), each.fixes.begin(), each.fixes.end());
     }
@@ -353,7 +353,7 @@ TEST(ForeignForms, OfSeveralWordsAreExplained) {
         const auto reading = read(form.text, !of_a_model(form.text));
         const std::string report = reading->report();
         EXPECT_THAT(report, HasSubstr(form.note)) << form.text;
-        for (const diagnostics::Diagnostic& each : reading->findings.sorted())
+        for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings())
             for (const diagnostics::Note& note : each.notes) given.insert(note.message);
     }
     for (const diagnostics::Advice& row : foreign_forms()) {
@@ -366,21 +366,21 @@ TEST(ForeignForms, OfSeveralWordsAreExplained) {
 TEST(ForeignForms, AnExponentIsNotLeftOut) {
     const auto reading = read("stm S { initial i state A { entry f(1e5) } transition t { from i to A } }");
     ASSERT_FALSE(reading->findings.ok());
-    for (const diagnostics::Diagnostic& each : reading->findings.sorted()) EXPECT_TRUE(each.fixes.empty());
+    for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings()) EXPECT_TRUE(each.fixes.empty());
 }
 
 TEST(ForeignForms, StateMachineIsStm) {
     const auto reading = read("state machine S { initial i state A { } transition t0 { from i to A } }");
-    ASSERT_EQ(reading->findings.sorted().size(), 1U) << reading->report();
-    EXPECT_EQ(reading->findings.sorted()[0].fixes.at(0).replacement, "stm");
+    ASSERT_EQ(reading->findings.sorted_findings().size(), 1U) << reading->report();
+    EXPECT_EQ(reading->findings.sorted_findings()[0].fixes.at(0).replacement, "stm");
     ASSERT_EQ(reading->file().declarations.size(), 1U);
     EXPECT_EQ(reading->file().declarations[0]->name, "S");
 }
 
 TEST(ForeignForms, AnIfWithoutEndSaysWhichOne) {
     const auto reading = read(before + "state B { entry if b then x = 1 }" + after);
-    ASSERT_EQ(reading->findings.sorted().size(), 1U) << reading->report();
-    const diagnostics::Diagnostic finding = reading->findings.sorted()[0];
+    ASSERT_EQ(reading->findings.sorted_findings().size(), 1U) << reading->report();
+    const diagnostics::Diagnostic finding = reading->findings.sorted_findings()[0];
     EXPECT_THAT(reading->report(), HasSubstr("`end`, which closes the `if`"));
     ASSERT_EQ(finding.notes.size(), 1U);
     const auto fixed =
@@ -403,7 +403,7 @@ TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
     for (const Written& form : forms) {
         const auto reading = resolved(before + form.text + after);
         std::vector<diagnostics::Diagnostic> errors;
-        for (const diagnostics::Diagnostic& each : reading->findings.sorted())
+        for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings())
             if (each.rule->severity == diagnostics::Severity::error) errors.push_back(each);
         ASSERT_EQ(errors.size(), 1U) << form.text << reading->report();
         EXPECT_EQ(errors[0].rule->code, "RC-N01") << form.text;

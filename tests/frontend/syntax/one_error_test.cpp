@@ -19,7 +19,7 @@ std::string machine(const std::string& transition) {
 /// The text after the fix of its only error.
 std::string fixed(const std::string& text, bool assertions = false) {
     const auto reading = read(text, assertions);
-    const auto findings = reading->findings.sorted();
+    const auto findings = reading->findings.sorted_findings();
     EXPECT_EQ(findings.size(), 1U) << reading->report();
     if (findings.size() != 1 || findings.front().fixes.size() != 1) {
         ADD_FAILURE() << reading->report();
@@ -59,7 +59,7 @@ TEST(OneError, ABraceIsMissing) {
         std::string cut = whole;
         cut[i] = ' ';
         const auto reading = read(cut);
-        EXPECT_EQ(reading->findings.errors(), 1U) << reading->report();
+        EXPECT_EQ(reading->findings.error_count(), 1U) << reading->report();
     }
 }
 
@@ -71,12 +71,13 @@ TEST(OneError, AClaimIsInPrismsNotation) {
     EXPECT_EQ(fixed(head + "P>=0.9 [ M::S is in M::S::A U M::S is in M::S::B ]", true),
               head + "Prob>=0.9 of [ M::S is in M::S::A Until M::S is in M::S::B ]");
     const auto reward = read(head + "R{\"time\"}=? [ F M::S is in M::S::A ]", true);
-    EXPECT_EQ(reward->findings.errors(), 1U) << reward->report();
+    EXPECT_EQ(reward->findings.error_count(), 1U) << reward->report();
     EXPECT_NE(reward->report().find("Reward {r} =? of"), std::string::npos) << reward->report();
 }
 
 TEST(OneError, AnEqualsSignBeforeAQuestionMarkIsNotDoubled) {
-    for (const diagnostics::Diagnostic& finding : read("prob property P1 : Q=? [ x ]", true)->findings.sorted())
+    for (const diagnostics::Diagnostic& finding :
+         read("prob property P1 : Q=? [ x ]", true)->findings.sorted_findings())
         EXPECT_TRUE(finding.fixes.empty()) << finding.message();
 }
 

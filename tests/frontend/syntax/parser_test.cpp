@@ -50,8 +50,8 @@ TEST(Lexer, RefusesFilesOfTooManyWords) {
     diagnostics::Diagnostics findings;
     const auto source = sources.add("t.rct", std::string(max_tokens + 1, ';'));
     EXPECT_LE(tokenize(sources, source, false, findings).tokens.size(), max_tokens + 1);  // one more: the end
-    ASSERT_EQ(findings.errors(), 1U);
-    EXPECT_EQ(findings.sorted().front().rule->code, "RC-P23");
+    ASSERT_EQ(findings.error_count(), 1U);
+    EXPECT_EQ(findings.sorted_findings().front().rule->code, "RC-P23");
 }
 
 TEST(Lexer, KeepsPlacesOfComments) {
@@ -325,7 +325,7 @@ INSTANTIATE_TEST_SUITE_P(
 std::string first_note(const std::string& text) {
     const auto reading = read(text);
     if (reading->findings.ok()) return "no finding";
-    const diagnostics::Diagnostic finding = reading->findings.sorted().front();
+    const diagnostics::Diagnostic finding = reading->findings.sorted_findings().front();
     if (finding.notes.empty()) return "no note";
     const auto& note = finding.notes.front();
     return std::to_string(reading->sources.position(note.span.source, note.span.begin).line) + ": " + note.message;
@@ -349,7 +349,7 @@ TEST(Parser, ABraceThatIsNotClosedIsPointedAt) {
 
 TEST(Parser, ReadsOnAfterAMistake) {
     const auto reading = read("stm S {\n var x nat\n state s { entry = 1 }\n initial i\n}\nmodule M { }");
-    EXPECT_EQ(reading->findings.errors(), 2U) << reading->report();
+    EXPECT_EQ(reading->findings.error_count(), 2U) << reading->report();
     ASSERT_EQ(reading->file().declarations.size(), 2U);
     const auto* machine = dynamic_cast<const Machine*>(reading->file().declarations[0].get());
     EXPECT_EQ(machine->nodes.size(), 2U);
@@ -375,7 +375,7 @@ TEST(Parser, RefusesWhatIsNoText) {
     for (int i = 0; i < 100'000; ++i) bytes += static_cast<char>(1 + (i * 7919) % 255);
     const auto noise = read(bytes);
     EXPECT_FALSE(noise->findings.ok());
-    EXPECT_LE(noise->findings.errors(), 100'000U);
+    EXPECT_LE(noise->findings.error_count(), 100'000U);
 }
 
 TEST(Parser, OddTextsGiveOneMessageOrNone) {
@@ -401,13 +401,13 @@ TEST(Parser, StopsAfterAHundredMistakes) {
     std::string text;
     for (int i = 0; i < 1000; ++i) text += "interface I { var x nat }\n";
     const auto reading = read(text);
-    EXPECT_EQ(reading->findings.errors(), 101U);
+    EXPECT_EQ(reading->findings.error_count(), 101U);
     EXPECT_NE(reading->codes().find("RC-P14"), std::string::npos);
 }
 
 TEST(SyntaxRules, HaveCodesMessagesAndExplanations) {
     std::vector<std::string_view> codes;
-    for (const auto* rule : syntax::all()) {
+    for (const auto* rule : syntax::rule_list()) {
         codes.push_back(rule->code);
         EXPECT_FALSE(rule->message.empty() || rule->explanation.empty()) << rule->code;
     }

@@ -40,8 +40,8 @@ const std::map<std::string_view, std::string> published = {
      "extract filter prefix suffix infix dconcat"}};
 
 TEST(Library, HasEveryPublishedName) {
-    ASSERT_EQ(toolkits().size(), published.size());
-    for (const Toolkit& toolkit : toolkits()) {
+    ASSERT_EQ(all_toolkits().size(), published.size());
+    for (const Toolkit& toolkit : all_toolkits()) {
         const auto reading = testing::read(std::string(toolkit.text));
         EXPECT_TRUE(reading->findings.empty()) << toolkit.package << "\n" << reading->report();
         EXPECT_EQ(reading->file().package.text(), toolkit.package);
@@ -64,12 +64,12 @@ TEST(Library, WhatMayBeOfEveryTypeCanBeTurned) {
     const auto reading = testing::resolved(
         "import sequence_toolkit::* function f() : matrix(real, 2, 2) { "
         "postcondition result == inverse(last(<>)) postcondition result == transpose(last(<>)) }");
-    EXPECT_EQ(reading->findings.errors(), 0U) << reading->report();
+    EXPECT_EQ(reading->findings.error_count(), 0U) << reading->report();
     const auto wrong = testing::resolved(
         "import sequence_toolkit::* function f() : matrix(real, 2, 2) { "
         "postcondition result == inverse(last(<1>)) postcondition result == transpose(last(<1>)) }");
-    EXPECT_EQ(wrong->findings.errors(), 0U) << wrong->report();
-    EXPECT_EQ(wrong->findings.warnings(), reading->findings.warnings() + 2) << wrong->report();  // RC-T36
+    EXPECT_EQ(wrong->findings.error_count(), 0U) << wrong->report();
+    EXPECT_EQ(wrong->findings.warning_count(), reading->findings.warning_count() + 2) << wrong->report();  // RC-T36
 }
 
 TEST(Library, CoreNeedsNoImportAndIsDeclaredSomewhere) {
@@ -110,7 +110,8 @@ std::multiset<std::string> findings_of(const std::vector<std::size_t>& files, co
     add_toolkits(reading.sources, reading.model, reading.findings);
     resolve(reading.model, reading.findings);
     std::multiset<std::string> result;
-    for (const auto& d : reading.findings.sorted()) result.insert(std::string(d.rule->code) + " " + d.message());
+    for (const auto& d : reading.findings.sorted_findings())
+        result.insert(std::string(d.rule->code) + " " + d.message());
     return result;
 }
 

@@ -54,7 +54,7 @@ constexpr std::array<std::string_view, 8> pieces = {"",        "}",        "\n",
 /// An editor with a project. Records the first property that the server violates.
 class Editor {
 public:
-    explicit Editor(const Texts& texts) : server_([this](const std::string& message) { sent(message); }) {
+    explicit Editor(const Texts& texts) : server_([this](const std::string& message) { receive_sent(message); }) {
         request("initialize", Json::object({{"capabilities", Json::object({})}}));
         notify("initialized", Json::object({}));
         for (std::size_t file = 0; file < texts.size(); ++file) {
@@ -89,7 +89,7 @@ public:
 
     [[nodiscard]] const std::string& complaint() const { return complaint_; }
     /// The latest diagnostics of all files.
-    [[nodiscard]] std::string shown() const {
+    [[nodiscard]] std::string shown_text() const {
         std::string all;
         for (const auto& [uri, list] : shown_)
             if (!list.empty()) all += uri + ": " + lsp::json_text(list) + "\n";
@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    void sent(const std::string& text) {
+    void receive_sent(const std::string& text) {
         std::string error;
         const Json json = lsp::read_json(text, error);
         const lsp::View message = json;
@@ -105,9 +105,9 @@ private:
         if (message["method"].text() == "textDocument/publishDiagnostics")
             shown_[message["params"]["uri"].text()] = message["params"]["diagnostics"].json();
         if (message["method"].text() == "window/logMessage") complain("the server has a fault: " + text);
-        if (message["error"]["code"].number() == static_cast<int>(lsp::ErrorCode::internal_error))
+        if (message["error"]["code"].number_or() == static_cast<int>(lsp::ErrorCode::internal_error))
             complain("a request ends in a fault: " + text);
-        if (message["id"].json() == Json(last_id_) && !message.has("method")) ++answers_;
+        if (message["id"].json() == Json(last_id_) && !message.has_key("method")) ++answers_;
     }
     void complain(std::string what) {
         if (complaint_.empty()) complaint_ = std::move(what);
@@ -123,9 +123,9 @@ private:
         deliver(Json::object({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
     }
     void deliver(const Json& message) {
-        server_.receive(lsp::json_text(message));
-        while (server_.has_work()) server_.step();
-        server_.idle();
+        server_.receive_message(lsp::json_text(message));
+        while (server_.has_work()) server_.handle_next();
+        server_.use_idle_time();
     }
 
     std::string complaint_;
@@ -155,7 +155,7 @@ std::size_t character_begin(const std::string& text, std::size_t place) {
 }
 
 /// The texts of the files, in order; there may be fewer than files.
-Texts divided(const std::string& text) {
+Texts divide_texts(const std::string& text) {
     Texts texts;
     std::size_t begin = 0;
     for (auto& each : texts) {
@@ -181,7 +181,7 @@ bool may_name_files(std::string_view bytes) {
 std::string run_editor(std::string_view bytes) {
     constexpr std::size_t most_steps = 24;
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    Texts texts = divided(as_text(bytes.substr(std::min(end + 1, bytes.size()))));
+    Texts texts = divide_texts(as_text(bytes.substr(std::min(end + 1, bytes.size()))));
     Editor editor(texts);
     for (std::size_t at = 0; at + 3 <= std::min(end, 3 * most_steps); at += 3) {
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
@@ -199,9 +199,9 @@ std::string run_editor(std::string_view bytes) {
     }
     if (!editor.complaint().empty()) return editor.complaint();
     const Editor fresh(texts);
-    return editor.shown() == fresh.shown()
+    return editor.shown_text() == fresh.shown_text()
                ? ""
-               : "diagnostics depend on how the text was typed:\n" + editor.shown() + "/\n" + fresh.shown();
+               : "diagnostics depend on how the text was typed:\n" + editor.shown_text() + "/\n" + fresh.shown_text();
 }
 
 /// The server handles every message and every error of the stream, and ends with the stream.
@@ -211,10 +211,11 @@ std::string run_stream(std::string_view bytes) {
     lsp::FrameReader reader(in);
     std::vector<std::string> sent;
     lsp::Server server([&](const std::string& message) { sent.push_back(message); });
-    for (lsp::Frame frame = reader.next(); frame.kind != lsp::Frame::Kind::end; frame = reader.next()) {
-        frame.kind == lsp::Frame::Kind::message ? server.receive(frame.text) : server.receive(nullptr, frame.text);
-        while (server.has_work()) server.step();
-        server.idle();
+    for (lsp::Frame frame = reader.next_frame(); frame.kind != lsp::Frame::Kind::end; frame = reader.next_frame()) {
+        frame.kind == lsp::Frame::Kind::message ? server.receive_message(frame.text)
+                                                : server.receive_message(nullptr, frame.text);
+        while (server.has_work()) server.handle_next();
+        server.use_idle_time();
     }
     for (const std::string& message : sent) {
         std::string error;

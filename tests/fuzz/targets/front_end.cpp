@@ -28,10 +28,10 @@ struct Reading {
     }
 };
 
-std::string dumped(const Reading& reading, std::unique_ptr<File> file) {
+std::string dump_file(const Reading& reading, std::unique_ptr<File> file) {
     Model model;
     model.files.push_back(std::move(file));
-    return dump(model, reading.sources, false);
+    return dump_model(model, reading.sources, false);
 }
 
 /// Printed text parses to the same tree and prints the same again.
@@ -42,7 +42,7 @@ std::string check_printing(const File& file, const std::string& tree) {
     if (!again.findings.ok()) return "a printed file is not read back:\n" + text;
     if (to_text(*again.file) != text) return "a printed file prints differently when read back:\n" + text;
     if (file.is_assertions) return {};  // their dump quotes the text
-    const std::string second = dumped(again, std::move(again.file));
+    const std::string second = dump_file(again, std::move(again.file));
     return second == tree ? "" : "a printed file is read back as another:\n" + tree + "\n/\n" + second;
 }
 
@@ -68,14 +68,14 @@ std::string check_meaning(Reading& reading, std::string_view beside) {
     }
     add_toolkits(reading.sources, model, reading.findings);
     resolve(model, reading.findings);
-    if (dump(model, reading.sources, true).empty()) return "a model is dumped as nothing";
+    if (dump_model(model, reading.sources, true).empty()) return "a model is dumped as nothing";
     return check_findings(reading.sources, reading.findings);
 }
 
 std::string run(std::string_view bytes, bool is_assertions, std::string_view beside) {
     Reading reading(bytes, is_assertions);
     Reading same(bytes, is_assertions);
-    const std::string tree = dumped(same, std::move(same.file));
+    const std::string tree = dump_file(same, std::move(same.file));
     std::string complaint = check_findings(reading.sources, reading.findings);
     if (complaint.empty()) complaint = check_printing(*reading.file, tree);
     if (complaint.empty()) complaint = check_formatting(bytes, is_assertions);

@@ -6,12 +6,12 @@
 #include <exception>
 #include <new>
 
+#include "base/diagnostics/budget.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "conformance/check/batch.hpp"
 #include "cpp_emit/emit.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/budget.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
@@ -39,14 +39,14 @@ class Phases {
 public:
     /// The first violated property; "" if there is none.
     std::string run(std::string_view bytes) {
-        findings_.within(&budget_);
+        findings_.set_budget(&budget_);
         read(bytes);
         frontend::add_toolkits(sources_, model_, findings_);
         frontend::resolve(model_, findings_);
         if (!findings_.ok()) return refusal();
         const ir::System system = ir::lower(model_, sources_, findings_);
         if (!findings_.ok()) return refusal();
-        const ir::Instantiation instantiation = ir::instantiate(system, {}, findings_);
+        const ir::Instantiation instantiation = ir::instantiate_system(system, {}, findings_);
         if (!findings_.ok()) return refusal();
         std::string complaint = script(system, instantiation, csp_emit::Time::untimed);
         if (complaint.empty()) complaint = script(system, instantiation, csp_emit::Time::timed);
@@ -71,13 +71,13 @@ private:
 
     /// A rejection must name its rule.
     std::string refusal() {
-        if (findings_.errors() == 0) return "a model is refused and no error says why";
+        if (findings_.error_count() == 0) return "a model is refused and no error says why";
         return check_findings(sources_, findings_);
     }
 
     std::string script(const ir::System& system, const ir::Instantiation& instantiation, csp_emit::Time time) {
         Diagnostics found;
-        found.within(&budget_);
+        found.set_budget(&budget_);
         const csp_emit::Emission emission = csp_emit::emit(system, instantiation, time, {true}, sources_, found);
         if (!found.ok()) return check_findings(sources_, found);
         Diagnostics types;
@@ -89,7 +89,7 @@ private:
 
     [[nodiscard]] static std::string diagnostics_of(const Diagnostics& types) {
         std::string text;
-        for (const auto& finding : types.sorted()) text += finding.message() + "\n";
+        for (const auto& finding : types.sorted_findings()) text += finding.message() + "\n";
         return text;
     }
 
@@ -124,9 +124,9 @@ private:
                     {ir::ComponentKind::machine, system.machines[i].name, system.machines[i].package, i});
         for (const ir::ComponentRef& component : components) {
             Diagnostics found;
-            found.within(&budget_);
+            found.set_budget(&budget_);
             const auto candidate = conformance::candidate(system, instantiation, component, {}, sources_, found);
-            if (!candidate && found.errors() == 0) return component.path + " has no code, and no error says why";
+            if (!candidate && found.error_count() == 0) return component.path + " has no code, and no error says why";
             if (const std::string complaint = check_findings(sources_, found); !complaint.empty()) return complaint;
         }
         return {};

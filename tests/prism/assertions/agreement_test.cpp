@@ -19,13 +19,13 @@ namespace robochart::probability {
 namespace {
 
 using prism::Rational;
-using testing::robotool;
+using testing::robotool_rows;
 
 /// The minimum and the maximum of rows with one value each; nullopt if a value is unknown.
 std::optional<std::pair<Rational, Rational>> bounds(const std::vector<Row>& rows) {
     if (rows.size() != 1 || !rows.front().error.empty()) return std::nullopt;
     for (const prism::Result& each : rows.front().results)
-        if (each.kind != prism::Result::Kind::number || !each.low.exact()) return std::nullopt;
+        if (each.kind != prism::Result::Kind::number || !each.low.is_exact()) return std::nullopt;
     return std::pair(rows.front().results.front().low.value(), rows.front().results.back().low.value());
 }
 
@@ -79,7 +79,7 @@ TEST(Agreement, OfRandomModels) {
                 "rewards r = [" + event + "] true : 1; endrewards\nprob property R : Reward {r} =? of [Cumul 1]\n";
         const auto loaded = testing::load(files);
         const auto asked = [&](const std::string& name, Scheduler scheduler) {
-            return bounds(testing::process(*loaded, name, scheduler, nullptr, most_states));
+            return bounds(testing::process_rows(*loaded, name, scheduler, nullptr, most_states));
         };
         for (const std::string name : {"P", "R"}) {
             if (name == "R" && event.empty()) continue;
@@ -133,8 +133,8 @@ TEST(Agreement, TheChainLiesBetweenTheSchedulers) {
         as_mdp.max_states = 20'000;
         RoboToolOptions as_dtmc = testing::small_ranges();
         as_dtmc.max_states = as_mdp.max_states;
-        const auto chain = robotool(*loaded, "R", as_dtmc, {1e-9, false});
-        const auto all = robotool(*loaded, "R", as_mdp, {1e-9, false});
+        const auto chain = robotool_rows(*loaded, "R", as_dtmc, {1e-9, false});
+        const auto all = robotool_rows(*loaded, "R", as_mdp, {1e-9, false});
         const auto number = [](const Row& row) {
             return row.error.empty() && row.results.front().kind == prism::Result::Kind::number;
         };
@@ -214,11 +214,11 @@ TEST(Agreement, OfTheCorpus) {
         std::map<std::string, std::string> files{
             {"p.assertions", "prob property P : Prob=? of [Finally <=1 deadlock]\n"}};
         for (const auto& file : std::filesystem::directory_iterator(folder))
-            if (file.path().extension() == ".rct") files[file.path().filename()] = tests::contents(file.path());
+            if (file.path().extension() == ".rct") files[file.path().filename()] = tests::read_contents(file.path());
         if (files.size() == 1) continue;
         const auto loaded = testing::load(files);
         std::uint64_t compared = 0;
-        const auto rows = testing::process(*loaded, "P", Scheduler::urgent, &compared, 20'000);
+        const auto rows = testing::process_rows(*loaded, "P", Scheduler::urgent, &compared, 20'000);
         if (compared > 0 && rows.front().error.empty()) ++compared_models;
     }
     std::cout << compared_models << " models of the corpus\n";
@@ -228,7 +228,7 @@ TEST(Agreement, OfTheCorpus) {
 TEST(Agreement, OfTheForager) {
     const auto folder = tests::source_folder() / "corpus/foraging";
     const auto loaded =
-        testing::load({{"foraging.rct", tests::contents(folder / "foraging.rct")},
+        testing::load({{"foraging.rct", tests::read_contents(folder / "foraging.rct")},
                        {"p.assertions",
                         "import foraging::*\n"
                         "label searches = foraging::Robot::brain::forager is in foraging::Forager::Searching\n"
@@ -237,12 +237,12 @@ TEST(Agreement, OfTheForager) {
                         "foraging::Forager::Homing]"}});
     std::uint64_t compared = 0;
     // The robot rests for 5 units and then leaves with probability 0.25, so it can leave twice within 10 units.
-    EXPECT_EQ(testing::text(testing::process(*loaded, "P", Scheduler::any, &compared)), "0.4375 to 0.4375");
+    EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "P", Scheduler::any, &compared)), "0.4375 to 0.4375");
     EXPECT_GT(compared, 30u);
     // Without food the robot searches for 20 units and has to leave after two rests. If it finds food immediately, six
     // units are enough.
-    EXPECT_EQ(testing::text(testing::process(*loaded, "Q", Scheduler::any)), "0.4375 to 3367/4096");
-    EXPECT_EQ(testing::text(testing::process(*loaded, "Q", Scheduler::urgent)), "0.4375 to 3367/4096");
+    EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "Q", Scheduler::any)), "0.4375 to 3367/4096");
+    EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "Q", Scheduler::urgent)), "0.4375 to 3367/4096");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "prism/assertions/process/following.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "prism/assertions/experiments/encoding.hpp"
 #include "semantics/instantiate/instantiate.hpp"
@@ -19,10 +20,10 @@ const char* const machine =
 Following found(const std::string& model, const std::vector<std::string>& states, std::uint64_t units) {
     const auto loaded = testing::load({{"m.rct", model}});
     diagnostics::Diagnostics none;
-    const ir::ComponentRef subject = testing::whole(loaded->system);
-    const auto process =
-        explore_process(loaded->system, subject, ir::instantiate(loaded->system, {}, none), {}, loaded->sources, {});
-    return following(*process, loaded->system, subject, states, units, [] {});
+    const ir::ComponentRef subject = testing::whole_component(loaded->system);
+    const auto process = explore_process(loaded->system, subject, ir::instantiate_system(loaded->system, {}, none), {},
+                                         loaded->sources, {});
+    return find_following(*process, loaded->system, subject, states, units, [] {});
 }
 
 bool may(const Following& following, std::uint32_t from, std::uint32_t to) {

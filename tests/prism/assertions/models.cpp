@@ -30,7 +30,7 @@ std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files) {
     return result;
 }
 
-Claim claim(const Loaded& loaded, const std::string& name) {
+Claim find_claim(const Loaded& loaded, const std::string& name) {
     for (const auto& file : loaded.model.files)
         for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
             if (each.name == name) return {file.get(), &each};
@@ -43,24 +43,24 @@ RoboToolOptions small_ranges() {
     return options;
 }
 
-std::vector<Row> robotool(const Loaded& loaded, const std::string& assertion, const RoboToolOptions& options,
-                          const Deciding& how) {
+std::vector<Row> robotool_rows(const Loaded& loaded, const std::string& assertion, const RoboToolOptions& options,
+                               const Deciding& how) {
     std::vector<Row> rows;
     const Assertions all(loaded.model);
-    const Claim asked = claim(loaded, assertion);
+    const Claim asked = find_claim(loaded, assertion);
     diagnostics::Budget budget;
     try {
         RoboToolEncoding encoding(loaded.system, loaded.system.modules.front(), options,
-                                  functions(all, *asked.file, *asked.assertion));
-        const Question question = translate(all, *asked.file, *asked.assertion, encoding.elements());
-        decide(encoding, question, how, budget, [&](Row row) { rows.push_back(std::move(row)); });
+                                  functions_of(all, *asked.file, *asked.assertion));
+        const Question question = translate_assertion(all, *asked.file, *asked.assertion, encoding.elements());
+        decide_question(encoding, question, how, budget, [&](Row row) { rows.push_back(std::move(row)); });
     } catch (const std::runtime_error& why) {
         rows.emplace_back().error = why.what();
     }
     return rows;
 }
 
-ir::ComponentRef whole(const ir::System& system) {
+ir::ComponentRef whole_component(const ir::System& system) {
     ir::ComponentRef result;
     result.definition = 0;
     if (!system.modules.empty()) {
@@ -80,30 +80,30 @@ ir::ComponentRef whole(const ir::System& system) {
     return result;
 }
 
-std::vector<Row> process(Loaded& loaded, const std::string& assertion, Scheduler scheduler, std::uint64_t* compared,
-                         std::uint64_t most_states, bool exact) {
+std::vector<Row> process_rows(Loaded& loaded, const std::string& assertion, Scheduler scheduler,
+                              std::uint64_t* compared, std::uint64_t most_states, bool exact) {
     std::vector<Row> rows;
     const Assertions all(loaded.model);
-    const Claim asked = claim(loaded, assertion);
+    const Claim asked = find_claim(loaded, assertion);
     diagnostics::Budget budget;
     ProcessOptions options;
     options.scheduler = scheduler;
     options.exact = exact;
     options.max_states = most_states;
     options.budget = &budget;
-    const ir::ComponentRef subject = whole(loaded.system);
+    const ir::ComponentRef subject = whole_component(loaded.system);
     try {
         ProcessEncoding encoding(loaded.system, subject, loaded.sources, options);
-        const Question question = translate(all, *asked.file, *asked.assertion, encoding.elements());
-        decide(encoding, question, {1e-6, exact}, budget, [&](Row row) { rows.push_back(std::move(row)); });
-        if (compared != nullptr) *compared = encoding.compared();
+        const Question question = translate_assertion(all, *asked.file, *asked.assertion, encoding.elements());
+        decide_question(encoding, question, {1e-6, exact}, budget, [&](Row row) { rows.push_back(std::move(row)); });
+        if (compared != nullptr) *compared = encoding.compared_state_count();
     } catch (const std::runtime_error& why) {
         rows.emplace_back().error = why.what();
     }
     return rows;
 }
 
-std::string text(const Row& row) {
+std::string rows_text(const Row& row) {
     std::string result;
     for (const auto& [name, value] : row.constants)
         result += fmt::format("{}{}={}", result.empty() ? "" : ", ", name, value);
@@ -119,9 +119,9 @@ std::string text(const Row& row) {
     return result + values;
 }
 
-std::string text(const std::vector<Row>& rows) {
+std::string rows_text(const std::vector<Row>& rows) {
     std::string result;
-    for (const Row& each : rows) result += (result.empty() ? "" : "\n") + text(each);
+    for (const Row& each : rows) result += (result.empty() ? "" : "\n") + rows_text(each);
     return result;
 }
 

@@ -27,32 +27,32 @@ struct Loaded {
 [[nodiscard]] std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files);
 
 /// The only module, or the first controller or machine if there is none.
-[[nodiscard]] ir::ComponentRef whole(const ir::System&);
+[[nodiscard]] ir::ComponentRef whole_component(const ir::System&);
 
 /// An assertion with this name, and its file.
 struct Claim {
     const frontend::File* file = nullptr;
     const frontend::ProbabilisticAssertion* assertion = nullptr;
 };
-[[nodiscard]] Claim claim(const Loaded&, const std::string& name);
+[[nodiscard]] Claim find_claim(const Loaded&, const std::string& name);
 
 /// Options with the ranges 0..2 for nat, int and real, for a dtmc.
 [[nodiscard]] RoboToolOptions small_ranges();
 
 /// The rows of an assertion in RoboTool's encoding of the only module. If a row is undecided, its error states the
 /// reason.
-[[nodiscard]] std::vector<Row> robotool(const Loaded&, const std::string& assertion,
-                                        const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
+[[nodiscard]] std::vector<Row> robotool_rows(const Loaded&, const std::string& assertion,
+                                             const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
 
 /// Returns the rows of an assertion on the decision process of the whole component. `compared` is the number of states
 /// that were compared with the process that is checked for refinement.
-[[nodiscard]] std::vector<Row> process(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
-                                       std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
-                                       bool exact = true);
+[[nodiscard]] std::vector<Row> process_rows(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
+                                            std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
+                                            bool exact = true);
 
 /// "k=1: 0.5": the constants with the value, the truth value or the error.
-[[nodiscard]] std::string text(const Row& row);
+[[nodiscard]] std::string rows_text(const Row& row);
 /// One line for each row.
-[[nodiscard]] std::string text(const std::vector<Row>& rows);
+[[nodiscard]] std::string rows_text(const std::vector<Row>& rows);
 
 }  // namespace robochart::probability::testing

@@ -9,17 +9,17 @@ namespace robochart::probability {
 namespace {
 
 using testing::load;
-using testing::process;
-using testing::text;
+using testing::process_rows;
+using testing::rows_text;
 
 std::string decided(const std::string& model, const std::string& assertions, Scheduler scheduler = Scheduler::any) {
     const auto loaded = load({{"m.rct", model}, {"m.assertions", assertions}});
     std::uint64_t compared = 0;
-    const auto rows = process(*loaded, "P", scheduler, &compared);
+    const auto rows = process_rows(*loaded, "P", scheduler, &compared);
     // Every model here is small enough for the comparison with the process that is checked for refinement.
     const bool answered = !rows.empty() && rows.front().error.empty();
     EXPECT_TRUE(!answered || compared > 0);
-    return text(rows);
+    return rows_text(rows);
 }
 
 std::string property(const std::string& of) {
@@ -111,7 +111,7 @@ TEST(Process, LongTimesNeedNotBeCounted) {
                                     "transition c { from p to W probability 0.75 } transition r { from W to Ready }",
                                     "", "state W { entry wait(1) } ")},
                   {"m.assertions", property(of)}});
-        return process(*loaded, "P", Scheduler::any, nullptr, 100'000, false);
+        return process_rows(*loaded, "P", Scheduler::any, nullptr, 100'000, false);
     };
     const auto rows = decide("Prob=? of [Finally <=1000000000 S is in S::A]");
     ASSERT_EQ(rows.size(), 1u);
@@ -122,9 +122,9 @@ TEST(Process, LongTimesNeedNotBeCounted) {
         EXPECT_LT(each.high.bounds().high - each.low.bounds().low, 1e-6);
         EXPECT_EQ(each.reason, "");
     }
-    EXPECT_EQ(text(decide("Prob>=0.4 of [Finally <=1000000000 S is in S::A]")), "true");
-    EXPECT_EQ(text(decide("Prob>=0.6 of [Finally <=1000000000 S is in S::A]")), "false");
-    EXPECT_EQ(text(decide("Prob<=0.5 of [Globally <=1000000000 not S is in S::A]")).substr(0, 11), "not decided")
+    EXPECT_EQ(rows_text(decide("Prob>=0.4 of [Finally <=1000000000 S is in S::A]")), "true");
+    EXPECT_EQ(rows_text(decide("Prob>=0.6 of [Finally <=1000000000 S is in S::A]")), "false");
+    EXPECT_EQ(rows_text(decide("Prob<=0.5 of [Globally <=1000000000 not S is in S::A]")).substr(0, 11), "not decided")
         << "it is above 0.5 by less than an interval shows";
 }
 

@@ -8,12 +8,12 @@
 #include <set>
 #include <sstream>
 
+#include "prism/emit/preferences.hpp"
 #include "prism/syntax/printer.hpp"
 #include "prism/syntax/reader.hpp"
-#include "prism/emit/preferences.hpp"
 #include "tests/contents.hpp"
-#include "tests/prism/emit/structure.hpp"
 #include "tests/prism/assertions/models.hpp"
+#include "tests/prism/emit/structure.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::probability {
@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::load;
-using testing::robotool;
-using testing::text;
+using testing::robotool_rows;
+using testing::rows_text;
 
 /// A coin that is thrown until it shows heads. Its Markov chain visits the initial node, Ready, the junction, then
 /// Heads (with probability p) or Ready again. Each visit is one step. `stop` comes from the platform, and no other
@@ -53,28 +53,29 @@ const char* const coin = R"(package coin
 std::vector<Row> asked(const std::string& assertions, const std::string& name = "P",
                        const RoboToolOptions& options = testing::small_ranges(), bool exact = true) {
     const auto loaded = load({{"coin.rct", coin}, {"coin.assertions", "import coin::*\n" + assertions}});
-    return robotool(*loaded, name, options, {1e-6, exact});
+    return robotool_rows(*loaded, name, options, {1e-6, exact});
 }
 
 const std::string half = " with constants Game::hand::thrower::p set to 0.5";
 
 TEST(RoboToolChain, IsAskedForValuesAndTruths) {
     const std::string heads = "Game::hand::thrower is in Game::hand::thrower::Heads";
-    EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 1");
-    EXPECT_EQ(text(asked("prob property P: Prob>=0.9 of [Finally " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob>=0.9 of [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: true");
     // The chain has four steps: to Ready, to the junction, to Heads_entering, to Heads.
-    EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally <=3 " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally <=3 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 0");
-    EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally <=4 " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally <=4 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 0.5");
-    EXPECT_EQ(text(asked("prob property P: Prob<0.5 of [Finally <5 " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob<0.5 of [Finally <5 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: false");
-    EXPECT_EQ(text(asked("prob property P: Forall [Finally " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Forall [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: false")
         << "it may come up tails for ever";
-    EXPECT_EQ(text(asked("prob property P: not Exists [Finally deadlock]" + half)), "Game::hand::thrower::p=0.5: true");
+    EXPECT_EQ(rows_text(asked("prob property P: not Exists [Finally deadlock]" + half)),
+              "Game::hand::thrower::p=0.5: true");
 }
 
 TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
@@ -84,7 +85,7 @@ TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
         "label heads = Game::table::side == Side::Head /\\ Game::hand::thrower is in Heads\n"
         "prob property P: Prob=? of [Finally <=k #heads] with constants Few";
     // After 4 steps there was one throw, after 6 steps two.
-    EXPECT_EQ(text(asked(few)),
+    EXPECT_EQ(rows_text(asked(few)),
               "Game::hand::thrower::p=0.5, k=4: 0.5\n"
               "Game::hand::thrower::p=0.5, k=6: 0.75\n"
               "Game::hand::thrower::p=0.5, k=8: 0.875\n"
@@ -95,24 +96,24 @@ TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
 
 TEST(RoboToolChain, EarnsRewards) {
     // A fair coin needs 1 / 0.5 throws until heads.
-    EXPECT_EQ(text(asked("rewards throws = [Game::hand::thrower::throw.in] true : 1; endrewards\n"
-                         "prob property P: Reward {throws} =? of [Reachable Game::hand::thrower is in Heads]" +
-                         half)),
+    EXPECT_EQ(rows_text(asked("rewards throws = [Game::hand::thrower::throw.in] true : 1; endrewards\n"
+                              "prob property P: Reward {throws} =? of [Reachable Game::hand::thrower is in Heads]" +
+                              half)),
               "Game::hand::thrower::p=0.5: 2");
-    EXPECT_EQ(text(asked("rewards throws = [Game::table::throw.out] true : 1; endrewards\n"
-                         "prob property P: Reward {throws} =? of [Cumul 5]" +
-                         half)),
+    EXPECT_EQ(rows_text(asked("rewards throws = [Game::table::throw.out] true : 1; endrewards\n"
+                              "prob property P: Reward {throws} =? of [Cumul 5]" +
+                              half)),
               "Game::hand::thrower::p=0.5: 2")
         << "the second step throws; after tails the fourth does, after heads the fifth, which leaves Heads";
-    EXPECT_EQ(text(asked("const c : core::nat rewards waits = Game::hand::thrower is in Ready : c; endrewards\n"
-                         "prob property P: Reward {waits} =? of [Reachable Game::hand::thrower is in Heads]"
-                         " with constants c set to 3, Game::hand::thrower::p set to 0.5")),
+    EXPECT_EQ(rows_text(asked("const c : core::nat rewards waits = Game::hand::thrower is in Ready : c; endrewards\n"
+                              "prob property P: Reward {waits} =? of [Reachable Game::hand::thrower is in Heads]"
+                              " with constants c set to 3, Game::hand::thrower::p set to 0.5")),
               "c=3, Game::hand::thrower::p=0.5: 6");
 }
 
 TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
     EXPECT_EQ(
-        text(asked(
+        rows_text(asked(
             "formula ready = Game::hand::thrower is in Ready\n"
             "defs D: pfunction twice(x) = { return $$x + $$x } pfunction quad(x) = { return &twice(&twice($$x)) }\n"
             "prob property P: Prob=? of [Finally <=4 (not $ready) /\\ "
@@ -120,28 +121,29 @@ TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
             half + " with definitions D")),
         "Game::hand::thrower::p=0.5: 0.5");
     // The observer counts to 2 throws and refuses a third, so the coin shows heads at the first or second throw.
-    EXPECT_EQ(text(asked("pmodules M: pmodule Count { n : [0 to 2] init 0; "
-                         "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
-                         "prob property P: Prob=? of [Finally Game::hand::thrower is in Heads /\\ @M::Count::n <= 2]" +
-                         half + " with modules M")),
-              "Game::hand::thrower::p=0.5: 0.75");
-    EXPECT_EQ(text(asked("pmodules M: pmodule Flip { up : bool init false; "
-                         "[Game::table::throw.out] not @up -> (0.25 : @up = true) & (0.75 : @up = false); }\n"
-                         "prob property P: Prob=? of [Finally <=2 @M::Flip::up] with modules M" +
-                             std::string(),
-                         "P",
-                         [] {
-                             RoboToolOptions options = testing::small_ranges();
-                             options.constants["thrower::p"] = "0.5";
-                             return options;
-                         }())),
+    EXPECT_EQ(
+        rows_text(asked("pmodules M: pmodule Count { n : [0 to 2] init 0; "
+                        "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
+                        "prob property P: Prob=? of [Finally Game::hand::thrower is in Heads /\\ @M::Count::n <= 2]" +
+                        half + " with modules M")),
+        "Game::hand::thrower::p=0.5: 0.75");
+    EXPECT_EQ(rows_text(asked("pmodules M: pmodule Flip { up : bool init false; "
+                              "[Game::table::throw.out] not @up -> (0.25 : @up = true) & (0.75 : @up = false); }\n"
+                              "prob property P: Prob=? of [Finally <=2 @M::Flip::up] with modules M" +
+                                  std::string(),
+                              "P",
+                              [] {
+                                  RoboToolOptions options = testing::small_ranges();
+                                  options.constants["thrower::p"] = "0.5";
+                                  return options;
+                              }())),
               "0.25");
 }
 
 TEST(RoboToolChain, InnerStatesAreAskedFor) {
-    EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally Game::hand::thrower is in "
-                         "Game::hand::thrower::Again::Inner]" +
-                         half)),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally Game::hand::thrower is in "
+                              "Game::hand::thrower::Again::Inner]" +
+                              half)),
               "Game::hand::thrower::p=0.5: 1");
 }
 
@@ -162,17 +164,18 @@ TEST(RoboToolChain, IsSampled) {
     EXPECT_EQ(same.front().results.front().estimate->hits, result.estimate->hits);
     const auto apmc = asked("prob property P: " + sampled + "APMC at epsilon=0.1, delta=0.01, and pathlen=100" + half);
     EXPECT_EQ(apmc.front().results.front().estimate->samples, 265u) << "ln(200) / 0.02";
-    EXPECT_EQ(text(asked("prob property P: Prob>=0.9 of [Finally <=4 Game::hand::thrower is in Heads] using sim with "
-                         "SPRT at delta=0.05, alpha=0.001, and pathlen=100" +
-                         half)),
-              "Game::hand::thrower::p=0.5: false");
-    EXPECT_EQ(text(asked("prob property P: " + sampled + "CI at n=10, alpha=0.01, and pathlen=3" + half)),
+    EXPECT_EQ(
+        rows_text(asked("prob property P: Prob>=0.9 of [Finally <=4 Game::hand::thrower is in Heads] using sim with "
+                        "SPRT at delta=0.05, alpha=0.001, and pathlen=100" +
+                        half)),
+        "Game::hand::thrower::p=0.5: false");
+    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "CI at n=10, alpha=0.01, and pathlen=3" + half)),
               "Game::hand::thrower::p=0.5: not decided: path 1 is open after 3 steps (path=3)");
-    EXPECT_EQ(text(asked("prob property P: " + sampled + "CI at n=10, alpha=2, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "CI at n=10, alpha=2, and pathlen=3" + half)),
               "Game::hand::thrower::p=0.5: `using sim with`: confidence=2: expected a number between 0 and 1");
-    EXPECT_EQ(text(asked("prob property P: " + sampled + "SPRT at n=10, alpha=0.1, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "SPRT at n=10, alpha=0.1, and pathlen=3" + half)),
               "`sim with SPRT` has no parameter `n`: alpha, delta, pathlen");
-    EXPECT_EQ(text(asked("prob property P: not " + sampled + "CI at n=10, alpha=0.1, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: not " + sampled + "CI at n=10, alpha=0.1, and pathlen=3" + half)),
               "`using sim` inside another expression: random paths answer one probability or reward");
 }
 
@@ -183,12 +186,12 @@ TEST(RoboToolChain, IsSampledWithExpressions) {
               "CI at pathlen=(if k > 1 then 100 else 3 end), n=10*k + 5, and alpha=Game::hand::thrower::p/50" + half +
               ", k from set {1, 2}");
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(text({rows.front()}),
+    EXPECT_EQ(rows_text({rows.front()}),
               "Game::hand::thrower::p=0.5, k=1: not decided: path 1 is open after 3 steps (path=3)");
     ASSERT_TRUE(rows.back().results.front().estimate);
     EXPECT_EQ(rows.back().results.front().estimate->samples, 25u);
     EXPECT_EQ(rows.back().results.front().estimate->alpha, 0.01);
-    EXPECT_EQ(text(asked("prob property P: " + sampled + "CI at n=5/2, alpha=0.1, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "CI at n=5/2, alpha=0.1, and pathlen=3" + half)),
               "Game::hand::thrower::p=0.5: `using sim with`: samples=2.5: expected a number from 1 on");
     const auto fault = [](const std::string& of) { return asked(of).front().error; };
     EXPECT_NE(fault("prob property P: " + sampled + "CI at n=Game::table::throws, alpha=0.1, and pathlen=3" + half), "")
@@ -222,9 +225,10 @@ TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
     EXPECT_TRUE(heads || path.steps[2].changes == "Game::hand::thrower at Ready") << path.steps[2].changes;
     EXPECT_EQ(path.steps[3].changes, heads ? "Game::hand::thrower at Heads" : "Game::hand::thrower at toss");
     EXPECT_FALSE(path.deadlock);
-    EXPECT_EQ(text(asked("prob generate path P: using simulation for deadlock with 2 repeats up to 20 steps" + half)),
-              "Game::hand::thrower::p=0.5: not decided: none of 3 paths of 20 steps comes to a deadlock");
-    EXPECT_EQ(text(asked("prob generate path P: using simulation for 1000000 steps" + half)),
+    EXPECT_EQ(
+        rows_text(asked("prob generate path P: using simulation for deadlock with 2 repeats up to 20 steps" + half)),
+        "Game::hand::thrower::p=0.5: not decided: none of 3 paths of 20 steps comes to a deadlock");
+    EXPECT_EQ(rows_text(asked("prob generate path P: using simulation for 1000000 steps" + half)),
               "Game::hand::thrower::p=0.5: a path has 100000 steps at most");
 }
 
@@ -233,10 +237,12 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
     options.preferences.kind = prism::ModelKind::mdp;
     options.constants["p"] = "0.5";
     // This model has no nondeterminism, so all schedulers agree.
-    EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
-              "0.5 to 0.5");
-    EXPECT_EQ(text(asked("prob property P: Prob max=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
-              "0.5");
+    EXPECT_EQ(
+        rows_text(asked("prob property P: Prob=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
+        "0.5 to 0.5");
+    EXPECT_EQ(
+        rows_text(asked("prob property P: Prob max=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
+        "0.5");
 }
 
 /// The machine counts to a limit without a value in the model, and to one beyond the limit.
@@ -262,12 +268,13 @@ TEST(RoboToolChain, RangesHoldTheConstantsThatAClaimSets) {
                                "import counter::*\n"
                                "prob property P: Prob=? of [Finally All::c::s is in Count::Done] with constants "
                                "All::c::s::limit from set {7, 20}\n"}});
-    const auto rows = robotool(*loaded, "P", testing::small_ranges(), {1e-6, true});
+    const auto rows = robotool_rows(*loaded, "P", testing::small_ranges(), {1e-6, true});
     ASSERT_EQ(rows.size(), 2U);
-    EXPECT_EQ(text(rows), "All::c::s::limit=7: 1\nAll::c::s::limit=20: 1");
+    EXPECT_EQ(rows_text(rows), "All::c::s::limit=7: 1\nAll::c::s::limit=20: 1");
     RoboToolOptions asked = testing::small_ranges();
     asked.preferences.integer.asked = true;
-    EXPECT_NE(robotool(*loaded, "P", asked, {1e-6, true}).front().error.find("outside its range"), std::string::npos)
+    EXPECT_NE(robotool_rows(*loaded, "P", asked, {1e-6, true}).front().error.find("outside its range"),
+              std::string::npos)
         << "the user's own range stays";
 }
 
@@ -328,8 +335,8 @@ TEST(RoboToolChain, LiesBetweenTheSchedulersOfItsText) {
     RoboToolOptions as_mdp = testing::small_ranges();
     as_mdp.preferences.kind = prism::ModelKind::mdp;
     for (const std::string name : {"First", "Soon", "Calls"}) {
-        const auto chain = robotool(*loaded, name, testing::small_ranges(), {1e-9, false});
-        const auto all = robotool(*loaded, name, as_mdp, {1e-9, false});
+        const auto chain = robotool_rows(*loaded, name, testing::small_ranges(), {1e-9, false});
+        const auto all = robotool_rows(*loaded, name, as_mdp, {1e-9, false});
         ASSERT_EQ(chain.front().error + all.front().error, "");
         ASSERT_EQ(all.front().results.size(), 2u);
         const auto value = chain.front().results.front().low.bounds();
@@ -344,24 +351,24 @@ TEST(RoboToolChain, LiesBetweenTheSchedulersOfItsText) {
 }
 
 TEST(RoboToolChain, WhatHasNoCounterpartIsRefusedByName) {
-    const auto refusal = [](const std::string& property) { return text(asked("prob property P: " + property)); };
+    const auto refusal = [](const std::string& property) { return rows_text(asked("prob property P: " + property)); };
     EXPECT_EQ(refusal("Prob=? of [Finally deadlock]"),
               "the constant Game::hand::thrower::p has no value: give it one `with constants` or by --const");
     EXPECT_EQ(refusal("Prob=? of [Finally Thrower is in Thrower::Heads]"),
               "RoboTool's encoding has no state `Thrower::Heads`");
     EXPECT_EQ(refusal("Prob=? of [Finally Game::hand::thrower::throw.in.val == 0]"),
               "RoboTool's encoding has no value `Game::hand::thrower::throw.in`");
-    EXPECT_EQ(text(asked("formula f = $g formula g = $f prob property P: Prob=? of [Finally $f]")),
+    EXPECT_EQ(rows_text(asked("formula f = $g formula g = $f prob property P: Prob=? of [Finally $f]")),
               "a definition that uses itself");
-    EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
-                         "Game::hand::thrower::p from set {0.5 to 0.1}")),
+    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
+                              "Game::hand::thrower::p from set {0.5 to 0.1}")),
               "Game::hand::thrower::p: c=0.5:1:0.1: the range is empty");
 }
 
 TEST(RoboToolChain, MistakesOfAProbabilityHaveTheState) {
     const std::string found =
-        text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
-                   "Game::hand::thrower::p set to 2"));
+        rows_text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
+                        "Game::hand::thrower::p set to 2"));
     EXPECT_NE(found.find("2 is no probability"), std::string::npos) << found;
     EXPECT_NE(found.find("in the state"), std::string::npos) << found;
 }
@@ -377,20 +384,21 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
     std::map<std::string, std::string> result;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".rct" || entry.path().extension() == ".assertions")
-            result[fs::relative(entry.path(), folder).string()] = tests::contents(entry.path());
+            result[fs::relative(entry.path(), folder).string()] = tests::read_contents(entry.path());
     return result;
 }
 
 RoboToolOptions preferences_of(const fs::path& folder) {
     RoboToolOptions options;
-    EXPECT_EQ(prism_emit::read_preferences(tests::contents(folder / "prism-gen/rc2prism.prefs"), options.preferences),
-              "");
+    EXPECT_EQ(
+        prism_emit::read_preferences(tests::read_contents(folder / "prism-gen/rc2prism.prefs"), options.preferences),
+        "");
     return options;
 }
 
 /// The recorded value for a set of constants and t.
 double recorded(const fs::path& folder, const std::string& set, const std::string& t) {
-    std::istringstream lines(tests::contents(folder / "EXPECTED.tsv"));
+    std::istringstream lines(tests::read_contents(folder / "EXPECTED.tsv"));
     for (std::string line; std::getline(lines, line);) {
         std::istringstream cells(line);
         std::vector<std::string> row;
@@ -410,7 +418,7 @@ TEST(UvcAssertions, GiveTheRecordedValue) {
     const auto range = config.find("{1 to 19 by step 1}", begin);
     config.replace(range, std::string("{1 to 19 by step 1}").size(), "{5}");
     const auto loaded = load(files);
-    const auto rows = robotool(*loaded, "P_dangerous_C20_noOds_delibrate", preferences_of(folder));
+    const auto rows = robotool_rows(*loaded, "P_dangerous_C20_noOds_delibrate", preferences_of(folder));
     ASSERT_EQ(rows.size(), 1u);
     ASSERT_EQ(rows.front().error, "");
     EXPECT_EQ(rows.front().states, 497'567u);
@@ -425,7 +433,7 @@ TEST(UvcAssertions, GiveTheRecordedValue) {
 prism::ModelFile read(const fs::path& path) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
-    const auto source = sources.add(path.string(), tests::contents(path));
+    const auto source = sources.add(path.string(), tests::read_contents(path));
     prism::ModelFile model = prism::read_model(sources, source, findings);
     EXPECT_TRUE(findings.ok()) << path;
     return model;
@@ -450,11 +458,11 @@ std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::st
 Question hvc_question(const testing::Loaded& loaded, const fs::path& folder, const std::string& name,
                       prism::ModelFile& model) {
     const Assertions all(loaded.model);
-    const testing::Claim asked = testing::claim(loaded, name);
+    const testing::Claim asked = testing::find_claim(loaded, name);
     RoboToolEncoding encoding(loaded.system, loaded.system.modules.front(), preferences_of(folder),
-                              functions(all, *asked.file, *asked.assertion));
-    Question question = translate(all, *asked.file, *asked.assertion, encoding.elements());
-    model = encoding.model(question);
+                              functions_of(all, *asked.file, *asked.assertion));
+    Question question = translate_assertion(all, *asked.file, *asked.assertion, encoding.elements());
+    model = encoding.model_for(question);
     return question;
 }
 
@@ -465,7 +473,7 @@ TEST(HvcAssertions, DefineTheFunctionsOfTheModel) {
     const auto loaded = load(files_in(folder));
     prism::ModelFile model;
     (void)hvc_question(*loaded, folder, "P_deadlock_free", model);
-    const auto found = prism_emit::testing::differences(read(folder / "prism-gen/P4.prism"), model);
+    const auto found = prism_emit::testing::find_differences(read(folder / "prism-gen/P4.prism"), model);
     EXPECT_TRUE(found.empty()) << found.size() << " differences, the first: " << found.front();
 }
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "prism/session/evaluator.hpp"
 #include "base/diagnostics/splitmix64.hpp"
+#include "prism/session/evaluator.hpp"
 #include "tests/prism/support.hpp"
 
 namespace robochart::prism {
@@ -32,7 +32,7 @@ std::string atom(Random& random, int size) {
     return text + ")";
 }
 
-std::string bound(Random& random) {
+std::string random_bound(Random& random) {
     switch (random.below(8)) {
         case 0:
             return "<=" + std::to_string(random.below(4));
@@ -63,15 +63,15 @@ std::string formula(Random& random, int size, int depth) {
         case 5:
             return "X " + a;
         case 6:
-            return "F" + bound(random) + " " + a;
+            return "F" + random_bound(random) + " " + a;
         case 7:
-            return "G" + bound(random) + " " + a;
+            return "G" + random_bound(random) + " " + a;
         case 8:
-            return a + " U" + bound(random) + " " + b;
+            return a + " U" + random_bound(random) + " " + b;
         case 9:
-            return a + " W" + bound(random) + " " + b;
+            return a + " W" + random_bound(random) + " " + b;
         default:
-            return a + " R" + bound(random) + " " + b;
+            return a + " R" + random_bound(random) + " " + b;
     }
 }
 

@@ -7,23 +7,23 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "prism/checks/check.hpp"
-#include "prism/session/experiment.hpp"
-#include "prism/explore/state_space.hpp"
-#include "prism/session/session.hpp"
-#include "prism/syntax/printer.hpp"
-#include "prism/syntax/reader.hpp"
 #include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
+#include "prism/checks/check.hpp"
+#include "prism/explore/state_space.hpp"
+#include "prism/session/experiment.hpp"
+#include "prism/session/session.hpp"
+#include "prism/syntax/printer.hpp"
+#include "prism/syntax/reader.hpp"
 #include "semantics/lower/lower.hpp"
 
 namespace robochart::prism_emit::testing {
 
 std::string Encoded::codes() const {
     std::set<std::string> codes;
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
         if (each.rule->severity == diagnostics::Severity::error) codes.emplace(each.rule->code);
     std::string result;
     for (const std::string& each : codes) result += (result.empty() ? "" : " ") + each;
@@ -51,11 +51,11 @@ Preferences small_ranges() {
     return {{0, 2}, {0, 2}, {0, 2}, prism::ModelKind::dtmc};
 }
 
-std::unique_ptr<Encoded> encoded(const std::string& text, const Preferences& ranges) {
-    return encoded({{"model.rct", text}}, ranges);
+std::unique_ptr<Encoded> encode_model(const std::string& text, const Preferences& ranges) {
+    return encode_model({{"model.rct", text}}, ranges);
 }
 
-std::unique_ptr<Encoded> encoded(const std::map<std::string, std::string>& files, const Preferences& ranges) {
+std::unique_ptr<Encoded> encode_model(const std::map<std::string, std::string>& files, const Preferences& ranges) {
     auto result = std::make_unique<Encoded>();
     frontend::Model parsed;
     for (const auto& [path, text] : files)
@@ -76,7 +76,7 @@ namespace {
 class Explored {
 public:
     Explored(const Encoded& encoded, const std::map<std::string, std::string>& constants) {
-        const auto source = sources_.add("model.prism", text(*encoded.emission));
+        const auto source = sources_.add("model.prism", file_text(*encoded.emission));
         model_ = prism::check_model(prism::read_model(sources_, source, diagnostics_), diagnostics_);
         if (!model_) throw std::runtime_error(report());
         std::vector<prism::Series> series;
@@ -89,7 +89,7 @@ public:
 
     [[nodiscard]] const prism::StateSpace& space() const { return *space_; }
 
-    double value(const std::string& property) {
+    double evaluate_property(const std::string& property) {
         const auto source = sources_.add("properties", property);
         const auto properties =
             prism::check_properties(*model_, prism::read_properties(sources_, source, diagnostics_), diagnostics_);
@@ -116,7 +116,7 @@ Size size_of(const Encoded& encoded, const std::map<std::string, std::string>& c
 
 double value_of(const Encoded& encoded, const std::map<std::string, std::string>& constants,
                 const std::string& property) {
-    return Explored(encoded, constants).value(property);
+    return Explored(encoded, constants).evaluate_property(property);
 }
 
 }  // namespace robochart::prism_emit::testing

@@ -30,9 +30,10 @@ struct Encoded {
 [[nodiscard]] Preferences small_ranges();
 
 /// The only module of a text, or of the files of a folder by name.
-[[nodiscard]] std::unique_ptr<Encoded> encoded(const std::string& text, const Preferences& ranges = small_ranges());
-[[nodiscard]] std::unique_ptr<Encoded> encoded(const std::map<std::string, std::string>& files,
-                                               const Preferences& ranges);
+[[nodiscard]] std::unique_ptr<Encoded> encode_model(const std::string& text,
+                                                    const Preferences& ranges = small_ranges());
+[[nodiscard]] std::unique_ptr<Encoded> encode_model(const std::map<std::string, std::string>& files,
+                                                    const Preferences& ranges);
 
 /// The number of states and transitions of the model, with values for its constants.
 struct Size {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "prism/syntax/printer.hpp"
-#include "tests/prism/support.hpp"
 #include "tests/prism/emit/models.hpp"
+#include "tests/prism/support.hpp"
 
 namespace robochart::prism_emit {
 namespace {
@@ -18,7 +18,7 @@ using prism::testing::Read;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string guarded(const std::string& text) {
+std::string print_guarded(const std::string& text) {
     Read read;
     const prism::ModelFile file = prism::read_model(read.sources, read.add(text), read.diagnostics);
     EXPECT_TRUE(read.diagnostics.ok()) << read.report();
@@ -31,7 +31,7 @@ const char* const counter =
     "[] at=0 & n<limit -> (at'=1); [] at=1 -> (n'=n+1) & (at'=0); [] n=limit -> true; endmodule\n";
 
 TEST(PrismRanges, UpdatesThatMayLeaveTheirRangeAreGuarded) {
-    const std::string text = guarded(counter);
+    const std::string text = print_guarded(counter);
     EXPECT_THAT(text, HasSubstr("[] at = 1 & n + 1 <= 3 -> (n' = n + 1) & (at' = 0);"));
     EXPECT_THAT(text, HasSubstr("label \"out_of_range\" = at = 1 & !n + 1 <= 3;"));
     const Explored before(counter);
@@ -42,7 +42,7 @@ TEST(PrismRanges, UpdatesThatMayLeaveTheirRangeAreGuarded) {
 }
 
 TEST(PrismRanges, WhatStaysInItsRangeHasNoGuard) {
-    const std::string text = guarded(
+    const std::string text = print_guarded(
         "dtmc const int k = 3; module M n : [0..3]; m : [-1..4]; b : bool;\n"
         "[] n=k -> (n'=k) & (m'=n+1) & (b'=!b); [] n<k -> (m'=n-1) & (n'=b ? 0 : k); endmodule\n");
     EXPECT_THAT(text, Not(HasSubstr("out_of_range")));
@@ -51,7 +51,7 @@ TEST(PrismRanges, WhatStaysInItsRangeHasNoGuard) {
 
 /// The constant may have any value, and a branch of probability 0 has no effect.
 TEST(PrismRanges, OpenConstantsAndBranchesAreGuarded) {
-    const std::string text = guarded(
+    const std::string text = print_guarded(
         "dtmc const int k; const double p; module M n : [0..3];\n"
         "[] n=0 -> p : (n'=k) + 1-p : true; endmodule\n");
     EXPECT_THAT(text, HasSubstr("n = 0 & (p = 0 | k >= 0 & k <= 3) ->"));
@@ -59,7 +59,7 @@ TEST(PrismRanges, OpenConstantsAndBranchesAreGuarded) {
 
 /// The label is true where a guard suppresses a step of both modules, and false where N is not ready for the step.
 TEST(PrismRanges, TheLabelAsksWhetherOthersTakePart) {
-    const std::string text = guarded(
+    const std::string text = print_guarded(
         "dtmc module M n : [0..1]; [a] true -> (n'=n+1); endmodule\n"
         "module N m : [0..1]; [a] m=0 -> (m'=1); [] m=1 -> true; endmodule\n");
     EXPECT_THAT(text, HasSubstr("label \"out_of_range\" = m = 0 & !n + 1 <= 1;"));
@@ -74,9 +74,9 @@ const char* const ascending =
     "controller C { sref s = S }\nmodule M { rref r = R cref c = C }\n";
 
 TEST(PrismRanges, FilesSayWhatWasLeftOut) {
-    const auto model = testing::encoded(ascending);
+    const auto model = testing::encode_model(ascending);
     ASSERT_TRUE(model->emission) << model->report();
-    const std::string written = text(*model->emission);
+    const std::string written = file_text(*model->emission);
     EXPECT_THAT(written, HasSubstr("// Steps that would leave the range of a variable are left out in states with"));
     EXPECT_THAT(written, HasSubstr("M_c_s_n + 1 <= 2"));
     const Explored found(written);

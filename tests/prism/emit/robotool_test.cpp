@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "prism/syntax/reader.hpp"
 #include "base/diagnostics/render.hpp"
 #include "prism/emit/preferences.hpp"
+#include "prism/syntax/reader.hpp"
 #include "tests/contents.hpp"
 #include "tests/prism/emit/models.hpp"
 #include "tests/prism/emit/structure.hpp"
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using testing::Encoded;
 using testing::Size;
 
-fs::path suite(const std::string& name) {
+fs::path suite_file(const std::string& name) {
     const fs::path shared = tests::shared_folder();
     return shared.empty() ? fs::path() : shared / "suite/prism" / name;
 }
@@ -30,27 +30,27 @@ std::map<std::string, std::string> models_in(const fs::path& folder) {
     std::map<std::string, std::string> result;
     for (const auto& entry : fs::directory_iterator(folder))
         if (entry.path().extension() == ".rct")
-            result[entry.path().filename().string()] = tests::contents(entry.path());
+            result[entry.path().filename().string()] = tests::read_contents(entry.path());
     return result;
 }
 
 Preferences preferences_of(const fs::path& folder) {
     Preferences result;
-    EXPECT_EQ(read_preferences(tests::contents(folder / "prism-gen/rc2prism.prefs"), result), "");
+    EXPECT_EQ(read_preferences(tests::read_contents(folder / "prism-gen/rc2prism.prefs"), result), "");
     return result;
 }
 
-prism::ModelFile read(const fs::path& path) {
+prism::ModelFile read_model_file(const fs::path& path) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    const auto source = sources.add(path.string(), tests::contents(path));
+    const auto source = sources.add(path.string(), tests::read_contents(path));
     prism::ModelFile model = prism::read_model(sources, source, diagnostics);
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
     return model;
 }
 
-std::unique_ptr<Encoded> uvc(const fs::path& folder) {
-    return testing::encoded(models_in(folder), preferences_of(folder));
+std::unique_ptr<Encoded> encode_uvc(const fs::path& folder) {
+    return testing::encode_model(models_in(folder), preferences_of(folder));
 }
 
 std::string first_ones(const std::vector<std::string>& differences) {
@@ -60,28 +60,29 @@ std::string first_ones(const std::vector<std::string>& differences) {
 }
 
 TEST(RoboTool, UvcIsItsModelUpToNamesAndOrder) {
-    const fs::path folder = suite("uvc");
+    const fs::path folder = suite_file("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
-    const auto model = uvc(folder);
+    const auto model = encode_uvc(folder);
     ASSERT_TRUE(model->emission) << model->report();
-    const auto found = testing::differences(read(folder / "prism-gen/system.prism"), model->emission->model);
+    const auto found =
+        testing::find_differences(read_model_file(folder / "prism-gen/system.prism"), model->emission->model);
     EXPECT_TRUE(found.empty()) << first_ones(found);
 }
 
 TEST(RoboTool, AnyOtherCommandIsADifference) {
-    const fs::path folder = suite("uvc");
+    const fs::path folder = suite_file("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
-    const prism::ModelFile model = read(folder / "prism-gen/system.prism");
-    EXPECT_TRUE(testing::differences(model, model).empty());
+    const prism::ModelFile model = read_model_file(folder / "prism-gen/system.prism");
+    EXPECT_TRUE(testing::find_differences(model, model).empty());
     prism::ModelFile other = model;
     other.modules.front().commands.pop_back();
-    EXPECT_FALSE(testing::differences(model, other).empty()) << "a command less";
+    EXPECT_FALSE(testing::find_differences(model, other).empty()) << "a command less";
     other = model;
     other.modules.front().commands.front().branches.front().assignments.pop_back();
-    EXPECT_FALSE(testing::differences(model, other).empty()) << "an assignment less";
+    EXPECT_FALSE(testing::find_differences(model, other).empty()) << "an assignment less";
     other = model;
     other.modules.front().commands.front().action.text = "";
-    EXPECT_FALSE(testing::differences(model, other).empty()) << "no label";
+    EXPECT_FALSE(testing::find_differences(model, other).empty()) << "no label";
 }
 
 /// The functions as RoboTool's assertions of this case study define them (`defs D1`).
@@ -99,13 +100,14 @@ void define_functions(std::map<std::string, std::string>& files) {
 }
 
 TEST(RoboTool, HvcIsItsModelUpToNamesAndOrder) {
-    const fs::path folder = suite("robotool/hvc");
+    const fs::path folder = suite_file("robotool/hvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
     auto files = models_in(folder);
     define_functions(files);
-    const auto model = testing::encoded(files, preferences_of(folder));
+    const auto model = testing::encode_model(files, preferences_of(folder));
     ASSERT_TRUE(model->emission) << model->report();
-    const auto found = testing::differences(read(folder / "prism-gen/P4.prism"), model->emission->model);
+    const auto found =
+        testing::find_differences(read_model_file(folder / "prism-gen/P4.prism"), model->emission->model);
     EXPECT_TRUE(found.empty()) << first_ones(found);
 }
 
@@ -117,7 +119,7 @@ struct Row {
 
 std::map<std::string, Row> expected_sizes(const fs::path& table) {
     std::map<std::string, Row> result;
-    std::istringstream lines(tests::contents(table));
+    std::istringstream lines(tests::read_contents(table));
     std::string line;
     std::getline(lines, line);
     while (std::getline(lines, line)) {
@@ -134,9 +136,9 @@ std::map<std::string, Row> expected_sizes(const fs::path& table) {
 }
 
 TEST(RoboTool, UvcHasAsManyStatesAndTransitions) {
-    const fs::path folder = suite("uvc");
+    const fs::path folder = suite_file("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
-    const auto model = uvc(folder);
+    const auto model = encode_uvc(folder);
     ASSERT_TRUE(model->emission) << model->report();
     const auto rows = expected_sizes(folder / "EXPECTED.tsv");
     ASSERT_FALSE(rows.empty());
@@ -149,9 +151,9 @@ TEST(RoboTool, UvcHasAsManyStatesAndTransitions) {
 
 /// EXPECTED.tsv, set C20_noOds_delibrate, t=5: `reference`.
 TEST(RoboTool, UvcHasTheSameProbability) {
-    const fs::path folder = suite("uvc");
+    const fs::path folder = suite_file("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
-    const auto model = uvc(folder);
+    const auto model = encode_uvc(folder);
     ASSERT_TRUE(model->emission) << model->report();
     const auto row = expected_sizes(folder / "EXPECTED.tsv").at("C20_noOds_delibrate");
     const double found = testing::value_of(

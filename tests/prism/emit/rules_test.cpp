@@ -9,8 +9,8 @@
 namespace robochart::prism_emit {
 namespace {
 
+using testing::encode_model;
 using testing::Encoded;
-using testing::encoded;
 using ::testing::IsSupersetOf;
 using testing::Size;
 using Lines = std::vector<std::string>;
@@ -21,21 +21,21 @@ struct Parts {
     std::string machine, top, outside, inside, connections;
 };
 
-std::string text(const Parts& parts) {
+std::string model_text(const Parts& parts) {
     return parts.top + "\nrobotic platform R { " + parts.outside + " }\nstm S { initial i\n" + parts.machine +
            "\n}\ncontroller C { sref s = S " + parts.inside + " }\nmodule M { rref r = R cref c = C " +
            parts.connections + " }\n";
 }
 
 void expect_lines(const Parts& parts, const Lines& lines) {
-    const auto model = encoded(text(parts));
+    const auto model = encode_model(model_text(parts));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_THAT(model->lines("M_c_s_"), IsSupersetOf(lines));
     (void)testing::size_of(*model);  // checks that it is a PRISM model
 }
 
 void expect_size(const Parts& parts, const Size& size) {
-    const auto model = encoded(text(parts));
+    const auto model = encode_model(model_text(parts));
     ASSERT_TRUE(model->emission) << model->report();
     const Size found = testing::size_of(*model);
     EXPECT_EQ(found.states, size.states);
@@ -45,7 +45,7 @@ void expect_size(const Parts& parts, const Size& size) {
 const std::string two_states = "state A { } state B { } transition t0 { from i to A } ";
 
 TEST(Rules, R1NamesAreQualifiedByReferences) {
-    const auto model = encoded(
+    const auto model = encode_model(
         "enumeration Light { Red Green }\nrobotic platform R { }\n"
         "stm S { var l : Light = Light::Green initial i state A { } transition t0 { from i to A } }\n"
         "controller C { sref s1 = S sref s2 = S }\nmodule M { rref r = R cref c = C }\n");
@@ -53,19 +53,19 @@ TEST(Rules, R1NamesAreQualifiedByReferences) {
     EXPECT_THAT(model->lines(""),
                 IsSupersetOf(Lines{"module M_c_s1", "module M_c_s2", "const int Light_Red = 0;",
                                    "const int Light_Green = 1;", "M_c_s1_l : [0..1] init Light_Green;"}));
-    const std::string written = prism_emit::text(*model->emission);
+    const std::string written = prism_emit::file_text(*model->emission);
     EXPECT_NE(written.find("// renames of the node [M::c::s2::A] to [M_c_s2_A]\n"), std::string::npos);
 }
 
 TEST(Rules, R1NamesThatPrismReservesGetAnUnderscore) {
-    const auto model = encoded(text({"requires I state A { entry label = 1 } transition t0 { from i to A }",
-                                     "interface I { var label : nat }", "provides I", "requires I", ""}));
+    const auto model = encode_model(model_text({"requires I state A { entry label = 1 } transition t0 { from i to A }",
+                                                "interface I { var label : nat }", "provides I", "requires I", ""}));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_TRUE(model->lines("").contains("global label_ : [0..2];"));
 }
 
 TEST(Rules, R2OneModuleForEachMachineBufferAndPlatform) {
-    const auto model = encoded(
+    const auto model = encode_model(
         "robotic platform R { event go }\n"
         "stm S { event go event e initial i state A { } transition t0 { from i to A }\n"
         "  transition t1 { from A to A trigger go action e } }\n"
@@ -85,7 +85,7 @@ TEST(Rules, R3VariablesHaveRangesAndConstantsStayOpen) {
                   "interface I { var g : int }", "provides I", "requires I", ""},
                  {"global g : [0..2];", "n : [0..2];", "b : bool init true;", "r : [0..2] init 2;", "const int k = 1;",
                   "scpc_8 : [0..3] init i;", "exit_9 : [0..6] init Exit_NONE;", "lock_7 : [0..1] init LOCK_FREE;"});
-    const auto open = encoded(text({"const p : real const n : nat " + two_states, "", "", "", ""}));
+    const auto open = encode_model(model_text({"const p : real const n : nat " + two_states, "", "", "", ""}));
     EXPECT_THAT(open->lines("M_c_s_"), IsSupersetOf(Lines{"const double p;", "const int n;"}));
 }
 
@@ -223,7 +223,7 @@ std::string two_machines(const std::string& connection, const std::string& type)
 }
 
 TEST(Rules, R12ABufferLosesWhatIsOverwritten) {
-    const auto model = encoded(two_machines(" (_async)", ""));
+    const auto model = encode_model(two_machines(" (_async)", ""));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_THAT(model->lines("M_c_"),
                 IsSupersetOf(Lines{"BUF_e_17_f : bool init false;", "[OUT_BUF__e_17] true -> (BUF_e_17_f' = true);",
@@ -246,7 +246,7 @@ TEST(Rules, R12TheBufferIsOfTheConnectionNotOfThePlatform) {
 }
 
 TEST(Rules, ASynchronousConnectionIsOneLabel) {
-    const auto model = encoded(two_machines("", ""));
+    const auto model = encode_model(two_machines("", ""));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_THAT(
         model->lines("M_c_"),
@@ -257,7 +257,7 @@ TEST(Rules, ASynchronousConnectionIsOneLabel) {
 }
 
 TEST(Rules, ASynchronousConnectionThatOneMachineUsesBlocksIt) {
-    const auto model = encoded(
+    const auto model = encode_model(
         "robotic platform R { }\n"
         "stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A action e } }\n"
         "stm T { event e initial i state A { } transition t0 { from i to A } }\n"
@@ -270,7 +270,7 @@ TEST(Rules, ASynchronousConnectionThatOneMachineUsesBlocksIt) {
 }
 
 TEST(Rules, R13ABufferOfValuesTakesThreeSteps) {
-    const auto model = encoded(two_machines(" (_async)", "nat"));
+    const auto model = encode_model(two_machines(" (_async)", "nat"));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_THAT(
         model->lines("M_c_"),
@@ -312,7 +312,7 @@ TEST(Rules, R14AnOperationIsCalledAndWaitedFor) {
                       "operation add(n : nat) { var y : nat initial i final f state B { }\n"
                       "  transition t0 { from i to B } transition t1 { from B to f action y = n } }",
                       "", "opref add_ref = add", ""};
-    const auto model = encoded(text(parts));
+    const auto model = encode_model(model_text(parts));
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_THAT(
         model->lines("M_c_s_"),

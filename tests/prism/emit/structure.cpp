@@ -17,12 +17,12 @@ using prism::Op;
 using Writer = std::function<std::string(const std::string&)>;
 
 /// "odsTick_18" and "BUF_odsTick_18_f" without their numbers.
-std::string stem(const std::string& name) {
+std::string name_stem(const std::string& name) {
     static const std::regex numbers("_[0-9]+(?=_|$)");
     return std::regex_replace(name, numbers, "");
 }
 
-std::string joined(std::vector<std::string> parts, const std::string& between) {
+std::string join_sorted(std::vector<std::string> parts, const std::string& between) {
     std::ranges::sort(parts);
     std::string result;
     for (const std::string& each : parts) result += (result.empty() ? "" : between) + each;
@@ -31,16 +31,16 @@ std::string joined(std::vector<std::string> parts, const std::string& between) {
 
 void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<std::string>& result);
 
-std::string text(const ExprPtr& expr, const Writer& write) {
+std::string expression_text(const ExprPtr& expr, const Writer& write) {
     if (!expr) return "";
     if (expr->op == Op::name) return write(expr->text);
     if (expr->op == Op::conjunction || expr->op == Op::disjunction) {
         std::vector<std::string> operands;
         operands_of(expr, expr->op, write, operands);
-        return "(" + joined(operands, expr->op == Op::conjunction ? "&" : "|") + ")";
+        return "(" + join_sorted(operands, expr->op == Op::conjunction ? "&" : "|") + ")";
     }
     std::string result = "(" + std::to_string(static_cast<int>(expr->op)) + expr->text;
-    for (const ExprPtr& each : expr->parts) result += " " + text(each, write);
+    for (const ExprPtr& each : expr->parts) result += " " + expression_text(each, write);
     return result + ")";
 }
 
@@ -49,7 +49,7 @@ void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<st
     if (expr->op == op) {
         for (const ExprPtr& each : expr->parts) operands_of(each, op, write, result);
     } else if (op != Op::conjunction || expr->op != Op::boolean || expr->text != "true") {
-        result.push_back(text(expr, write));
+        result.push_back(expression_text(expr, write));
     }
 }
 
@@ -70,11 +70,12 @@ public:
             for (const prism::Command& each : module.commands) add(each, module.name.text);
         }
         for (const Item& item : items_)
-            for (const std::string& name : item.names) colours_[name] = modules_.contains(name) ? "module" : stem(name);
+            for (const std::string& name : item.names)
+                colours_[name] = modules_.contains(name) ? "module" : name_stem(name);
     }
 
     /// Refines the colour of each name by its occurrences and the colours of the other names in them.
-    void refine() {
+    void refine_colours() {
         std::map<std::string, std::vector<std::string>> places;
         for (const Item& item : items_)
             for (const std::string& name : item.names)
@@ -82,11 +83,11 @@ public:
                     item.text([&](const std::string& each) { return each == name ? "@" : colours_.at(each); }));
         std::map<std::string, std::string> finer;
         for (const auto& [name, texts] : places)
-            finer[name] = std::to_string(std::hash<std::string>()(colours_.at(name) + ":" + joined(texts, "\n")));
+            finer[name] = std::to_string(std::hash<std::string>()(colours_.at(name) + ":" + join_sorted(texts, "\n")));
         colours_ = std::move(finer);
     }
 
-    [[nodiscard]] std::size_t classes() const {
+    [[nodiscard]] std::size_t class_count() const {
         std::set<std::string> different;
         for (const auto& [name, colour] : colours_) different.insert(colour);
         return different.size();
@@ -115,7 +116,7 @@ private:
         add([constant](const Writer& write) {
             const bool number = constant.value && constant.value->op == Op::integer;
             return "const " + std::to_string(static_cast<int>(constant.type)) + write(constant.name.text) + "=" +
-                   (number ? "number" : text(constant.value, write));
+                   (number ? "number" : expression_text(constant.value, write));
         });
     }
 
@@ -123,8 +124,8 @@ private:
         add([variable, module](const Writer& write) {
             const bool point = variable.name.text.find("_scpc_") != std::string::npos;
             return "var " + (module.empty() ? "" : write(module)) + " " + write(variable.name.text) + " " +
-                   text(variable.low, write) + ".." + (point ? "" : text(variable.high, write)) + " " +
-                   text(variable.initial, write);
+                   expression_text(variable.low, write) + ".." + (point ? "" : expression_text(variable.high, write)) +
+                   " " + expression_text(variable.initial, write);
         });
     }
 
@@ -134,11 +135,11 @@ private:
             for (const prism::Branch& branch : command.branches) {
                 std::vector<std::string> assignments;
                 for (const prism::Assignment& each : branch.assignments)
-                    assignments.push_back(write(each.variable.text) + "'=" + text(each.value, write));
-                branches.push_back(text(branch.probability, write) + ":" + joined(assignments, "&"));
+                    assignments.push_back(write(each.variable.text) + "'=" + expression_text(each.value, write));
+                branches.push_back(expression_text(branch.probability, write) + ":" + join_sorted(assignments, "&"));
             }
             return write(module) + "[" + (command.action.text.empty() ? "" : write("[" + command.action.text)) + "]" +
-                   joined({text(command.guard, write)}, "") + "->" + joined(branches, "+");
+                   join_sorted({expression_text(command.guard, write)}, "") + "->" + join_sorted(branches, "+");
         });
     }
 
@@ -149,13 +150,13 @@ private:
 
 }  // namespace
 
-std::vector<std::string> differences(const prism::ModelFile& first, const prism::ModelFile& second) {
+std::vector<std::string> find_differences(const prism::ModelFile& first, const prism::ModelFile& second) {
     Structure a(first);
     Structure b(second);
-    for (std::size_t classes = 0; a.classes() + b.classes() > classes;) {
-        classes = a.classes() + b.classes();
-        a.refine();
-        b.refine();
+    for (std::size_t classes = 0; a.class_count() + b.class_count() > classes;) {
+        classes = a.class_count() + b.class_count();
+        a.refine_colours();
+        b.refine_colours();
     }
     auto left = a.items();
     auto right = b.items();

@@ -11,7 +11,7 @@ namespace robochart::prism {
 namespace {
 
 using testing::Explored;
-using testing::failure;
+using testing::failure_text;
 using ::testing::HasSubstr;
 
 std::string transitions(const Explored& model) {
@@ -57,18 +57,18 @@ TEST(PrismExplore, InitialStatesAreThoseThatSatisfyInit) {
 TEST(PrismExplore, IntsWithoutARangeHave32Bits) {
     const Explored model(
         "dtmc module M x:int init -2147483647-1; [] x<0 -> (x'=2147483647); [] x>0 -> true; endmodule");
-    EXPECT_EQ(model.space->text(0), "x=-2147483648");
-    EXPECT_EQ(model.space->text(1), "x=2147483647");
-    EXPECT_THAT(failure([] { Explored("dtmc module M x:int; [] true -> (x'=x+2147483647); endmodule"); }),
+    EXPECT_EQ(model.space->state_text(0), "x=-2147483648");
+    EXPECT_EQ(model.space->state_text(1), "x=2147483647");
+    EXPECT_THAT(failure_text([] { Explored("dtmc module M x:int; [] true -> (x'=x+2147483647); endmodule"); }),
                 HasSubstr("PRISM-E02"));
 }
 
 TEST(PrismExplore, InfinityCompares) {
     const Explored model("dtmc module M x:[0..2] init 2; [] 1/x > 5 -> true; [] x>0 -> (x'=x-1); endmodule");
     EXPECT_EQ(transitions(model), "3 3\n0 1 1\n1 2 1\n2 2 1\n");
-    EXPECT_THAT(failure([] { Explored("dtmc module M x:[0..2]; [] x/x > 5 -> true; endmodule"); }),
+    EXPECT_THAT(failure_text([] { Explored("dtmc module M x:[0..2]; [] x/x > 5 -> true; endmodule"); }),
                 HasSubstr("0/0 has no value"));
-    EXPECT_THAT(failure([] { Explored("dtmc module M x:[0..2]; [] true -> 1/x:(x'=1) + 1-1/x:true; endmodule"); }),
+    EXPECT_THAT(failure_text([] { Explored("dtmc module M x:[0..2]; [] true -> 1/x:(x'=1) + 1-1/x:true; endmodule"); }),
                 HasSubstr("Infinity is no probability"));
 }
 
@@ -94,8 +94,8 @@ TEST(PrismExplore, ManyVariablesLieInSeveralWords) {
         text += "v" + std::to_string(i) + ":[-3..9] init " + std::to_string(i % 10 - 1) + ";\n";
     const Explored model(text + "[] v39<9 -> (v39'=v39+1) & (v0'=-3); [] v39=9 -> true; endmodule");
     EXPECT_EQ(model.space->chain().states(), 2U);
-    EXPECT_THAT(model.space->text(1), HasSubstr("v0=-3, v1=0, v2=1"));
-    EXPECT_THAT(model.space->text(1), HasSubstr("v38=7, v39=9"));
+    EXPECT_THAT(model.space->state_text(1), HasSubstr("v0=-3, v1=0, v2=1"));
+    EXPECT_THAT(model.space->state_text(1), HasSubstr("v38=7, v39=9"));
 }
 
 TEST(PrismExplore, ProbabilitiesMayDependOnTheState) {
@@ -105,9 +105,10 @@ TEST(PrismExplore, ProbabilitiesMayDependOnTheState) {
 }
 
 TEST(PrismExplore, ErrorsNameTheState) {
-    EXPECT_THAT(failure([] { Explored("dtmc module M x:[0..2]; b:bool; [] true -> (x'=x+1) & (b'=true); endmodule"); }),
-                HasSubstr("in the state x=2, b=true"));
-    EXPECT_THAT(failure([] { Explored("dtmc module M x:[0..1]; [] true -> 0.5:true + 0.6:(x'=1); endmodule"); }),
+    EXPECT_THAT(
+        failure_text([] { Explored("dtmc module M x:[0..2]; b:bool; [] true -> (x'=x+1) & (b'=true); endmodule"); }),
+        HasSubstr("in the state x=2, b=true"));
+    EXPECT_THAT(failure_text([] { Explored("dtmc module M x:[0..1]; [] true -> 0.5:true + 0.6:(x'=1); endmodule"); }),
                 HasSubstr("sum to 1.1"));
 }
 
@@ -136,14 +137,14 @@ TEST(PrismExplore, FractionsAreAskedForWhereThereAreNone) {
     ExploreOptions options;
     options.exact = true;
     const char* root = "dtmc module M x:[0..1]; [] true -> pow(0.5,0.5):true + 1-pow(0.5,0.5):(x'=1); endmodule";
-    EXPECT_EQ(failure([&] { Explored(root, {}, {}); }), "");
-    EXPECT_THAT(failure([&] { Explored(root, {}, options); }), HasSubstr("error[PRISM-E13]"));
+    EXPECT_EQ(failure_text([&] { Explored(root, {}, {}); }), "");
+    EXPECT_THAT(failure_text([&] { Explored(root, {}, options); }), HasSubstr("error[PRISM-E13]"));
 }
 
 TEST(PrismExplore, ABoundOnStatesEndsIt) {
     ExploreOptions options;
     options.max_states = 10;
-    EXPECT_THAT(failure([&] {
+    EXPECT_THAT(failure_text([&] {
                     Explored("dtmc module M x:[0..99]; [] x<99 -> (x'=x+1); [] x=99 -> true; endmodule", {}, options);
                 }),
                 HasSubstr("more than 10 states"));

@@ -229,7 +229,7 @@ private:
         return result;
     }
 
-    static Distribution outcome(const Combination& commands, const State& state) {
+    static Distribution outcome_of(const Combination& commands, const State& state) {
         Distribution result{{state, 1}};
         for (const Command* command : commands) {
             Distribution next;
@@ -253,7 +253,7 @@ private:
         if (all.empty()) return {{"", {{state, 1}}}};
         Distribution mean;
         for (const auto& [action, commands] : all) {
-            const Distribution one = outcome(commands, state);
+            const Distribution one = outcome_of(commands, state);
             result.emplace(action, one);
             for (const auto& [target, probability] : one) mean[target] += probability / all.size();
         }

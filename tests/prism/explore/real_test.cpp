@@ -47,7 +47,7 @@ TEST(PrismReal, EnclosuresOfFractionsHoldThemAndAreTight) {
 TEST(PrismReal, FractionsThatGrowBecomeEnclosures) {
     Real value(Rational(1, 3));
     for (int i = 0; i < 20; ++i) value = value * value;  // 3^-(2^20)
-    EXPECT_FALSE(value.exact());
+    EXPECT_FALSE(value.is_exact());
     EXPECT_LE(value.bounds().low, 0);
     EXPECT_GT(value.bounds().high, 0);
     EXPECT_LT(value.bounds().high, 1e-300);
@@ -57,7 +57,7 @@ TEST(PrismReal, WholePowersAndLogarithmsAreExact) {
     EXPECT_EQ(logarithm(Real(std::int64_t{8}), Real(std::int64_t{2})).compare(Real(std::int64_t{3})), 0);
     EXPECT_EQ(power(Real(Rational(1, 2)), Real(std::int64_t{-3})).compare(Real(std::int64_t{8})), 0);
     const Real root = power(Real(std::int64_t{2}), Real(Rational(1, 2)));
-    EXPECT_FALSE(root.exact());
+    EXPECT_FALSE(root.is_exact());
     EXPECT_EQ((root * root).compare(Real(std::int64_t{2})), std::nullopt);
     EXPECT_EQ(root.compare(Real(Rational(141421356, 100000000))), 1);
     EXPECT_EQ(root.compare(Real(Rational(141421357, 100000000))), -1);
@@ -88,7 +88,7 @@ TEST(PrismReal, InfinityIsAValue) {
 }
 
 /// "0/0 has no value", "?" if it is unknown whether there is a value, "" if there is one.
-std::string problem(const std::function<Real()>& operation) {
+std::string problem_of(const std::function<Real()>& operation) {
     try {
         (void)operation();
         return "";
@@ -100,15 +100,15 @@ std::string problem(const std::function<Real()>& operation) {
 }
 
 TEST(PrismReal, WhatHasNoValueThrows) {
-    EXPECT_EQ(problem([] { return zero / zero; }), "0/0 has no value");
-    EXPECT_EQ(problem([] { return infinite / infinite; }), "Infinity/Infinity has no value");
-    EXPECT_EQ(problem([] { return infinite - infinite; }), "Infinity - Infinity has no value");
-    EXPECT_EQ(problem([] { return zero * infinite; }), "0 * Infinity has no value");
-    EXPECT_NE(problem([] { return logarithm(zero - two, two); }), "");
-    EXPECT_NE(problem([] { return logarithm(one, one); }), "");
-    EXPECT_NE(problem([] { return power(zero - two, half); }), "");
-    EXPECT_NE(problem([] { return power(one, infinite); }), "");
-    EXPECT_EQ(problem([] { return Real(*floor_of(infinite)); }), "Infinity is no integer");
+    EXPECT_EQ(problem_of([] { return zero / zero; }), "0/0 has no value");
+    EXPECT_EQ(problem_of([] { return infinite / infinite; }), "Infinity/Infinity has no value");
+    EXPECT_EQ(problem_of([] { return infinite - infinite; }), "Infinity - Infinity has no value");
+    EXPECT_EQ(problem_of([] { return zero * infinite; }), "0 * Infinity has no value");
+    EXPECT_NE(problem_of([] { return logarithm(zero - two, two); }), "");
+    EXPECT_NE(problem_of([] { return logarithm(one, one); }), "");
+    EXPECT_NE(problem_of([] { return power(zero - two, half); }), "");
+    EXPECT_NE(problem_of([] { return power(one, infinite); }), "");
+    EXPECT_EQ(problem_of([] { return Real(*floor_of(infinite)); }), "Infinity is no integer");
 }
 
 /// If an enclosure contains 0, the quotient may be infinite or have no value.
@@ -118,12 +118,12 @@ TEST(PrismReal, EnclosuresHoldEveryCase) {
     EXPECT_LE(quotient.low, 4);
     EXPECT_EQ(quotient.high, infinity);
     EXPECT_EQ((one / Real(Enclosure{-1, 1})).bounds(), (Enclosure{-infinity, infinity}));
-    EXPECT_EQ(problem([&] { return small / small; }), "?");
-    EXPECT_EQ(problem([&] { return zero / small; }), "?");
-    EXPECT_EQ(problem([&] { return small * infinite; }), "?");
+    EXPECT_EQ(problem_of([&] { return small / small; }), "?");
+    EXPECT_EQ(problem_of([&] { return zero / small; }), "?");
+    EXPECT_EQ(problem_of([&] { return small * infinite; }), "?");
     EXPECT_EQ(logarithm(small, two).bounds().low, -infinity);
     EXPECT_GE(logarithm(small, two).bounds().high, -2);
-    EXPECT_EQ(problem([&] { return logarithm(Real(Enclosure{-1, 1}), two); }), "?");
+    EXPECT_EQ(problem_of([&] { return logarithm(Real(Enclosure{-1, 1}), two); }), "?");
 }
 
 TEST(PrismReal, Text) {

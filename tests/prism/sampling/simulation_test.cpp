@@ -8,18 +8,18 @@
 
 #include <cmath>
 
-#include "prism/session/experiment.hpp"
 #include "prism/sampling/path_question.hpp"
-#include "tests/prism/support.hpp"
+#include "prism/session/experiment.hpp"
 #include "tests/contents.hpp"
 #include "tests/needed.hpp"
+#include "tests/prism/support.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::prism {
 namespace {
 
 using testing::Explored;
-using testing::failure;
+using testing::failure_text;
 using ::testing::HasSubstr;
 using testing::Read;
 using Kind = Result::Kind;
@@ -267,11 +267,11 @@ TEST(PrismSimulation, WhatPathsDoNotAnswerIsRefusedByName) {
 
 TEST(PrismSimulation, ErrorsOfStatesHaveTheirPlaceAndState) {
     const std::string model = "dtmc module M x:[0..2]; [] true -> (x'=x+1); endmodule";
-    const std::string text = failure([&] { (void)Sampled(model).ask("P=? [ F x=5 ]"); });
+    const std::string text = failure_text([&] { (void)Sampled(model).ask("P=? [ F x=5 ]"); });
     EXPECT_THAT(text, HasSubstr("PRISM-E03"));
     EXPECT_THAT(text, HasSubstr("x=2"));
-    EXPECT_THAT(failure([] { (void)Sampled(die).ask("P=? [ F<=-1 s=7 ]"); }), HasSubstr("PRISM-E10"));
-    EXPECT_THAT(failure([] { (void)Sampled(die).ask("P>=1.5 [ F s=7 ]"); }), HasSubstr("PRISM-E14"));
+    EXPECT_THAT(failure_text([] { (void)Sampled(die).ask("P=? [ F<=-1 s=7 ]"); }), HasSubstr("PRISM-E10"));
+    EXPECT_THAT(failure_text([] { (void)Sampled(die).ask("P>=1.5 [ F s=7 ]"); }), HasSubstr("PRISM-E14"));
 }
 
 TEST(PrismSimulation, WarningsComeOnceWhateverTheThreads) {
@@ -299,8 +299,8 @@ TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
     const auto shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");
     const auto folder = shared / "suite/prism/robotool/hvc/prism-gen";
-    const std::string text = tests::contents(folder / "P5.prism");
-    const std::string properties = tests::contents(folder / "P5.props");
+    const std::string text = tests::read_contents(folder / "P5.prism");
+    const std::string properties = tests::read_contents(folder / "P5.props");
     const struct {
         const char* state;
         double mean, resolution;  // the logs have two digits

@@ -26,7 +26,7 @@ std::optional<Counterexample> why(Explored& model, const std::string& property) 
 }
 
 /// The states of a path, and the commands of its steps.
-std::string text(const ProbablePath& path, const diagnostics::SourceManager& sources) {
+std::string path_text(const ProbablePath& path, const diagnostics::SourceManager& sources) {
     std::string result = path.from;
     for (const ProbablePath::Step& step : path.steps) result += " -" + text_of(step.by, sources) + "-> " + step.changes;
     return result;
@@ -56,8 +56,8 @@ TEST(PrismCounterexample, TheMostProbablePathsThatExceedTheBound) {
     EXPECT_EQ(found->total, (Enclosure{0.5625, 0.5625}));
     EXPECT_EQ(found->paths[0].probability, (Enclosure{0.25, 0.25}));
     EXPECT_EQ(found->paths[2].probability, (Enclosure{0.0625, 0.0625}));
-    const std::string first = text(found->paths[0], model.read.sources);
-    const std::string second = text(found->paths[1], model.read.sources);
+    const std::string first = path_text(found->paths[0], model.read.sources);
+    const std::string second = path_text(found->paths[1], model.read.sources);
     const std::string short_one = "s=0, h=false -[go] Robot (line 3), Human (line 8)-> s=2, h=true";
     const std::string long_one =
         "s=0, h=false -[go] Robot (line 3), Human (line 8)-> s=1, h=true -Robot (line 4)-> s=2";

@@ -10,7 +10,7 @@ namespace robochart::prism {
 namespace {
 
 using testing::Explored;
-using testing::failure;
+using testing::failure_text;
 
 constexpr std::string_view model_text =
     "mdp\nconst int n = 3; const double p = 0.25; formula f = x<n & (b | !b);\nglobal g : bool init false;\n"

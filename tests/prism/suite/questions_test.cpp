@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "tests/prism/support.hpp"
 #include "tests/contents.hpp"
 #include "tests/needed.hpp"
+#include "tests/prism/support.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::prism {
@@ -44,13 +44,13 @@ std::string text_of(const Result& result) {
 void expect(const fs::path& folder, const std::vector<Question>& questions) {
     for (const Question& each : questions) {
         std::string found;
-        const std::string failed = testing::failure([&] {
-            Explored model(tests::contents(folder / each.model));
+        const std::string failed = testing::failure_text([&] {
+            Explored model(tests::read_contents(folder / each.model));
             const Result enclosed = model.ask(each.property);
             const bool fractions = !model.space->chain().exact.empty();
             const Result exact = fractions ? model.ask(each.property, {1e-6, true, nullptr}) : enclosed;
             found = text_of(exact);
-            if (exact.kind == Result::Kind::number && exact.low.exact()) {
+            if (exact.kind == Result::Kind::number && exact.low.is_exact()) {
                 EXPECT_LE(Rational(enclosed.low.bounds().low), exact.low.value()) << each.property;
                 EXPECT_GE(Rational(enclosed.low.bounds().high), exact.low.value()) << each.property;
             }
@@ -95,7 +95,7 @@ TEST(PrismQuestions, UndefinedValuesAreErrorsOnlyWhereTheyAreUsed) {
 TEST(PrismQuestions, EveryChoiceCounts) {
     const fs::path all = folder("prism");
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");
-    const Explored model(tests::contents(all / "uni.prism"));
+    const Explored model(tests::read_contents(all / "uni.prism"));
     EXPECT_EQ(model.space->chain().states(), 3U);
     EXPECT_EQ(model.space->chain().choices(), 5U);
     EXPECT_EQ(model.space->transitions(), 5U);
@@ -117,7 +117,7 @@ TEST(PrismQuestions, PropertiesNeedNoSemicolons) {
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");
     testing::Read read;
     const PropertyFile file =
-        read_properties(read.sources, read.add(tests::contents(all / "newline-R.props")), read.diagnostics);
+        read_properties(read.sources, read.add(tests::read_contents(all / "newline-R.props")), read.diagnostics);
     EXPECT_EQ(read.findings(), "");
     EXPECT_EQ(file.properties.size(), 2U);
 }
@@ -126,7 +126,7 @@ TEST(PrismQuestions, RewardsOfUnknownActionsAreErrors) {
     const fs::path all = folder("prism");
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");
     const std::string found =
-        testing::failure([&] { Explored model(tests::contents(all / "reward-unknown-action.prism")); });
+        testing::failure_text([&] { Explored model(tests::read_contents(all / "reward-unknown-action.prism")); });
     EXPECT_NE(found.find("error[PRISM-T01]: action 'og' is not declared"), std::string::npos) << found;
     EXPECT_NE(found.find("did you mean 'go'?"), std::string::npos) << found;
 }
@@ -171,7 +171,7 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
                 });
     testing::Read read;
     const PropertyFile file =
-        read_properties(read.sources, read.add(tests::contents(all / "nosemi.props")), read.diagnostics);
+        read_properties(read.sources, read.add(tests::read_contents(all / "nosemi.props")), read.diagnostics);
     EXPECT_EQ(read.findings(), "");
     EXPECT_EQ(file.properties.size(), 3U);
 }

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "prism/session/experiment.hpp"
-#include "tests/prism/support.hpp"
 #include "tests/contents.hpp"
 #include "tests/needed.hpp"
+#include "tests/prism/support.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::prism {
@@ -34,7 +34,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return cells;
 }
 
-std::vector<Row> table(const fs::path& path) {
+std::vector<Row> read_table(const fs::path& path) {
     std::vector<Row> rows;
     std::ifstream lines(path);
     std::string line;
@@ -56,12 +56,12 @@ Values values(const std::string& text, const std::string& model) {
 }
 
 Explored explored(const fs::path& folder, const Row& row, const std::string& constants) {
-    const std::string model = tests::contents(folder / row.at("model"));
+    const std::string model = tests::read_contents(folder / row.at("model"));
     return Explored(model, values(constants, model));
 }
 
 /// The enclosure contains the value and is narrow.
-bool encloses(const Real& found, double wanted) {
+bool is_enclosed(const Real& found, double wanted) {
     const Enclosure bounds = found.bounds();
     if (std::isinf(wanted)) return bounds.low == wanted;
     const double slack = 1e-15 * std::abs(wanted);  // the table's values are rounded
@@ -69,7 +69,7 @@ bool encloses(const Real& found, double wanted) {
            bounds.high - bounds.low <= 1e-6 * std::max(std::abs(wanted), 1e-300);
 }
 
-double number(const std::string& text) {
+double parse_number(const std::string& text) {
     return text == "Infinity" || text == "∞" ? infinity : std::stod(text);
 }
 
@@ -78,18 +78,18 @@ bool as_wanted(const Result& found, const std::string& wanted) {
     if (wanted == "true" || wanted == "false") return found.kind == Kind::truth && found.truth == (wanted == "true");
     if (wanted.front() == '[') {
         const std::vector<std::string> ends = split(wanted.substr(1, wanted.size() - 2), ',');
-        return found.kind == Kind::range && encloses(found.low, number(ends[0])) &&
-               encloses(found.high, number(ends[1]));
+        return found.kind == Kind::range && is_enclosed(found.low, parse_number(ends[0])) &&
+               is_enclosed(found.high, parse_number(ends[1]));
     }
-    return found.kind == Kind::number && encloses(found.low, number(wanted));
+    return found.kind == Kind::number && is_enclosed(found.low, parse_number(wanted));
 }
 
 /// The first difference from the row; "" if there is none.
-std::string difference(const fs::path& folder, const Row& row, bool exact) {
+std::string find_difference(const fs::path& folder, const Row& row, bool exact) {
     const std::string& wanted = row.at("result");
     const std::string& expression = row.at("expression");
     std::string found;
-    const std::string failed = testing::failure([&] {
+    const std::string failed = testing::failure_text([&] {
         Explored model = explored(folder, row, row.at("constants"));
         if (expression == "states") {
             found = std::to_string(model.space->chain().states());
@@ -106,11 +106,11 @@ TEST(PrismSuite, HandMadeExpectations) {
     const fs::path shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");
     const fs::path folder = shared / "suite/prism/prism-tests";
-    const std::vector<Row> rows = table(folder / "EXPECTED.tsv");
+    const std::vector<Row> rows = read_table(folder / "EXPECTED.tsv");
     EXPECT_EQ(rows.size(), 92U);
     for (const Row& row : rows)
         for (const bool exact : {false, true})
-            EXPECT_EQ(difference(folder, row, exact), "")
+            EXPECT_EQ(find_difference(folder, row, exact), "")
                 << row.at("model") << " " << row.at("constants") << ": " << row.at("expression") << ", wanted "
                 << row.at("result") << (exact ? " (exact)" : "");
 }
@@ -157,12 +157,12 @@ TEST(PrismSuite, BenchmarkSet) {
     const fs::path shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");
     const fs::path folder = shared / "suite/prism/qvbs";
-    const std::vector<Row> exact_values = table(folder / "EXACT.tsv");
+    const std::vector<Row> exact_values = read_table(folder / "EXACT.tsv");
     std::map<std::pair<std::string, std::string>, std::vector<Row>> models;
     std::map<std::string, std::size_t> reasons;
     std::size_t run = 0;
     std::size_t exact_run = 0;
-    for (const Row& row : table(folder / "EXPECTED.tsv"))
+    for (const Row& row : read_table(folder / "EXPECTED.tsv"))
         if (const std::string reason = left_out(row); !reason.empty())
             ++reasons[reason];
         else
@@ -191,7 +191,7 @@ TEST(PrismSuite, BenchmarkSet) {
                     slash == std::string::npos
                         ? decimal(wanted)
                         : Rational(decimal(wanted.substr(0, slash)) / decimal(wanted.substr(slash + 1)));
-                EXPECT_TRUE(exact.low.exact() && exact.low.value() == value) << row.at("id");
+                EXPECT_TRUE(exact.low.is_exact() && exact.low.value() == value) << row.at("id");
             }
         }
     }
@@ -212,10 +212,10 @@ TEST(PrismSuite, AModelOfRoboTool) {
     const fs::path shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");
     const fs::path folder = shared / "suite/prism/uvc";
-    const std::string text = tests::contents(folder / "prism-gen/system.prism");
+    const std::string text = tests::read_contents(folder / "prism-gen/system.prism");
     std::optional<Explored> model;
     std::size_t rows = 0;
-    for (const Row& row : table(folder / "EXPECTED.tsv")) {
+    for (const Row& row : read_table(folder / "EXPECTED.tsv")) {
         if (row.at("constant_set") != "C20_noOds_delibrate") continue;
         if (!model) model.emplace(text, values(row.at("constants"), text));
         EXPECT_EQ(std::to_string(model->space->chain().states()), row.at("states"));

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "base/diagnostics/splitmix64.hpp"
-#include "tests/prism/support.hpp"
 #include "tests/needed.hpp"
+#include "tests/prism/support.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::prism {
@@ -74,7 +74,7 @@ TEST(PrismPrinter, TheModelsAtHandReadBack) {
             continue;
         Read read;
         std::string error;
-        const auto source = read.sources.load(entry.path().string(), error);
+        const auto source = read.sources.load_file(entry.path().string(), error);
         ASSERT_TRUE(source) << error;
         const std::string once = print(read_model(read.sources, *source, read.diagnostics));
         const std::string twice = print(read_model(read.sources, read.add(once), read.diagnostics));

@@ -19,19 +19,19 @@ std::string piece(const Project& project, const Cut& cut) {
 /// Whole elements, without cuts that leave a part of one.
 std::vector<Cut> elements(const Project& project) {
     std::vector<Cut> result;
-    for (Cut& cut : cuts(project)) {
+    for (Cut& cut : find_cuts(project)) {
         const bool whole_file = cut.begin == 0 && cut.end == project[cut.file].text.size();
         if (cut.replacement.empty() && !whole_file) result.push_back(std::move(cut));
     }
     return result;
 }
 
-Project without(const Project& project, Random& random) {
-    const std::vector<Cut> possible = cuts(project);
-    return possible.empty() ? project : after(project, random.pick(possible));
+Project remove_element(const Project& project, Random& random) {
+    const std::vector<Cut> possible = find_cuts(project);
+    return possible.empty() ? project : apply_cut(project, random.pick(possible));
 }
 
-Project twice(Project project, Random& random) {
+Project duplicate_element(Project project, Random& random) {
     const std::vector<Cut> possible = elements(project);
     if (possible.empty()) return project;
     const Cut& cut = random.pick(possible);
@@ -41,7 +41,7 @@ Project twice(Project project, Random& random) {
 }
 
 /// Moves or copies an element to the start of another one.
-Project elsewhere(Project project, Random& random) {
+Project move_element(Project project, Random& random) {
     const std::vector<Cut> possible = elements(project);
     if (possible.empty()) return project;
     const Cut& from = random.pick(possible);
@@ -78,7 +78,7 @@ std::vector<Word> words(const std::string& text) {
 }
 
 /// Replaces a word by another word of the project, which may mean something else here, or nothing.
-Project renamed(Project project, Random& random) {
+Project replace_word(Project project, Random& random) {
     std::string& text = project[random.below(project.size())].text;
     const std::string& source = project[random.below(project.size())].text;
     const std::vector<Word> here = words(text);
@@ -91,17 +91,17 @@ Project renamed(Project project, Random& random) {
     return project;
 }
 
-Project changed(const Project& project, Random& random) {
+Project change_project(const Project& project, Random& random) {
     switch (random.below(6)) {
         case 0:
         case 1:
-            return without(project, random);
+            return remove_element(project, random);
         case 2:
-            return twice(project, random);
+            return duplicate_element(project, random);
         case 3:
-            return elsewhere(project, random);
+            return move_element(project, random);
         case 4:
-            return renamed(project, random);
+            return replace_word(project, random);
         default:
             return violate(project, random.pick(violations()), random).value_or(project);
     }
@@ -109,9 +109,9 @@ Project changed(const Project& project, Random& random) {
 
 }  // namespace
 
-Project nearly(const Project& project, Random& random) {
+Project mutate_project(const Project& project, Random& random) {
     Project result = project;
-    for (std::size_t i = random.between(1, 3); i > 0 && !result.empty(); --i) result = changed(result, random);
+    for (std::size_t i = random.between(1, 3); i > 0 && !result.empty(); --i) result = change_project(result, random);
     return result;
 }
 

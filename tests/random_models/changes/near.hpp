@@ -9,6 +9,6 @@
 namespace robochart::random_models {
 
 /// The project with one to three such changes. The front end rejects most results, but not all.
-[[nodiscard]] Project nearly(const Project& project, Random& random);
+[[nodiscard]] Project mutate_project(const Project& project, Random& random);
 
 }  // namespace robochart::random_models

@@ -30,11 +30,11 @@ private:
         if (end - begin > replacement.size()) out_.push_back({file_, begin, end, std::move(replacement)});
     }
     void whole(diagnostics::Span span) {
-        if (span.known()) add(span.begin, span.end, "");
+        if (span.is_known()) add(span.begin, span.end, "");
     }
     /// The lines of a span, for members whose span does not include their keyword.
     void lines(diagnostics::Span span) {
-        if (!span.known()) return;
+        if (!span.is_known()) return;
         const std::size_t before = text_.substr(0, span.begin).rfind('\n');
         const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
         add(begin, std::min(text_.size(), text_.find('\n', span.end)), "");
@@ -46,14 +46,15 @@ private:
     }
 
     void expression(const Expr& expr) {
-        walk(expr,
-             [&](const Expr& part) { for_children(part, [&](const Expr& child) { replace(part.span, child.span); }); });
+        walk_tree(expr, [&](const Expr& part) {
+            for_children(part, [&](const Expr& child) { replace(part.span, child.span); });
+        });
     }
     void replace(diagnostics::Span whole, diagnostics::Span part) {
         add(whole.begin, whole.end, std::string(text_.substr(part.begin, part.end - part.begin)));
     }
     void statement(const Stmt& statement) {
-        walk(statement, [&](const Stmt& part) {
+        walk_tree(statement, [&](const Stmt& part) {
             if (part.kind != StmtKind::skip) add(part.span.begin, part.span.end, "skip");
             for (const StmtPtr& inner : part.body) replace(part.span, inner->span);
             for_expressions(part, [&](const Expr& expr) { expression(expr); });
@@ -150,7 +151,7 @@ std::size_t size_of(const Cut& cut) {
 
 }  // namespace
 
-std::vector<Cut> cuts(const Project& project) {
+std::vector<Cut> find_cuts(const Project& project) {
     const auto read = parse(project);
     std::vector<Cut> result;
     for (std::size_t i = 0; i < project.size(); ++i) Cutter(i, project[i].text, result).file(*read->model.files[i]);
@@ -158,7 +159,7 @@ std::vector<Cut> cuts(const Project& project) {
     return result;
 }
 
-Project after(const Project& project, const Cut& cut) {
+Project apply_cut(const Project& project, const Cut& cut) {
     Project result = project;
     std::string& text = result[cut.file].text;
     text.replace(cut.begin, cut.end - cut.begin, cut.replacement);
@@ -174,9 +175,9 @@ Project shrink(Project failing, const std::function<bool(const Project&)>& fails
     bool progress = true;
     while (progress) {
         progress = false;
-        std::vector<Cut> possible = cuts(failing);
+        std::vector<Cut> possible = find_cuts(failing);
         for (std::size_t i = skipped; i < possible.size() && budget > 0; ++i) {
-            Project variant = after(failing, possible[i]);
+            Project variant = apply_cut(failing, possible[i]);
             --budget;
             if (!fails(variant)) continue;
             failing = std::move(variant);

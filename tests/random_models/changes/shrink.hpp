@@ -21,8 +21,8 @@ struct Cut {
 /// All cuts of one step, the largest first: removal of a file, declaration, member, node, transition or clause;
 /// replacement of a statement by `skip` or one of its parts; replacement of an expression by one of its parts. Some
 /// variants are not well-formed.
-[[nodiscard]] std::vector<Cut> cuts(const Project& project);
-[[nodiscard]] Project after(const Project& project, const Cut& cut);
+[[nodiscard]] std::vector<Cut> find_cuts(const Project& project);
+[[nodiscard]] Project apply_cut(const Project& project, const Cut& cut);
 
 /// Cuts as long as a variant still fails, with at most `budget` calls of `fails`. The result fails.
 [[nodiscard]] Project shrink(Project failing, const std::function<bool(const Project&)>& fails,

@@ -31,7 +31,7 @@ public:
         }
     }
 
-    [[nodiscard]] const std::vector<Place>& of(Site site) const {
+    [[nodiscard]] const std::vector<Place>& places_for(Site site) const {
         switch (site) {
             case Site::file:
                 return files_;
@@ -210,7 +210,7 @@ private:
 std::optional<Project> violate(const Project& project, const Violation& violation, Random& random) {
     const auto loaded = load(project);
     const Places places(loaded->model);
-    const std::vector<Place>& candidates = places.of(violation.site);
+    const std::vector<Place>& candidates = places.places_for(violation.site);
     if (candidates.empty()) return std::nullopt;
     const Place place = random.pick(candidates);
     Filler filler(place, random);

@@ -91,8 +91,8 @@ private:
     /// always accepted.
     std::string filter(const Port& port, const std::string& peer);
     /// The text of the variable that stores an input on the port; "" if there is none.
-    std::string stored(const Port& port);
-    std::string timed();
+    std::string stored_variable(const Port& port);
+    std::string timed_statement();
     /// A number of time units.
     std::string duration();
     /// An assignable part of the variable, at any depth, with its type.

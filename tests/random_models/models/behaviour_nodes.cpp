@@ -18,14 +18,14 @@ std::string Behaviour::trigger() {
     const Port port = random_.pick(inputs);
     const std::string accepted = filter(port, "from");
     if (port.type == nullptr) return port.name + accepted;
-    const std::string variable = stored(port);
+    const std::string variable = stored_variable(port);
     return variable.empty() ? "" : port.name + accepted + "?" + variable;
 }
 
 /// A condition over variables, clocks and states of the container (TE4, TE5).
 std::string Behaviour::condition(const Nodes& nodes) {
     const std::vector<std::string> orders = {"<", "<=", ">", ">=", "=="};
-    if (!shape_.time || random_.chance(60)) return expressions_.of(*types_.boolean());
+    if (!shape_.time || random_.chance(60)) return expressions_.expression_text(*types_.boolean());
     const std::string order = random_.pick(orders);
     if (!around_.clocks.empty() && random_.chance(70)) {
         const std::string clock = random_.pick(around_.clocks);
@@ -82,10 +82,10 @@ void Behaviour::plan_junctions(Nodes& nodes) {
         }
     };
     if (shape_.junctions && random_.chance(40)) {
-        nodes.junctions.push_back(names_.local("j"));
+        nodes.junctions.push_back(names_.local_name("j"));
         split(nodes.junctions.back(), ways(), false);
         if (shape_.varied_junctions && random_.chance(30)) {
-            nodes.junctions.push_back(names_.local("j"));
+            nodes.junctions.push_back(names_.local_name("j"));
             split(nodes.junctions.back(), ways(), false);
         }
         // The first state has a transition from the initial node, unless that transition goes through the junction.
@@ -95,17 +95,17 @@ void Behaviour::plan_junctions(Nodes& nodes) {
         }
     }
     if (shape_.probabilistic && random_.chance(shape_.chance_expressions ? 30 : 15)) {
-        nodes.probabilistic.push_back(names_.local("pj"));
+        nodes.probabilistic.push_back(names_.local_name("pj"));
         split(nodes.probabilistic.back(), chances(), true);
     }
 }
 
 Behaviour::Nodes Behaviour::plan(bool must_end) {
     Nodes nodes;
-    nodes.initial = names_.local("i");
+    nodes.initial = names_.local_name("i");
     for (std::size_t i = random_.between(std::max<std::size_t>(1, shape_.states.low), shape_.states.high); i > 0; --i)
-        nodes.states.push_back(names_.local("S"));
-    if (must_end || (shape_.final_states && random_.chance(30))) nodes.finals.push_back(names_.local("F"));
+        nodes.states.push_back(names_.local_name("S"));
+    if (must_end || (shape_.final_states && random_.chance(30))) nodes.finals.push_back(names_.local_name("F"));
     nodes.steps.push_back({nodes.initial, nodes.states[0], {}, {}, {}, {}, false});
     for (std::size_t i = 1; i < nodes.states.size(); ++i)
         nodes.steps.push_back({nodes.states[random_.below(i)], nodes.states[i], {}, {}, {}, {}, true});
@@ -153,7 +153,7 @@ void Behaviour::state(Lines& out, const std::string& name, std::size_t depth) {
 /// Writes the clauses in the order of the grammar. If possible, an outgoing transition of a state waits for an event or
 /// for time.
 void Behaviour::step(Lines& out, const Nodes& nodes, const Step& step) {
-    out.open("transition " + names_.local("t"));
+    out.open("transition " + names_.local_name("t"));
     out.line("from " + step.from + " to " + step.to);
     const std::string event = step.triggered && random_.chance(85) ? trigger() : "";
     if (!event.empty()) out.line("trigger " + event);

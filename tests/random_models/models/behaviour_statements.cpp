@@ -54,12 +54,12 @@ std::string Behaviour::sequence(std::size_t depth) {
 std::string Behaviour::statement(std::size_t depth) {
     if (depth > 0 && shape_.conditionals && random_.chance(15)) return conditional(depth - 1);
     if (depth > 0 && random_.chance(5)) return "(" + sequence(depth - 1) + ")";
-    if (shape_.time && random_.chance(25)) return timed();
+    if (shape_.time && random_.chance(25)) return timed_statement();
     return simple_statement();
 }
 
 std::string Behaviour::conditional(std::size_t depth) {
-    const std::string condition = expressions_.of(*types_.boolean());
+    const std::string condition = expressions_.expression_text(*types_.boolean());
     const std::string yes = sequence(depth);
     std::string no;
     if (random_.chance(50)) no = " else " + sequence(depth);
@@ -84,7 +84,7 @@ std::string Behaviour::simple_statement() {
 
 std::string Behaviour::assignment() {
     const Named target = part_of(random_.pick(around_.writable));
-    return fmt::format("{} = {}", target.name, expressions_.of(*target.type));
+    return fmt::format("{} = {}", target.name, expressions_.expression_text(*target.type));
 }
 
 Named Behaviour::part_of(Named whole) {
@@ -115,7 +115,7 @@ std::string Behaviour::filter(const Port& port, const std::string& peer) {
     return fmt::format("[|{}{}{}|]", origin, origin.empty() || condition.empty() ? "" : " | ", condition);
 }
 
-std::string Behaviour::stored(const Port& port) {
+std::string Behaviour::stored_variable(const Port& port) {
     for (const Named& variable : around_.writable) {
         if (variable.type != port.type) continue;
         const bool qualified = shape_.qualified_names && !variable.interface.empty() && random_.chance(20);
@@ -138,7 +138,7 @@ std::string Behaviour::communication() {
         return send + port.name + accepted + sign + (selection && value.front() != '(' ? "(" + value + ")" : value);
     }
     if (!shape_.inputs_in_actions || port.type == nullptr) return {};
-    const std::string variable = stored(port);
+    const std::string variable = stored_variable(port);
     return variable.empty() ? "" : fmt::format("{}{}{}?{}", send, port.name, filter(port, "from"), variable);
 }
 
@@ -146,7 +146,7 @@ std::string Behaviour::call() {
     const Signature operation = random_.pick(around_.operations);
     std::string arguments;
     for (const DataType* type : operation.parameters) {
-        const std::string value = expressions_.of(*type);
+        const std::string value = expressions_.expression_text(*type);
         arguments += (arguments.empty() ? "" : ", ") + value;
     }
     const bool qualified = shape_.qualified_names && random_.chance(10);
@@ -161,7 +161,7 @@ std::string Behaviour::duration() {
     return known.empty() || random_.chance(70) ? expressions_.number() : random_.pick(known);
 }
 
-std::string Behaviour::timed() {
+std::string Behaviour::timed_statement() {
     const std::size_t way = random_.below(4);
     if (way == 0) return "wait(" + duration() + ")";
     if (way == 1) {

@@ -85,14 +85,14 @@ public:
     Types(Random& random, const Shape& shape, Names& names);
 
     /// A type for variables and events: a new one within the shape, or an existing one.
-    const DataType* any();
+    const DataType* any_type();
     /// A type that exists already.
-    const DataType* existing();
+    const DataType* existing_type();
     /// An existing type for a part of a product: it contains no wider numbers, so that tuples of equal type are
     /// comparable.
     const DataType* existing_part();
     /// A type that variables need not be able to have, such as the type of an argument of a toolkit's function.
-    const DataType* sought(DataType type);
+    const DataType* sought_type(DataType type);
     /// Finds types for the type variables such that `written` becomes a type that fits; returns false if there are
     /// none.
     bool unify(const frontend::TypeExpr& written, const DataType& type, TypeChoice& choice) const;
@@ -133,7 +133,7 @@ private:
 [[nodiscard]] bool is_number(const DataType& type);
 
 /// Whether a value of type `from` may be used where `to` is expected.
-[[nodiscard]] bool fits(const DataType& from, const DataType& to);
+[[nodiscard]] bool fits_type(const DataType& from, const DataType& to);
 
 /// Generates expressions over the names in scope.
 class Expressions {
@@ -146,7 +146,7 @@ public:
     bool calls = true;
 
     /// An expression that fits the type; the shape bounds its height.
-    std::string of(const DataType& type);
+    std::string expression_text(const DataType& type);
     /// Such an expression as an operand that binds at least as tightly as `level`.
     std::string operand(const DataType& type, int level);
     /// A literal, or a composition of literals.
@@ -161,7 +161,7 @@ private:
     Written common(const DataType& type, std::size_t depth);
     Written conditional(const DataType& type, std::size_t depth);
     Written let(const DataType& type, std::size_t depth);
-    Written the(const DataType& type, std::size_t depth);
+    Written definite_description(const DataType& type, std::size_t depth);
     Written application(const DataType& type, std::size_t depth);
     Written part(const DataType& type);
     Written call(const DataType& type, std::size_t depth);
@@ -176,14 +176,14 @@ private:
     Written boolean(std::size_t depth);
     Written comparison(std::size_t depth);
     Written membership(std::size_t depth);
-    Written quantified(std::size_t depth);
+    Written quantified_formula(std::size_t depth);
     Written numeric(const DataType& type, std::size_t depth);
     Written set(const DataType& type, std::size_t depth);
     Written binary(const DataType& left, const std::string& op, const DataType& right, int level, std::size_t depth);
     std::string list(const std::vector<const DataType*>& types, std::size_t depth, int level);
     std::string tuple_parts(const DataType& type, std::size_t depth);
     std::string constructor(const DataType& type, std::size_t depth);
-    std::string at(int level, const DataType& type, std::size_t depth);
+    std::string text_at_level(int level, const DataType& type, std::size_t depth);
     std::string literal_text(const DataType& type);
     std::string decimal();
     std::string interval(std::size_t depth);

@@ -41,20 +41,20 @@ bool is_number(const DataType& type) {
     return type.form == Form::nat || type.form == Form::integer || type.form == Form::real;
 }
 
-bool fits(const DataType& from, const DataType& to) {
+bool fits_type(const DataType& from, const DataType& to) {
     return &from == &to || (is_number(from) && is_number(to) && from.form < to.form);
 }
 
-std::string Expressions::of(const DataType& type) {
+std::string Expressions::expression_text(const DataType& type) {
     return operand(type, quantifier_level);
 }
 
 std::string Expressions::operand(const DataType& type, int level) {
     const std::size_t depth = random_.below(shape_.data.expression_depth + 1);
-    return at(level, type, depth);
+    return text_at_level(level, type, depth);
 }
 
-std::string Expressions::at(int level, const DataType& type, std::size_t depth) {
+std::string Expressions::text_at_level(int level, const DataType& type, std::size_t depth) {
     const Written written = make(type, depth);
     return written.level < level || random_.chance(3) ? parenthesised(written.text) : written.text;
 }
@@ -105,7 +105,7 @@ std::string Expressions::literal_text(const DataType& type) {
 std::string Expressions::list(const std::vector<const DataType*>& types, std::size_t depth, int level) {
     std::string out;
     for (const DataType* type : types) {
-        const std::string next = depth == 0 ? literal_text(*type) : at(level, *type, depth - 1);
+        const std::string next = depth == 0 ? literal_text(*type) : text_at_level(level, *type, depth - 1);
         out += (out.empty() ? "" : ", ") + next;
     }
     return out;
@@ -150,7 +150,7 @@ std::string Expressions::constructor(const DataType& type, std::size_t depth) {
 std::vector<std::string> Expressions::readable(const DataType& type) const {
     std::vector<std::string> names;
     for (const Named& named : scope)
-        if (fits(*named.type, type)) names.push_back(named.name);
+        if (fits_type(*named.type, type)) names.push_back(named.name);
     return names;
 }
 
@@ -204,42 +204,42 @@ Written Expressions::common(const DataType& type, std::size_t depth) {
     if (way == 1 && shape_.data.toolkits && calls && random_.chance(50)) return generic_call(type, depth);
     if (way == 1 && shape_.data.functions && calls) return call(type, depth);
     if (way == 2 && shape_.data.binders) return let(type, depth);
-    if (way == 3 && shape_.data.binders) return the(type, depth);
+    if (way == 3 && shape_.data.binders) return definite_description(type, depth);
     return part(type);
 }
 
 Written Expressions::conditional(const DataType& type, std::size_t depth) {
-    const std::string condition = at(quantifier_level, *types_.boolean(), depth);
-    const std::string yes = at(quantifier_level, type, depth);
-    const std::string no = at(quantifier_level, type, depth);
+    const std::string condition = text_at_level(quantifier_level, *types_.boolean(), depth);
+    const std::string yes = text_at_level(quantifier_level, type, depth);
+    const std::string no = text_at_level(quantifier_level, type, depth);
     return {fmt::format("if {} then {} else {} end", condition, yes, no), let_level};
 }
 
 Written Expressions::let(const DataType& type, std::size_t depth) {
-    const DataType& bound = *types_.existing();
-    const std::string value = at(quantifier_level, bound, depth);
+    const DataType& bound = *types_.existing_type();
+    const std::string value = text_at_level(quantifier_level, bound, depth);
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
-    const std::string body = at(cast_level, type, depth);
+    const std::string body = text_at_level(cast_level, type, depth);
     scope.pop_back();
     return {fmt::format("let {} == {} @ {}", name, value, body), let_level};
 }
 
-Written Expressions::the(const DataType& type, std::size_t depth) {
-    const std::string value = at(let_level, type, depth);
+Written Expressions::definite_description(const DataType& type, std::size_t depth) {
+    const std::string value = text_at_level(let_level, type, depth);
     const std::string name = "b" + std::to_string(bound_++);
     if (shape_.data.type_tests && random_.chance(30))
-        return {fmt::format("the {} : {} @ {}", name, types_.existing()->written, value), let_level};
+        return {fmt::format("the {} : {} @ {}", name, types_.existing_type()->written, value), let_level};
     return {fmt::format("the {0} : {1} | {0} == {2} @ {0}", name, type.written, value), let_level};
 }
 
 /// `(lambda x : T @ e)(a)`
 Written Expressions::application(const DataType& type, std::size_t depth) {
-    const DataType& bound = *types_.existing();
-    const std::string argument = at(quantifier_level, bound, depth);
+    const DataType& bound = *types_.existing_type();
+    const std::string argument = text_at_level(quantifier_level, bound, depth);
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
-    const std::string body = at(quantifier_level, type, depth);
+    const std::string body = text_at_level(quantifier_level, type, depth);
     scope.pop_back();
     return {fmt::format("(lambda {} : {} @ {})({})", name, bound.written, body, argument), select_level};
 }
@@ -250,7 +250,7 @@ Written Expressions::part(const DataType& type) {
     for (const Named& named : scope) {
         const DataType& whole = *named.type;
         for (std::size_t i = 0; i < whole.parts.size(); ++i) {
-            if (!fits(*whole.parts[i], type) || whole.form == Form::set || is_mapping(whole)) continue;
+            if (!fits_type(*whole.parts[i], type) || whole.form == Form::set || is_mapping(whole)) continue;
             const std::string place = std::to_string(i + 1);
             parts.push_back(whole.form == Form::record   ? named.name + "." + whole.labels[i]
                             : whole.form == Form::matrix ? named.name + "[1, " + place + "]"
@@ -264,9 +264,9 @@ Written Expressions::part(const DataType& type) {
 Written Expressions::call(const DataType& type, std::size_t depth) {
     std::vector<const Operator*> functions;
     for (const Operator& function : types_.functions())
-        if (fits(*function.result, type)) functions.push_back(&function);
+        if (fits_type(*function.result, type)) functions.push_back(&function);
     for (const Named& named : scope)
-        if (named.type->form == Form::function && fits(*named.type->parts[1], type) && random_.chance(50))
+        if (named.type->form == Form::function && fits_type(*named.type->parts[1], type) && random_.chance(50))
             return {named.name + "(" + list({named.type->parts[0]}, depth, quantifier_level) + ")", select_level};
     if (functions.empty()) return leaf(type);
     const Operator& function = *random_.pick(functions);
@@ -275,8 +275,8 @@ Written Expressions::call(const DataType& type, std::size_t depth) {
 
 Written Expressions::binary(const DataType& left, const std::string& op, const DataType& right, int level,
                             std::size_t depth) {
-    const std::string first = at(level, left, depth);
-    const std::string second = at(level + 1, right, depth);
+    const std::string first = text_at_level(level, left, depth);
+    const std::string second = text_at_level(level + 1, right, depth);
     return {fmt::format("{} {} {}", first, op, second), level};
 }
 
@@ -289,7 +289,7 @@ Written Expressions::boolean(std::size_t depth) {
         return random_.chance(50) ? generic_call(type, depth) : generic_comparison(depth);
     switch (random_.below(shape_.data.binders ? 9 : 8)) {
         case 0:
-            return {"not " + at(not_level, type, depth), not_level};
+            return {"not " + text_at_level(not_level, type, depth), not_level};
         case 1:
             return binary(type, "/\\", type, and_level, depth);
         case 2:
@@ -300,14 +300,14 @@ Written Expressions::boolean(std::size_t depth) {
         case 4:
             return membership(depth);
         case 8:
-            return quantified(depth);
+            return quantified_formula(depth);
         default:
             return comparison(depth);
     }
 }
 
 Written Expressions::comparison(std::size_t depth) {
-    const DataType& type = *types_.existing();
+    const DataType& type = *types_.existing_type();
     const std::vector<std::string> orders = {"<", "<=", ">", ">="};
     const bool ordered = is_number(type) && random_.chance(60);
     const std::string op = ordered ? random_.pick(orders) : random_.chance(75) ? "==" : "!=";
@@ -317,24 +317,24 @@ Written Expressions::comparison(std::size_t depth) {
 Written Expressions::membership(std::size_t depth) {
     if (!shape_.data.sets) return comparison(depth);
     if (shape_.data.naturals && random_.chance(40)) {
-        const std::string number = at(compare_level, *types_.nat(), depth);
+        const std::string number = text_at_level(compare_level, *types_.nat(), depth);
         return {number + " in " + interval(depth), compare_level};
     }
-    const DataType& type = *types_.existing();
-    const std::string element = at(compare_level, type, depth);
-    const std::string first = at(quantifier_level, type, depth);
+    const DataType& type = *types_.existing_type();
+    const std::string element = text_at_level(compare_level, type, depth);
+    const std::string first = text_at_level(quantifier_level, type, depth);
     return {fmt::format("{} in {{{}}}", element, first), compare_level};
 }
 
-Written Expressions::quantified(std::size_t depth) {
+Written Expressions::quantified_formula(std::size_t depth) {
     const std::vector<std::string> words = {"forall", "exists", "exists1"};
     const std::string word = random_.pick(words);
-    const DataType& bound = *types_.existing();
+    const DataType& bound = *types_.existing_type();
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
     std::string range;
-    if (random_.chance(50)) range = " | " + at(quantifier_level, *types_.boolean(), depth);
-    const std::string body = at(quantifier_level, *types_.boolean(), depth);
+    if (random_.chance(50)) range = " | " + text_at_level(quantifier_level, *types_.boolean(), depth);
+    const std::string body = text_at_level(quantifier_level, *types_.boolean(), depth);
     scope.pop_back();
     return {fmt::format("{} {} : {}{} @ {}", word, name, bound.written, range, body), quantifier_level};
 }
@@ -350,7 +350,7 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
             if (type.form != Form::nat) return binary(type, "-", type, plus_level, depth);
             break;
         case 2:
-            if (type.form != Form::nat) return {"-" + at(negate_level, type, depth), negate_level};
+            if (type.form != Form::nat) return {"-" + text_at_level(negate_level, type, depth), negate_level};
             break;
         case 3:
             if (type.form == Form::real) return binary(type, "/", type, times_level, depth);
@@ -358,7 +358,7 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
             break;
         case 4:
             if (!shape_.data.binders) break;
-            return {at(plus_level, type, depth) + " as " + type.written, cast_level};
+            return {text_at_level(plus_level, type, depth) + " as " + type.written, cast_level};
         default:
             break;
     }
@@ -367,8 +367,8 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
 
 /// `{a to b}`, `[a, b)` and the like.
 std::string Expressions::interval(std::size_t depth) {
-    const std::string low = at(quantifier_level, *types_.nat(), depth);
-    const std::string high = at(quantifier_level, *types_.nat(), depth);
+    const std::string low = text_at_level(quantifier_level, *types_.nat(), depth);
+    const std::string high = text_at_level(quantifier_level, *types_.nat(), depth);
     if (random_.chance(50)) return fmt::format("{{{} to {}}}", low, high);
     const bool open = random_.chance(50);
     const bool open_end = random_.chance(50);

@@ -35,7 +35,7 @@ std::vector<Generic> read_generics(const std::string& package, const std::string
 const std::vector<Generic>& toolkit_functions() {
     static const std::vector<Generic> functions = [] {
         std::vector<Generic> all;
-        for (const frontend::Toolkit& toolkit : frontend::toolkits())
+        for (const frontend::Toolkit& toolkit : frontend::all_toolkits())
             for (Generic& each : read_generics(std::string(toolkit.package), std::string(toolkit.text)))
                 all.push_back(std::move(each));
         return all;
@@ -67,7 +67,7 @@ std::string operand(const DataType& type) {
     return loose ? "(" + type.written + ")" : type.written;
 }
 
-std::string written(const DataType& type) {
+std::string written_type(const DataType& type) {
     if (type.form == Form::sequence) return "Seq(" + type.parts[0]->written + ")";
     if (type.form == Form::set) return "Set(" + type.parts[0]->written + ")";
     const std::string sign = type.form == Form::product ? " * " : type.form == Form::function ? " -> " : " <-> ";
@@ -83,7 +83,7 @@ bool is_numeric(const TypeExpr& variable) {
 
 }  // namespace
 
-const DataType* Types::sought(DataType type) {
+const DataType* Types::sought_type(DataType type) {
     for (const std::deque<DataType>* types : {&types_, &sought_})
         for (const DataType& known : *types)
             if (known.written == type.written) return &known;
@@ -107,7 +107,7 @@ bool Types::unify(const TypeExpr& written, const DataType& type, TypeChoice& cho
     }
     if (written.kind == TypeKind::name) {
         const DataType* known = basic(written.name.text());
-        return known != nullptr && fits(*known, type);
+        return known != nullptr && fits_type(*known, type);
     }
     if (form_of(written.kind) != type.form || written.args.size() != type.parts.size()) return false;
     for (std::size_t i = 0; i < type.parts.size(); ++i)
@@ -125,8 +125,8 @@ const DataType* Types::instance(const TypeExpr& expr, TypeChoice& choice) {
     DataType type;
     type.form = form_of(expr.kind);
     for (const frontend::TypeExprPtr& part : expr.args) type.parts.push_back(instance(*part, choice));
-    type.written = written(type);
-    return sought(std::move(type));
+    type.written = written_type(type);
+    return sought_type(std::move(type));
 }
 
 void Types::declare_generics() {
@@ -134,7 +134,7 @@ void Types::declare_generics() {
     const std::vector<std::string> heads = {"(p : ?X, q : Seq(?X)) : ?X", "(p : ?X -> ?Y, q : ?X) : Seq(?Y)",
                                             "(p : ?X <-> ?Y) : ?Y -> ?X", "() : Set(?X)"};
     for (std::size_t i = random_.below(3); i > 0; --i) {
-        const std::string name = names_.fresh("gen");
+        const std::string name = names_.unused_name("gen");
         const std::string head = random_.pick(heads);
         declarations_.push_back("function " + name + head + " {\n}\n");
         for (Generic& each : read_generics("", declarations_.back())) {
@@ -176,7 +176,8 @@ Written Expressions::generic_comparison(std::size_t depth) {
     TypeChoice choice;
     const DataType& result = *types_.instance(*function.result, choice);
     const std::string left = generic_call(function, choice, depth).text;
-    return {left + (random_.chance(70) ? " == " : " != ") + at(compare_level + 1, result, depth), compare_level};
+    return {left + (random_.chance(70) ? " == " : " != ") + text_at_level(compare_level + 1, result, depth),
+            compare_level};
 }
 
 /// `lambda x : A @ e`, in parentheses if it is an argument or operand; a relation is the set of its pairs.
@@ -207,10 +208,10 @@ std::string Expressions::literal_of(const DataType& type, std::size_t depth) {
 /// `e is T`, where T is the type of e, or a narrower or wider one.
 Written Expressions::type_test(std::size_t depth) {
     constexpr int cast_level = 7;
-    const DataType& type = *types_.existing();
-    const DataType& other = *types_.existing();
-    const bool related = fits(type, other) || fits(other, type);
-    const std::string value = at(cast_level + 1, type, depth);
+    const DataType& type = *types_.existing_type();
+    const DataType& other = *types_.existing_type();
+    const bool related = fits_type(type, other) || fits_type(other, type);
+    const std::string value = text_at_level(cast_level + 1, type, depth);
     return {fmt::format("{} is {}", value, related ? other.written : type.written), cast_level};
 }
 
@@ -238,7 +239,7 @@ Written Expressions::matrix(const DataType& type, std::size_t depth) {
         DataType turned = type;
         std::swap(turned.rows, turned.columns);
         turned.written = fmt::format("matrix({}, {}, {})", type.parts[0]->written, turned.rows, turned.columns);
-        return {"transpose(" + list({types_.sought(std::move(turned))}, depth + 1, -1) + ")", 13};
+        return {"transpose(" + list({types_.sought_type(std::move(turned))}, depth + 1, -1) + ")", 13};
     }
     return {constructor(type, depth), 13};
 }

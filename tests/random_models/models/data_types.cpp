@@ -13,7 +13,7 @@ std::string product_operand(const DataType& type) {
     return loose ? "(" + type.written + ")" : type.written;
 }
 
-std::string joined(const std::vector<const DataType*>& parts) {
+std::string join_parts(const std::vector<const DataType*>& parts) {
     std::string out;
     for (const DataType* part : parts) out += (out.empty() ? "" : " * ") + product_operand(*part);
     return out;
@@ -36,14 +36,14 @@ const DataType* Types::intern(DataType type) {
     return &types_.back();
 }
 
-const DataType* Types::existing() {
+const DataType* Types::existing_type() {
     const std::size_t first = shape_.data.naturals ? 0 : 2;
     const std::size_t index = random_.below(types_.size());
     return &types_[index == 1 && first > 0 ? 0 : index];
 }
 
 const DataType* Types::existing_part() {
-    const DataType* type = existing();
+    const DataType* type = existing_type();
     const bool wide = type->form == Form::sequence || type->form == Form::set || type->form == Form::vector ||
                       type->form == Form::matrix || type->form == Form::product || type->form == Form::function ||
                       type->form == Form::relation;
@@ -64,9 +64,9 @@ std::vector<Form> Types::compound_forms() const {
     return forms;
 }
 
-const DataType* Types::any() {
+const DataType* Types::any_type() {
     const std::vector<Form> forms = compound_forms();
-    if (forms.empty() || types_.size() > 12 || random_.chance(60)) return existing();
+    if (forms.empty() || types_.size() > 12 || random_.chance(60)) return existing_type();
     return compound(random_.pick(forms));
 }
 
@@ -85,11 +85,11 @@ const DataType* Types::compound(Form form) {
             return mapping(form);
         case Form::product:
             for (std::size_t i = random_.between(2, 3); i > 0; --i) type.parts.push_back(existing_part());
-            type.written = joined(type.parts);
+            type.written = join_parts(type.parts);
             return intern(std::move(type));
         case Form::sequence:
         case Form::set:
-            type.parts = {existing()};
+            type.parts = {existing_type()};
             type.written = (form == Form::set ? "Set(" : "Seq(") + type.parts[0]->written + ")";
             return intern(std::move(type));
         default:
@@ -107,8 +107,8 @@ const DataType* Types::compound(Form form) {
 const DataType* Types::given() {
     DataType type;
     type.form = Form::given;
-    type.written = names_.fresh("Token");
-    type.labels = {names_.fresh("some")};
+    type.written = names_.unused_name("Token");
+    type.labels = {names_.unused_name("some")};
     declarations_.push_back("type " + type.written + "\n");
     declarations_.push_back(fmt::format("function {}() : {} {{\n}}\n", type.labels[0], type.written));
     return intern(std::move(type));
@@ -117,15 +117,15 @@ const DataType* Types::given() {
 const DataType* Types::enumeration() {
     DataType type;
     type.form = Form::enumeration;
-    type.written = names_.fresh("Mode");
-    for (std::size_t i = random_.between(1, 4); i > 0; --i) type.labels.push_back(names_.fresh("L"));
+    type.written = names_.unused_name("Mode");
+    for (std::size_t i = random_.between(1, 4); i > 0; --i) type.labels.push_back(names_.unused_name("L"));
     std::string text = "enumeration " + type.written + " {\n";
     for (const std::string& label : type.labels) {
         std::string arguments;
         type.arguments.emplace_back();
         if (shape_.data.constructors && random_.chance(25))
             for (std::size_t i = random_.between(1, 2); i > 0; --i) {
-                type.arguments.back().push_back(any());
+                type.arguments.back().push_back(any_type());
                 arguments += (arguments.empty() ? "" : ", ") + type.arguments.back().back()->written;
             }
         text += "    " + label + (arguments.empty() ? "" : "(" + arguments + ")") + "\n";
@@ -150,12 +150,12 @@ const DataType* Types::mapping(Form form) {
 const DataType* Types::record() {
     DataType type;
     type.form = Form::record;
-    for (std::size_t i = random_.between(1, 3); i > 0; --i) type.parts.push_back(existing());
-    type.written = names_.fresh("Point");
+    for (std::size_t i = random_.between(1, 3); i > 0; --i) type.parts.push_back(existing_type());
+    type.written = names_.unused_name("Point");
     const bool record_word = random_.chance(30);
     std::string text = (record_word ? "record " : "datatype ") + type.written + " {\n";
     for (const DataType* part : type.parts) {
-        type.labels.push_back(names_.fresh("f"));
+        type.labels.push_back(names_.unused_name("f"));
         text += "    " + type.labels.back() + " : " + part->written + "\n";
     }
     declarations_.push_back(text + "}\n");
@@ -164,18 +164,19 @@ const DataType* Types::record() {
 
 void Types::declare_function() {
     Operator function;
-    function.name = names_.fresh("fun");
+    function.name = names_.unused_name("fun");
     std::string parameters;
     Expressions conditions(random_, shape_, *this);
     for (std::size_t i = random_.below(3); i > 0; --i) {
-        function.parameters.push_back(existing());
-        conditions.scope.push_back({names_.fresh("p"), function.parameters.back()});
+        function.parameters.push_back(existing_type());
+        conditions.scope.push_back({names_.unused_name("p"), function.parameters.back()});
         parameters += fmt::format("{}{} : {}", parameters.empty() ? "" : ", ", conditions.scope.back().name,
                                   function.parameters.back()->written);
     }
-    function.result = existing();
+    function.result = existing_type();
     std::string text = fmt::format("function {}({}) : {} {{\n", function.name, parameters, function.result->written);
-    for (std::size_t i = random_.below(2); i > 0; --i) text += "    precondition " + conditions.of(*boolean()) + "\n";
+    for (std::size_t i = random_.below(2); i > 0; --i)
+        text += "    precondition " + conditions.expression_text(*boolean()) + "\n";
     if (random_.chance(50)) text += "    postcondition result == " + conditions.operand(*function.result, 6) + "\n";
     declarations_.push_back(text + "}\n");
     functions_.push_back(std::move(function));

@@ -12,9 +12,9 @@ std::string Names::next(Counts& counts, std::string_view stem) {
     return std::string(stem) + std::to_string(found->second++);
 }
 
-std::string Names::fresh(std::string_view stem) {
+std::string Names::unused_name(std::string_view stem) {
     if (shape_.hostile && random_.chance(50))
-        if (std::string word = hostile(); !word.empty()) return word;
+        if (std::string word = hostile_name(); !word.empty()) return word;
     const std::vector<std::string_view>& reserved = frontend::reserved_words();
     if (shape_.escaped_names && used_words_ < reserved.size() && random_.chance(2)) {
         const std::string_view word = reserved[used_words_++];
@@ -23,7 +23,7 @@ std::string Names::fresh(std::string_view stem) {
     return next(used_, stem);
 }
 
-std::string Names::hostile() {
+std::string Names::hostile_name() {
     constexpr int attempts = 4;
     for (int i = 0; i < attempts; ++i) {
         const std::string word(random_.pick(hostile_names()));
@@ -32,15 +32,15 @@ std::string Names::hostile() {
     return {};
 }
 
-std::string Names::package(std::size_t file) {
+std::string Names::package_for_file(std::size_t file) {
     std::string plain = "Part" + std::to_string(file);
     if (!shape_.hostile) return plain;
-    const std::string word = hostile();
+    const std::string word = hostile_name();
     return word.empty() ? plain : random_.chance(30) ? plain + "::" + word : word;
 }
 
-std::string Names::local(std::string_view stem) {
-    return shape_.repeated_names ? next(used_here_, stem) : fresh(stem);
+std::string Names::local_name(std::string_view stem) {
+    return shape_.repeated_names ? next(used_here_, stem) : unused_name(stem);
 }
 
 }  // namespace robochart::random_models

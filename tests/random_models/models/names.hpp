@@ -18,12 +18,12 @@ public:
     Names(Random& random, const Shape& shape) : random_(random), shape_(shape) {}
 
     /// A name that starts with `stem`, such as `speed3`; rarely an escaped reserved word.
-    std::string fresh(std::string_view stem);
+    std::string unused_name(std::string_view stem);
     /// A name that is local to the current component. Other components may use the same name if the shape repeats
     /// names.
-    std::string local(std::string_view stem);
+    std::string local_name(std::string_view stem);
     /// A name for the package of a file, with qualifiers if names are hostile.
-    std::string package(std::size_t file);
+    std::string package_for_file(std::size_t file);
     /// Starts another component, in which names that are local to other components may be reused.
     void begin_component() { used_here_.clear(); }
 
@@ -34,7 +34,7 @@ private:
     Random& random_;
     const Shape& shape_;
     /// An unused word of another language; "" if there is none left.
-    std::string hostile();
+    std::string hostile_name();
 
     std::size_t used_words_ = 0;
     Counts used_, used_here_;

@@ -46,7 +46,7 @@ std::string write(const Project& project, const std::string& folder) {
 
 std::string Loaded::error_codes() const {
     std::set<std::string> codes;
-    for (const diagnostics::Diagnostic& finding : findings.sorted())
+    for (const diagnostics::Diagnostic& finding : findings.sorted_findings())
         if (finding.rule->severity == diagnostics::Severity::error) codes.emplace(finding.rule->code);
     std::string out;
     for (const std::string& code : codes) out += (out.empty() ? "" : " ") + code;

@@ -18,7 +18,7 @@ std::string SystemBuilder::place(Lines& out, const std::string& word, const std:
         return name;
     }
     define(text);
-    const std::string reference = names_.fresh("ref");
+    const std::string reference = names_.unused_name("ref");
     out.line(fmt::format("{} {} = {}", word, reference, name));
     return reference;
 }
@@ -33,7 +33,7 @@ void SystemBuilder::define_interface(const Shared& shared) {
 
 void SystemBuilder::declare_in_interface(Lines& out, const std::string& stem, const std::vector<std::string>& members) {
     Shared shared;
-    shared.interface = names_.fresh(stem);
+    shared.interface = names_.unused_name(stem);
     shared.members = members;
     define_interface(shared);
     out.line("uses " + shared.interface);
@@ -48,15 +48,15 @@ void SystemBuilder::offer(Lines& out, const std::string& word, const Shared& sha
 void SystemBuilder::platform_interfaces() {
     if (shape_.shared_variables && random_.chance(40)) {
         Shared& shared = platform_variables_;
-        shared.interface = names_.fresh("PlatformData");
+        shared.interface = names_.unused_name("PlatformData");
         for (std::size_t i = random_.between(1, 2); i > 0; --i) {
-            const DataType* type = types_.existing();
-            shared.variables.push_back({names_.fresh("shared"), type, shared.interface});
+            const DataType* type = types_.existing_type();
+            shared.variables.push_back({names_.unused_name("shared"), type, shared.interface});
             shared.members.push_back(fmt::format("var {} : {}", shared.variables.back().name, type->written));
         }
         if (shape_.varied_places && random_.chance(40)) {
-            const DataType* type = types_.existing();
-            shared.constants.push_back({names_.fresh("fixed"), type, shared.interface});
+            const DataType* type = types_.existing_type();
+            shared.constants.push_back({names_.unused_name("fixed"), type, shared.interface});
             const std::string value = Expressions(random_, shape_, types_).literal(*type);
             shared.members.push_back(fmt::format("const {} : {} = {}", shared.constants[0].name, type->written, value));
         }
@@ -64,9 +64,9 @@ void SystemBuilder::platform_interfaces() {
     }
     const std::size_t count = random_.between(shape_.platform_operations.low, shape_.platform_operations.high);
     if (count == 0) return;
-    platform_operations_.interface = names_.fresh("Services");
+    platform_operations_.interface = names_.unused_name("Services");
     for (std::size_t i = 0; i < count; ++i) {
-        Signature signature{names_.fresh("move"), {}, platform_operations_.interface};
+        Signature signature{names_.unused_name("move"), {}, platform_operations_.interface};
         Surroundings inside;
         platform_operations_.members.push_back(signature.name + "(" + parameters(signature, inside) + ")");
         platform_operations_.operations.push_back(std::move(signature));
@@ -77,7 +77,7 @@ void SystemBuilder::platform_interfaces() {
 /// Declares events in the component itself or in an interface that it uses.
 void SystemBuilder::declare_ports(Lines& out, const std::vector<Port>& ports) {
     const bool in_interface = !ports.empty() && random_.chance(30);
-    const std::string interface = in_interface ? names_.fresh("Events") : "";
+    const std::string interface = in_interface ? names_.unused_name("Events") : "";
     Lines declared;
     if (in_interface) declared.open("interface " + interface);
     Lines& lines = in_interface ? declared : out;
@@ -125,7 +125,7 @@ std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::str
                 continue;
             }
             if (closed || (shape_.unconnected_events && random_.chance(8))) continue;
-            ports.push_back({names_.local("e"), port.type, port.receives, port.both_ways, port.broadcast});
+            ports.push_back({names_.local_name("e"), port.type, port.receives, port.both_ways, port.broadcast});
             const std::string& above = ports.back().name;
             if (port.receives)
                 links.push_back({outer, above, parts[i].name, port.name, false, port.both_ways});
@@ -145,20 +145,20 @@ void SystemBuilder::write(Lines& out, const std::vector<Link>& links, bool async
 }
 
 System SystemBuilder::build() {
-    for (std::size_t i = random_.below(6); i > 0; --i) types_.any();
+    for (std::size_t i = random_.below(6); i > 0; --i) types_.any_type();
     if (shape_.data.functions)
         for (std::size_t i = random_.below(3); i > 0; --i) types_.declare_function();
     types_.declare_generics();
     platform_interfaces();
     System system;
-    system.module = names_.fresh("Module");
+    system.module = names_.unused_name("Module");
     Lines parts;
     std::vector<Part> controllers;
     for (std::size_t i = random_.between(shape_.controllers.low, shape_.controllers.high); i > 0; --i)
         controllers.push_back(controller(parts));
     add_instance(parts, "cref", controllers);
     for (const Part& part : controllers) components_.insert(components_.begin(), part.name);
-    const std::string platform_name = names_.fresh("Robot");
+    const std::string platform_name = names_.unused_name("Robot");
     std::vector<Link> links;
     const std::string marker = "the platform";  // replaced by its name here once it is placed
     names_.begin_component();

@@ -11,9 +11,9 @@ namespace robochart::random_models {
 std::string SystemBuilder::parameters(Signature& signature, Surroundings& around) {
     std::string text;
     for (std::size_t i = random_.below(3); i > 0; --i) {
-        const DataType* type = types_.existing();
+        const DataType* type = types_.existing_type();
         signature.parameters.push_back(type);
-        around.readable.push_back({names_.local("p"), type});
+        around.readable.push_back({names_.local_name("p"), type});
         text += fmt::format("{}{} : {}", text.empty() ? "" : ", ", around.readable.back().name, type->written);
     }
     return text;
@@ -35,8 +35,8 @@ void SystemBuilder::require(Lines& out, const Shared& shared, Surroundings& arou
 void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
     Expressions values(random_, shape_, types_);
     for (std::size_t i = random_.between(shape_.constants.low, shape_.constants.high); i > 0; --i) {
-        const DataType* type = types_.existing();
-        const std::string name = names_.local("c");
+        const DataType* type = types_.existing_type();
+        const std::string name = names_.local_name("c");
         const bool open = shape_.open_constants && random_.chance(30);
         const std::string written =
             fmt::format("const {} : {}{}", name, type->written, open ? "" : " = " + values.literal(*type));
@@ -47,20 +47,20 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
         around.readable.push_back({name, type});
     }
     for (std::size_t i = random_.between(shape_.variables.low, shape_.variables.high); i > 0; --i) {
-        const DataType* type = types_.existing();
-        const std::string name = names_.local("v");
+        const DataType* type = types_.existing_type();
+        const std::string name = names_.local_name("v");
         const bool initialised = random_.chance(50);
         out.line(fmt::format("var {} : {}{}", name, type->written, initialised ? " = " + values.literal(*type) : ""));
         around.readable.push_back({name, type});
         around.writable.push_back({name, type});
     }
     if (shape_.probabilistic && shape_.chance_expressions && random_.chance(50)) {
-        around.chance = names_.local("q");
+        around.chance = names_.local_name("q");
         out.line(fmt::format("const {} : real = 0.25", around.chance));
     }
     if (!shape_.time) return;
     for (std::size_t i = random_.between(shape_.clocks.low, shape_.clocks.high); i > 0; --i) {
-        around.clocks.push_back(names_.local("T"));
+        around.clocks.push_back(names_.local_name("T"));
         if (shape_.varied_places && random_.chance(20))
             declare_in_interface(out, "Clocks", {"clock " + around.clocks.back()});
         else
@@ -71,13 +71,13 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
 std::vector<Port> SystemBuilder::make_ports() {
     std::vector<Port> ports;
     for (std::size_t i = random_.between(shape_.events.low, shape_.events.high); i > 0; --i)
-        ports.push_back(make_port(names_.local("e")));
+        ports.push_back(make_port(names_.local_name("e")));
     return ports;
 }
 
 Port SystemBuilder::make_port(const std::string& name) {
     const bool typed = shape_.typed_events && random_.chance(40);
-    const DataType* type = typed ? types_.existing() : nullptr;
+    const DataType* type = typed ? types_.existing_type() : nullptr;
     const bool receives = random_.chance(55);
     const bool both_ways = shape_.bidirectional && random_.chance(5);
     const bool broadcast = shape_.broadcast && random_.chance(10);
@@ -88,7 +88,7 @@ Port SystemBuilder::make_port(const std::string& name) {
 void SystemBuilder::declare_places(Lines& out, Surroundings& around) {
     for (const Port& port : around.ports)
         if (port.type != nullptr) {
-            const std::string place = names_.local("x");
+            const std::string place = names_.local_name("x");
             out.line(fmt::format("var {} : {}", place, port.type->written));
             around.readable.push_back({place, port.type});
             around.writable.push_back({place, port.type});
@@ -96,7 +96,7 @@ void SystemBuilder::declare_places(Lines& out, Surroundings& around) {
 }
 
 SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, const Callable& operations) {
-    const std::string name = names_.fresh("Machine");
+    const std::string name = names_.unused_name("Machine");
     names_.begin_component();
     Surroundings around;
     Lines text;
@@ -128,10 +128,10 @@ SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, 
 SystemBuilder::Shared SystemBuilder::controller_variables(Lines& out) {
     Shared shared;
     if (!shape_.shared_variables || random_.chance(60)) return shared;
-    shared.interface = names_.fresh("Data");
+    shared.interface = names_.unused_name("Data");
     for (std::size_t i = random_.between(1, 2); i > 0; --i) {
-        const DataType* type = types_.existing();
-        shared.variables.push_back({names_.fresh("d"), type, shared.interface});
+        const DataType* type = types_.existing_type();
+        shared.variables.push_back({names_.unused_name("d"), type, shared.interface});
         shared.members.push_back(fmt::format("var {} : {}", shared.variables.back().name, type->written));
     }
     define_interface(shared);
@@ -145,7 +145,7 @@ void SystemBuilder::add_instance(Lines& out, const std::string& word, std::vecto
     for (const Part& part : parts) {
         if (part.definition == part.name) continue;
         Part again = part;
-        again.name = names_.fresh("ref");
+        again.name = names_.unused_name("ref");
         out.line(fmt::format("{} {} = {}", word, again.name, again.definition));
         parts.push_back(std::move(again));
         return;
@@ -153,7 +153,7 @@ void SystemBuilder::add_instance(Lines& out, const std::string& word, std::vecto
 }
 
 SystemBuilder::Part SystemBuilder::controller(Lines& module) {
-    const std::string name = names_.fresh("Controller");
+    const std::string name = names_.unused_name("Controller");
     Lines text;
     text.open("controller " + name);
     if (!platform_variables_.interface.empty()) text.line("requires " + platform_variables_.interface);

@@ -13,28 +13,28 @@ namespace robochart::random_models {
 std::vector<Port> SystemBuilder::operation_ports() {
     std::vector<Port> ports;
     if (shape_.operation_events)
-        while (random_.chance(30)) ports.push_back(make_port(names_.fresh("oe")));
+        while (random_.chance(30)) ports.push_back(make_port(names_.unused_name("oe")));
     return ports;
 }
 
 /// Variables, constants and clocks that only callers of operations provide.
 SystemBuilder::Shared SystemBuilder::registers() {
     Shared shared;
-    shared.interface = names_.fresh("Registers");
+    shared.interface = names_.unused_name("Registers");
     const bool clocks = shape_.time && random_.chance(40);
     for (std::size_t i = random_.between(clocks ? 0 : 1, 2); i > 0; --i) {
-        const DataType* type = types_.existing();
-        shared.variables.push_back({names_.fresh("r"), type, shared.interface});
+        const DataType* type = types_.existing_type();
+        shared.variables.push_back({names_.unused_name("r"), type, shared.interface});
         shared.members.push_back(fmt::format("var {} : {}", shared.variables.back().name, type->written));
     }
     if (random_.chance(20)) {
-        const DataType* type = types_.existing();
-        shared.constants.push_back({names_.fresh("k"), type, shared.interface});
+        const DataType* type = types_.existing_type();
+        shared.constants.push_back({names_.unused_name("k"), type, shared.interface});
         const std::string value = Expressions(random_, shape_, types_).literal(*type);
         shared.members.push_back(fmt::format("const {} : {} = {}", shared.constants[0].name, type->written, value));
     }
     if (clocks) {
-        shared.clocks.push_back(names_.fresh("TT"));
+        shared.clocks.push_back(names_.unused_name("TT"));
         shared.members.push_back("clock " + shared.clocks[0]);
     }
     define_interface(shared);
@@ -115,8 +115,8 @@ std::string SystemBuilder::operation(const Signature& signature, const std::stri
     Behaviour behaviour(random_, shape_, names_, types_, around);
     if (contract) {
         text.line("terminates");
-        text.line("precondition " + behaviour.expressions().of(*types_.boolean()));
-        text.line("postcondition " + behaviour.expressions().of(*types_.boolean()));
+        text.line("precondition " + behaviour.expressions().expression_text(*types_.boolean()));
+        text.line("postcondition " + behaviour.expressions().expression_text(*types_.boolean()));
     }
     behaviour.container(text, shape_.depth > 0 ? shape_.depth - 1 : 0, true);
     text.close();
@@ -134,11 +134,11 @@ SystemBuilder::Callable SystemBuilder::controller_operations(Lines& out, const S
         const bool apart = shape_.nested_operations || callable.empty();
         Defined defined = apart ? Defined{} : std::move(callable.back());
         if (apart)
-            defined.offer.interface = names_.fresh("Operations");
+            defined.offer.interface = names_.unused_name("Operations");
         else
             callable.pop_back();
         names_.begin_component();
-        Signature signature{names_.fresh("op"), {}, defined.offer.interface};
+        Signature signature{names_.unused_name("op"), {}, defined.offer.interface};
         Surroundings inside;
         const std::string written = parameters(signature, inside);
         const bool terminates = shape_.contracts && random_.chance(20);

@@ -83,7 +83,7 @@ class ProjectBuilder {
 public:
     ProjectBuilder(std::uint64_t seed, const Shape& shape, std::size_t files)
         : random_(seed), shape_(shape), names_(random_, shape), drafts_(files) {
-        for (std::size_t file = 0; file < files; ++file) packages_.push_back(names_.package(file));
+        for (std::size_t file = 0; file < files; ++file) packages_.push_back(names_.package_for_file(file));
     }
 
     void add_system();
@@ -95,7 +95,7 @@ private:
     std::vector<std::size_t> choose_files();
     void add_claims(const System& system, const std::vector<std::size_t>& files);
     std::string comment();
-    std::string qualified(const std::string& text, const std::map<std::string, std::string>& packages);
+    std::string qualify_names(const std::string& text, const std::map<std::string, std::string>& packages);
 
     Random random_;
     const Shape& shape_;
@@ -122,7 +122,7 @@ std::string ProjectBuilder::comment() {
 }
 
 /// Qualifies some names with their package.
-std::string ProjectBuilder::qualified(const std::string& text, const std::map<std::string, std::string>& packages) {
+std::string ProjectBuilder::qualify_names(const std::string& text, const std::map<std::string, std::string>& packages) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const std::string word = word_at(text, at);
@@ -144,7 +144,7 @@ void ProjectBuilder::add_system() {
                 packages[name] = package_of(files[definition.file]);
     for (const Definition& definition : system.definitions) {
         Draft& draft = drafts_[files[definition.file]];
-        const std::string text = "\n" + comment() + qualified(definition.text, packages);
+        const std::string text = "\n" + comment() + qualify_names(definition.text, packages);
         draft.body += text;
         lines_ += line_count(text);
     }
@@ -180,7 +180,7 @@ Project ProjectBuilder::finish() {
         const std::string package = shape_.packages ? "package " + package_of(i) + "\n" : "";
         const std::string toolkits = shape_.data.toolkits ? toolkit_imports(drafts_[i].body, random_) : "";
         const bool drawn = shape_.comments && random_.chance(20);
-        const std::string diagram = drawn ? "diagram " + names_.fresh("Diagram") + "\n" : "";
+        const std::string diagram = drawn ? "diagram " + names_.unused_name("Diagram") + "\n" : "";
         project.push_back({fmt::format("part{}.rct", i),
                            package + imports(drafts_[i].imports) + toolkits + diagram + drafts_[i].body});
     }

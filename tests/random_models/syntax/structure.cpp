@@ -445,7 +445,7 @@ void Structure::file(const File& file) {
 
 }  // namespace
 
-std::string structure(const File& file) {
+std::string structure_text(const File& file) {
     Structure writer;
     writer.file(file);
     return writer.take();

@@ -10,6 +10,6 @@
 namespace robochart::random_models {
 
 /// Writes one top-level part (declaration, assertion, CSP block) per line.
-[[nodiscard]] std::string structure(const frontend::File& file);
+[[nodiscard]] std::string structure_text(const frontend::File& file);
 
 }  // namespace robochart::random_models

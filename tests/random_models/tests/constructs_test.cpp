@@ -23,8 +23,8 @@ namespace table = frontend::testing;
 void add_rows(const std::vector<table::Row>& rows, const table::Frame& frame, const char* path, Features& features) {
     for (const table::Row& row : rows) {
         const auto read = parse({{path, frame(row.text)}});
-        ASSERT_EQ(read->findings.errors(), 0U) << row.text << "\n" << read->report();
-        add_features(structure(*read->model.files.front()), features);
+        ASSERT_EQ(read->findings.error_count(), 0U) << row.text << "\n" << read->report();
+        add_features(structure_text(*read->model.files.front()), features);
     }
 }
 
@@ -42,7 +42,7 @@ Features of_models() {
 
 TEST(Constructs, AnySyntaxReachesTheTable) {
     Features made;
-    for (std::uint64_t seed = 0; seed < 3000; ++seed) add_features(structure(*any_syntax(seed)), made);
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) add_features(structure_text(*any_syntax(seed)), made);
     const Features wanted = of_models();
     EXPECT_EQ(lacking(wanted.constructs, made.constructs), "");
     EXPECT_EQ(lacking(wanted.compositions, made.compositions), "");
@@ -52,7 +52,7 @@ TEST(Constructs, AnyAssertionsReachTheTable) {
     Features wanted;
     add_rows(table::assertions(), table::as_file, "t.assertions", wanted);
     Features made;
-    for (std::uint64_t seed = 0; seed < 15000; ++seed) add_features(structure(*any_assertions(seed)), made);
+    for (std::uint64_t seed = 0; seed < 15000; ++seed) add_features(structure_text(*any_assertions(seed)), made);
     EXPECT_EQ(lacking(wanted.constructs, made.constructs), "");
     EXPECT_EQ(lacking(wanted.compositions, made.compositions), "");
 }
@@ -83,7 +83,7 @@ TEST(Constructs, WellFormedModelsReachWhatCanBeWellTyped) {
     Features made;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         const auto read = parse(well_formed(seed));
-        for (const auto& file : read->model.files) add_features(structure(*file), made);
+        for (const auto& file : read->model.files) add_features(structure_text(*file), made);
     }
     Features wanted = of_models();
     for (const std::string& composition : wanted.compositions)
@@ -101,12 +101,12 @@ TEST(Constructs, WellFormedModelsCallEveryToolkitFunction) {
     std::set<std::string> called;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         const auto loaded = load(well_formed(seed));
-        for (const frontend::Occurrence& found : frontend::occurrences(loaded->model))
+        for (const frontend::Occurrence& found : frontend::find_occurrences(loaded->model))
             if (found.target != nullptr && found.target->kind == frontend::DeclKind::function)
                 called.insert(found.target->name);
     }
     std::set<std::string> wanted;
-    for (const frontend::Toolkit& toolkit : frontend::toolkits()) {
+    for (const frontend::Toolkit& toolkit : frontend::all_toolkits()) {
         const auto read = parse({{"toolkit.rct", std::string(toolkit.text)}});
         for (const auto& declaration : read->model.files.front()->declarations)
             if (declaration->kind == frontend::DeclKind::function) wanted.insert(declaration->name);

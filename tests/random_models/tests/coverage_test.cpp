@@ -37,7 +37,7 @@ void expect_all(const std::string& text, const std::vector<std::string>& wanted)
 
 std::string many_files() {
     std::string all;
-    for (std::uint64_t seed = 0; seed < tried; ++seed) all += structure(*any_syntax(seed));
+    for (std::uint64_t seed = 0; seed < tried; ++seed) all += structure_text(*any_syntax(seed));
     return all;
 }
 
@@ -175,7 +175,7 @@ TEST(Coverage, EveryDeclaration) {
 
 TEST(Coverage, EveryAssertion) {
     std::string all;
-    for (std::uint64_t seed = 0; seed < tried; ++seed) all += structure(*any_assertions(seed));
+    for (std::uint64_t seed = 0; seed < tried; ++seed) all += structure_text(*any_assertions(seed));
     expect_all(all, {"deadlock-free", "divergence-free", "deterministic",
                      "timelock-free", "terminates",      "refines",
                      "equals",        "reachable",       "clock-initialised",

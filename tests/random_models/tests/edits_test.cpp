@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/diagnostics/files.hpp"
 #include "checker/cspm/session.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/files.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/random_models/changes/shrink.hpp"
@@ -45,13 +45,13 @@ std::optional<Answers> answers(const Project& project, csp_emit::Time time, diag
     if (!loaded->error_codes().empty()) return std::nullopt;
     const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
     if (!findings.ok()) return std::nullopt;
-    const ir::Instantiation instantiation = ir::instantiate(system, {}, findings);
+    const ir::Instantiation instantiation = ir::instantiate_system(system, {}, findings);
     if (!findings.ok()) return std::nullopt;
     const csp_emit::Emission emission = csp_emit::emit(system, instantiation, time, {true}, loaded->sources, findings);
     if (!findings.ok()) return std::nullopt;
     Answers result;
     cspm::Session session(emission.script);
-    if (cache != nullptr) session.remember(*cache, 0);
+    if (cache != nullptr) session.set_cache(*cache, 0);
     refine::Limits limits;
     limits.max_states = 3000;
     for (const csp_emit::Obligation& obligation : emission.obligations)
@@ -98,10 +98,10 @@ TEST(RandomEdits, AnswersAreTheSameWithWhatIsKnown) {
         const Project whole =
             well_formed(seed, time == csp_emit::Time::timed ? Shape::timed_core() : Shape::untimed_core());
         Random random(seed);
-        std::vector<Cut> edits = cuts(whole);
+        std::vector<Cut> edits = find_cuts(whole);
         compare(whole, time, cache, tally);
         for (int edit = 0; edit < 10 && !edits.empty() && !HasFatalFailure(); ++edit) {
-            const Project edited = after(whole, random.pick(edits));
+            const Project edited = apply_cut(whole, random.pick(edits));
             try {
                 compare(edited, time, cache, tally);
             } catch (const std::exception& error) {

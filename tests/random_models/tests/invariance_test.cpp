@@ -20,7 +20,7 @@ namespace {
 /// Codes and messages of all findings, sorted: without places.
 std::vector<std::string> messages(const Loaded& loaded) {
     std::vector<std::string> result;
-    for (const auto& finding : loaded.findings.sorted())
+    for (const auto& finding : loaded.findings.sorted_findings())
         result.push_back(std::string(finding.rule->code) + " " + finding.message());
     std::ranges::sort(result);
     return result;
@@ -64,7 +64,7 @@ std::string formatted(const Text& file) {
 }
 
 std::string structure_of(const Text& file) {
-    return structure(*parse({file})->model.files.front());
+    return structure_text(*parse({file})->model.files.front());
 }
 
 void expect_formatting_is_sound(const Text& file, std::uint64_t seed) {

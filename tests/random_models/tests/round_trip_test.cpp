@@ -22,9 +22,9 @@ Project one_file(const frontend::File& file, const std::string& text) {
 void expect_round_trip(const frontend::File& tree, std::uint64_t seed) {
     const std::string text = frontend::to_text(tree);
     const auto read = parse(one_file(tree, text));
-    ASSERT_EQ(read->findings.errors(), 0U) << "seed " << seed << "\n" << read->report() << text;
+    ASSERT_EQ(read->findings.error_count(), 0U) << "seed " << seed << "\n" << read->report() << text;
     const frontend::File& again = *read->model.files.front();
-    ASSERT_EQ(structure(again), structure(tree)) << "seed " << seed << "\n" << text;
+    ASSERT_EQ(structure_text(again), structure_text(tree)) << "seed " << seed << "\n" << text;
     ASSERT_EQ(frontend::to_text(again), text) << "seed " << seed;
 }
 
@@ -55,7 +55,7 @@ Project printed(const Project& project) {
 std::string resolved(const Project& project) {
     const auto loaded = load(project);
     static const std::regex place(R"(part\d+\.rct:\d+)");
-    return std::regex_replace(frontend::dump(loaded->model, loaded->sources, true), place, "");
+    return std::regex_replace(frontend::dump_model(loaded->model, loaded->sources, true), place, "");
 }
 
 void expect_printing_keeps_the_meaning(const Shape& shape) {

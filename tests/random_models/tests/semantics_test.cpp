@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
+#include "base/diagnostics/render.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/emit.hpp"
-#include "base/diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/nested_instances.hpp"
@@ -56,7 +56,7 @@ void pass_through(std::uint64_t seed, const Shape& shape, csp_emit::Time time, T
     diagnostics::Diagnostics findings;
     const auto refused = [&] {
         std::set<std::string> causes;
-        for (const auto& finding : findings.sorted())
+        for (const auto& finding : findings.sorted_findings())
             if (finding.rule->severity == diagnostics::Severity::error) causes.insert(cause(finding));
         for (const std::string& each : causes) ++tally.refusals[each];
         if (std::getenv("ROBOCHART_SHOW") != nullptr && !findings.ok())
@@ -66,7 +66,7 @@ void pass_through(std::uint64_t seed, const Shape& shape, csp_emit::Time time, T
     };
     const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
     if (refused()) return;
-    const ir::Instantiation instantiation = ir::instantiate(system, {}, findings);
+    const ir::Instantiation instantiation = ir::instantiate_system(system, {}, findings);
     if (refused()) return;
     const csp_emit::Emission emission = csp_emit::emit(system, instantiation, time, {true}, loaded->sources, findings);
     if (refused()) return;

@@ -91,7 +91,7 @@ void compare(std::uint64_t seed, const Shape& shape, csp_emit::Time time, CallTa
     const auto loaded = load(well_formed(seed, shape));
     diagnostics::Diagnostics findings;
     const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
-    const ir::Instantiation instantiation = ir::instantiate(system, {}, findings);
+    const ir::Instantiation instantiation = ir::instantiate_system(system, {}, findings);
     csp_emit::Options together;
     together.share_modules = false;
     csp_emit::Options apart = together;

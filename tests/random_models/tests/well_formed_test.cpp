@@ -14,7 +14,8 @@ void expect_no_errors(const Shape& shape, std::uint64_t count) {
     for (const std::uint64_t seed : seeds(count)) {
         const Project project = well_formed(seed, shape);
         const auto loaded = load(project);
-        ASSERT_EQ(loaded->findings.errors(), 0U) << "seed " << seed << "\n" << loaded->report() << listing(project);
+        ASSERT_EQ(loaded->findings.error_count(), 0U) << "seed " << seed << "\n"
+                                                      << loaded->report() << listing(project);
     }
 }
 
@@ -39,7 +40,7 @@ std::string syntax_of(const Shape& shape) {
     std::string all;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const auto read = parse(well_formed(seed, shape));
-        for (const auto& file : read->model.files) all += structure(*file);
+        for (const auto& file : read->model.files) all += structure_text(*file);
     }
     return all;
 }
@@ -139,7 +140,7 @@ TEST(WellFormed, SizedProjectsHaveTheSizeAskedFor) {
     EXPECT_EQ(project.size(), 21U);  // and the assertion file
     EXPECT_GE(lines(project), 5000U);
     EXPECT_LE(lines(project), 8000U);
-    EXPECT_EQ(load(project)->findings.errors(), 0U);
+    EXPECT_EQ(load(project)->findings.error_count(), 0U);
 }
 
 }  // namespace

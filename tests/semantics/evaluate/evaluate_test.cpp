@@ -22,7 +22,7 @@ protected:
         inst_.real = {-20, -10, -7, 0, 1, 2, 10, 20};  // scale 10: whole -2..2 and -0.7, 0.1, 0.2
         inst_.scale = 10;
     }
-    Value value(const ExprPtr& expr) { return evaluate(system_, inst_, nullptr, environment_, *expr); }
+    Value value(const ExprPtr& expr) { return evaluate_expression(system_, inst_, nullptr, environment_, *expr); }
     std::int64_t number(const ExprPtr& expr) { return value(expr).number; }
     std::int64_t number(ExprKind kind, TypeId type, ExprPtr a, ExprPtr b) {
         return number(make(kind, type, {std::move(a), std::move(b)}));

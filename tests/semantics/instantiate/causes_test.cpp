@@ -27,7 +27,8 @@ std::unique_ptr<samples::Lowered> with_guard(const std::string& declarations, co
 
 std::string large(const std::string& declarations, const std::string& guard) {
     const auto lowered = with_guard(declarations, guard);
-    return large_type(lowered->system, instantiate(lowered->system, {}, lowered->diagnostics), 5e6, lowered->sources);
+    return large_type(lowered->system, instantiate_system(lowered->system, {}, lowered->diagnostics), 5e6,
+                      lowered->sources);
 }
 
 TEST(Causes, ALargeTypeIsNamedWithTheNumberAndTheOption) {
@@ -45,7 +46,7 @@ std::vector<std::int64_t> needed(const std::string& guard) {
     const auto lowered = with_guard("var s : Seq(nat) var n : nat", guard);
     std::vector<std::int64_t> result;
     for (const SequenceLimit& limit :
-         sequence_limits(lowered->system, instantiate(lowered->system, {}, lowered->diagnostics)))
+         sequence_limits(lowered->system, instantiate_system(lowered->system, {}, lowered->diagnostics)))
         result.push_back(limit.needed);
     return result;
 }

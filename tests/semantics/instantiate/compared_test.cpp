@@ -22,7 +22,7 @@ Instantiation of_guard(const std::string& guard, const InstantiationOptions& opt
             " initial j state A { } transition t0 { from j to A } transition t { from A to A condition " + guard +
             " } }",
         assertions);
-    return instantiate(lowered->system, options, lowered->diagnostics);
+    return instantiate_system(lowered->system, options, lowered->diagnostics);
 }
 
 TEST(Compared, WholeNumbersHaveOneOnEitherSide) {

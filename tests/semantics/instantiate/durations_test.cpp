@@ -14,7 +14,7 @@ std::int64_t greatest(const std::string& parts, const InstantiationOptions& opti
     const auto lowered = samples::lower_text(
         "stm S { event e : nat const c : nat = 30 const d : nat = 40 var x : nat clock T initial i " + parts +
         " transition t0 { from i to A } }");
-    return instantiate(lowered->system, options, lowered->diagnostics).nat.back();
+    return instantiate_system(lowered->system, options, lowered->diagnostics).nat.back();
 }
 
 TEST(Durations, AreConstantsThatAreOnlyWaitedForOrComparedWithClocks) {

@@ -2,6 +2,7 @@
 // Finite instantiations of a model (semantics 3.6, 3.13).
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <limits>
 
@@ -45,16 +46,16 @@ ExprPtr compare(ExprKind kind, ExprPtr left, ExprPtr right) {
 
 Instantiation instantiate_quietly(const System& system, const InstantiationOptions& options = {}) {
     Diagnostics diagnostics;
-    auto result = instantiate(system, options, diagnostics);
+    auto result = instantiate_system(system, options, diagnostics);
     EXPECT_TRUE(diagnostics.empty());
     return result;
 }
 
 std::vector<std::string> codes(const System& system, const InstantiationOptions& options) {
     Diagnostics diagnostics;
-    (void)instantiate(system, options, diagnostics);
+    (void)instantiate_system(system, options, diagnostics);
     std::vector<std::string> result;
-    for (const auto& item : diagnostics.sorted()) result.emplace_back(item.rule->code);
+    for (const auto& item : diagnostics.sorted_findings()) result.emplace_back(item.rule->code);
     return result;
 }
 
@@ -111,10 +112,10 @@ TEST(Instantiate, DecimalTimesCountForTheScaleAlone) {
 TEST(Instantiate, ClockSaturatesAboveTheLargestComparison) {
     Diagnostics diagnostics;
     auto system = with_guard(compare(ExprKind::greater_equal, since(0), samples::variable(0, types.nat)));
-    auto inst = instantiate(system, {}, diagnostics);
+    auto inst = instantiate_system(system, {}, diagnostics);
     EXPECT_EQ(clock_saturation(system, inst, system.machines[0], ClockId{0}), 3);  // n <= 2
     system = with_guard(compare(ExprKind::less, make(ExprKind::cast, types.real, {since(0)}), decimal(25, 1)));
-    inst = instantiate(system, {}, diagnostics);
+    inst = instantiate_system(system, {}, diagnostics);
     EXPECT_EQ(clock_saturation(system, inst, system.machines[0], ClockId{0}), 4);  // 2.5 rounds up to 3
     system = with_guard(truth(true));
     EXPECT_EQ(clock_saturation(system, inst, system.machines[0], ClockId{0}), 1);
@@ -262,9 +263,9 @@ TEST(Instantiate, WrongRangesAreReported) {
 TEST(Instantiate, LiteralOutsideAChosenRangeIsAWarning) {
     const auto system = with_guard(compare(ExprKind::less, samples::variable(0, types.nat), nat(9)));
     Diagnostics diagnostics;
-    const auto inst = instantiate(system, {{}, {{"nat", {0, 3}}}}, diagnostics);
-    EXPECT_EQ(diagnostics.warnings(), 1U);
-    EXPECT_EQ(diagnostics.errors(), 0U);
+    const auto inst = instantiate_system(system, {{}, {{"nat", {0, 3}}}}, diagnostics);
+    EXPECT_EQ(diagnostics.warning_count(), 1U);
+    EXPECT_EQ(diagnostics.error_count(), 0U);
     EXPECT_EQ(inst.nat.back(), 3);
 }
 
@@ -284,17 +285,18 @@ TEST(Instantiate, ATypeThatIsTooLargeNamesTheNumber) {
         samples::machine_text("event e:nat var n:nat transition t { from A to A trigger e?n condition n < 4000000 }"));
     const auto first = [&](const InstantiationOptions& options) {
         Diagnostics diagnostics;
-        (void)instantiate(lowered->system, options, diagnostics);
-        return diagnostics.sorted().at(0);
+        (void)instantiate_system(lowered->system, options, diagnostics);
+        return diagnostics.sorted_findings().at(0);
     };
     const diagnostics::Diagnostic found = first({});
     EXPECT_EQ(found.rule->code, "RC-S15");
-    ASSERT_TRUE(found.span.known());
-    EXPECT_EQ(lowered->sources.text(found.span.source).substr(found.span.begin, found.span.end - found.span.begin),
-              "4000000");
+    ASSERT_TRUE(found.span.is_known());
+    EXPECT_EQ(
+        lowered->sources.source_text(found.span.source).substr(found.span.begin, found.span.end - found.span.begin),
+        "4000000");
     const diagnostics::Diagnostic chosen = first({{}, {{"nat", {0, 5000000}}}});
     EXPECT_EQ(chosen.rule->code, "RC-S15");
-    EXPECT_FALSE(chosen.span.known());
+    EXPECT_FALSE(chosen.span.is_known());
 }
 
 TEST(Carrier, ComposedTypes) {
@@ -315,18 +317,18 @@ TEST(Carrier, ComposedTypes) {
     colour.literal_args = {{}, {types.boolean}};
     const auto colour_id = add(colour);
     const auto inst = instantiate_quietly(system);
-    EXPECT_EQ(carrier(system, inst, colour_id), (std::vector<Value>{{0, {}}, {1, {{0, {}}}}, {1, {{1, {}}}}}));
-    EXPECT_EQ(carrier(system, inst, of(TypeKind::sequence, {types.boolean})).size(), 1U + 2U + 4U);
-    EXPECT_EQ(carrier(system, inst, of(TypeKind::set, {types.nat})).size(), 8U);
-    EXPECT_EQ(carrier(system, inst, of(TypeKind::product, {types.nat, types.boolean})).size(), 6U);
-    EXPECT_EQ(carrier(system, inst, of(TypeKind::function, {types.boolean, types.nat})).size(), 9U);
-    EXPECT_EQ(carrier(system, inst, of(TypeKind::relation, {types.boolean, types.boolean})).size(), 16U);
-    EXPECT_THROW((void)carrier(system, inst, of(TypeKind::set, {types.integer}), 31), std::length_error);
+    EXPECT_EQ(carrier_values(system, inst, colour_id), (std::vector<Value>{{0, {}}, {1, {{0, {}}}}, {1, {{1, {}}}}}));
+    EXPECT_EQ(carrier_values(system, inst, of(TypeKind::sequence, {types.boolean})).size(), 1U + 2U + 4U);
+    EXPECT_EQ(carrier_values(system, inst, of(TypeKind::set, {types.nat})).size(), 8U);
+    EXPECT_EQ(carrier_values(system, inst, of(TypeKind::product, {types.nat, types.boolean})).size(), 6U);
+    EXPECT_EQ(carrier_values(system, inst, of(TypeKind::function, {types.boolean, types.nat})).size(), 9U);
+    EXPECT_EQ(carrier_values(system, inst, of(TypeKind::relation, {types.boolean, types.boolean})).size(), 16U);
+    EXPECT_THROW((void)carrier_values(system, inst, of(TypeKind::set, {types.integer}), 31), std::length_error);
     Instantiation with_strings = inst;
     with_strings.strings = {"", "ab"};
-    EXPECT_EQ(carrier(system, with_strings, types.string).size(), 2U);
+    EXPECT_EQ(carrier_values(system, with_strings, types.string).size(), 2U);
     for (std::uint32_t id = 5; id < system.types.size(); ++id) {
-        const auto values = carrier(system, inst, TypeId{id});
+        const auto values = carrier_values(system, inst, TypeId{id});
         EXPECT_TRUE(std::ranges::is_sorted(values)) << id;
         for (const auto& value : values) EXPECT_TRUE(in_carrier(system, inst, TypeId{id}, value)) << id;
         EXPECT_TRUE(in_carrier(system, inst, TypeId{id}, default_value(system, inst, TypeId{id}))) << id;

@@ -21,7 +21,7 @@ TEST(LowerCorpus, AggregationEqualsTheSystemWrittenByHand) {
     auto lowered = lower_path(corpus + "aggregation/aggregation.rct");
     lowered->system.properties.clear();
     lowered->system.csp_blocks.clear();
-    EXPECT_EQ(dump(lowered->system), dump(aggregation()));
+    EXPECT_EQ(dump_text(lowered->system), dump_text(aggregation()));
 }
 
 TEST(LowerCorpus, AggregationOrigins) {
@@ -33,9 +33,10 @@ TEST(LowerCorpus, AggregationOrigins) {
     EXPECT_EQ(lowered->transition("MoveClockwise", "t1").origin.element, "MoveClockwise::t1");
     const auto& entry = *lowered->node("AggregationFSM", "S1").entry;
     EXPECT_EQ(entry.origin.element, "AggregationFSM::S1");
-    EXPECT_EQ(lowered->sources.line(entry.origin.span.source,
-                                    lowered->sources.position(entry.origin.span.source, entry.origin.span.begin).line),
-              "\tstate S1 { entry MoveClockwise(-0.75, -10.88) }");
+    EXPECT_EQ(
+        lowered->sources.line_text(entry.origin.span.source,
+                                   lowered->sources.position(entry.origin.span.source, entry.origin.span.begin).line),
+        "\tstate S1 { entry MoveClockwise(-0.75, -10.88) }");
 }
 
 TEST(LowerCorpus, AggregationNumbers) {
@@ -48,7 +49,7 @@ TEST(LowerCorpus, AggregationNumbers) {
     EXPECT_EQ(call.args[0]->decimal.decimals, 2U);
     EXPECT_EQ(call.args[1]->decimal.unscaled, -1088);
     diagnostics::Diagnostics diagnostics;
-    EXPECT_EQ(instantiate(lowered->system, {}, diagnostics).scale, 100);
+    EXPECT_EQ(instantiate_system(lowered->system, {}, diagnostics).scale, 100);
 }
 
 TEST(LowerCorpus, SwarmTaxisMachine) {
@@ -103,7 +104,7 @@ TEST(LowerCorpus, SwarmTaxisDefinitionsInTheController) {
     for (std::size_t i = 0; i < definitions.size(); ++i) {
         const auto& name = machine.operations[i].name;
         const bool defined = name == "UpdateAvoidanceRadius" || name == "Turn";
-        ASSERT_EQ(definitions[i].valid(), defined) << name;
+        ASSERT_EQ(definitions[i].is_valid(), defined) << name;
         if (defined) {
             EXPECT_EQ(lowered->system.machine(definitions[i]).name, name);
         }
@@ -114,14 +115,14 @@ TEST(LowerCorpus, SwarmTaxisDefinitionsInTheController) {
     ASSERT_EQ(called_operations(turn).size(), 1U);
     const auto& start = turn.operations[called_operations(turn)[0].index];
     EXPECT_EQ(start.name, "StartTurning");
-    EXPECT_FALSE(definition_in(lowered->system, controller, start).valid());
+    EXPECT_FALSE(definition_in(lowered->system, controller, start).is_valid());
     EXPECT_TRUE(turn.events[3].input);
 }
 
 TEST(LowerCorpus, SwarmTaxisFinite) {
     const auto lowered = lower_path(corpus + "swarm_taxis/swarm_taxis.rct");
     diagnostics::Diagnostics diagnostics;
-    const auto inst = instantiate(lowered->system, {}, diagnostics);
+    const auto inst = instantiate_system(lowered->system, {}, diagnostics);
     EXPECT_TRUE(diagnostics.empty());
     EXPECT_EQ(inst.scale, 10);
     EXPECT_EQ(inst.real, (std::vector<std::int64_t>{-20, -10, 0, 1, 2, 10, 20}));

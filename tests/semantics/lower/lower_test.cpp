@@ -18,7 +18,7 @@ using Codes = std::vector<std::string>;
 std::string program(const Lowered& lowered, const std::string& machine, const std::string& node) {
     const auto& entry = lowered.node(machine, node).entry;
     if (!entry) return "none";
-    const auto whole = dump(lowered.system);
+    const auto whole = dump_text(lowered.system);
     const auto start = whole.find("    entry\n", whole.find("  state " + node + "\n")) + 10;
     std::string text;
     for (auto at = start; at < whole.size() && whole.compare(at, 6, "      ") == 0; at = whole.find('\n', at) + 1)
@@ -145,8 +145,8 @@ TEST(LowerExpressions, NumbersBeyond64BitsAreReported) {
     huge.kind = frontend::ExprKind::integer;
     huge.text = "9223372036854775808";
     EXPECT_NE(lower_expression(lowering, {}, huge), nullptr);
-    ASSERT_EQ(diagnostics.sorted().size(), 1U);
-    EXPECT_EQ(diagnostics.sorted()[0].rule->code, "RC-S03");
+    ASSERT_EQ(diagnostics.sorted_findings().size(), 1U);
+    EXPECT_EQ(diagnostics.sorted_findings()[0].rule->code, "RC-S03");
 }
 
 TEST(LowerExpressions, WhatHasNoMeaningYetIsNamed) {
@@ -196,7 +196,7 @@ TEST(LowerMachines, TimeInGuardsMarksTheWholeGuard) {
     EXPECT_TRUE(lowered->transition("S", "c").guard_timed);
     const auto& clocks = lowered->machine("S").clocks;
     ASSERT_EQ(clocks.size(), 2U);
-    EXPECT_FALSE(clocks[0].entry_of.valid());
+    EXPECT_FALSE(clocks[0].entry_of.is_valid());
     EXPECT_EQ(clocks[1].name, "A");
     EXPECT_EQ(clocks[1].entry_of, lowered->transition("S", "c").source);
 }
@@ -209,8 +209,8 @@ TEST(LowerMachines, CompositeStates) {
     const auto& machine = lowered->machine("S");
     const auto& c = lowered->node("S", "C");
     const auto& e = lowered->node("S", "C::D::E");
-    EXPECT_TRUE(c.composite());
-    EXPECT_FALSE(e.composite());
+    EXPECT_TRUE(c.is_composite());
+    EXPECT_FALSE(e.is_composite());
     EXPECT_EQ(machine.nodes[e.parent.index].path, "C::D");
     EXPECT_EQ(machine.nodes[c.initial.index].path, "C::i0");
     EXPECT_EQ(c.children.size(), 3U);
@@ -299,8 +299,8 @@ module M {
     ASSERT_EQ(controller.machines.size(), 1U);
     EXPECT_EQ(controller.machines[0].name, "S");
     ASSERT_EQ(controller.machines[0].definitions.size(), 2U);
-    EXPECT_TRUE(controller.machines[0].definitions[0].valid());
-    EXPECT_FALSE(controller.machines[0].definitions[1].valid());
+    EXPECT_TRUE(controller.machines[0].definitions[0].is_valid());
+    EXPECT_FALSE(controller.machines[0].definitions[1].is_valid());
     ASSERT_EQ(controller.operations.size(), 1U);
     EXPECT_EQ(controller.operations[0].name, "far");
     EXPECT_TRUE(controller.events[0].output);
@@ -373,8 +373,8 @@ TEST(LowerExpressions, NamesLeftOpenAreReported) {
     name.kind = frontend::ExprKind::name;
     name.name.parts = {"nobody"};
     EXPECT_NE(lower_expression(lowering, {}, name), nullptr);
-    ASSERT_EQ(diagnostics.sorted().size(), 1U);
-    EXPECT_EQ(diagnostics.sorted()[0].rule->code, "RC-S05");
+    ASSERT_EQ(diagnostics.sorted_findings().size(), 1U);
+    EXPECT_EQ(diagnostics.sorted_findings()[0].rule->code, "RC-S05");
 }
 
 TEST(LowerComponents, FilesAreOrderedByPath) {
@@ -390,7 +390,7 @@ TEST(Dump, IsStableAndComplete) {
                    machine_text("event e:Colour\nclock C var c:Colour = green\n"
                                 "transition a { from A to A trigger e?c # C <{2} condition since(C) > 3 "
                                 "action c = red }\n"));
-    EXPECT_EQ(dump(lowered->system),
+    EXPECT_EQ(dump_text(lowered->system),
               "enumeration Colour { red, green }\n"
               "machine S\n"
               "  variable local c: Colour = green\n"

@@ -53,7 +53,7 @@ std::string Lowered::guard(const std::string& machine_path, const std::string& n
 }
 
 std::string Lowered::text(const std::string& machine_path, const ExprPtr& expr) const {
-    return expr ? dump(system, &machine(machine_path), *expr) : "none";
+    return expr ? dump_text(system, &machine(machine_path), *expr) : "none";
 }
 
 std::unique_ptr<Lowered> lower_files(const std::vector<SourceText>& files) {
@@ -73,7 +73,7 @@ std::unique_ptr<Lowered> lower_text(const std::string& rct, const std::string& a
     std::vector<SourceText> files{{"t.rct", rct}};
     if (!assertions.empty()) files.push_back({"t.assertions", assertions});
     auto result = lower_files(files);
-    EXPECT_EQ(result->diagnostics.errors(), 0U) << result->messages();
+    EXPECT_EQ(result->diagnostics.error_count(), 0U) << result->messages();
     return result;
 }
 

@@ -99,7 +99,7 @@ TEST(LowerProperties, CspBlocks) {
     EXPECT_EQ(block.file, "m/m.assertions");
     ASSERT_EQ(block.associated.size(), 1U);
     EXPECT_EQ(block.associated[0].path, "M");
-    const auto text = lowered->sources.text(block.text_span.source);
+    const auto text = lowered->sources.source_text(block.text_span.source);
     EXPECT_EQ(text.substr(block.text_span.begin, block.text_span.end - block.text_span.begin), block.text);
     EXPECT_NE(block.text.find("Spec = STOP"), std::string::npos);
 }
@@ -127,8 +127,9 @@ TEST(LowerProperties, ConstantsAreNamedWhereTheirValueCounts) {
         const auto lowered = lowered_with("assertion A : P::M is deterministic with " + parameter + "\n");
         if (!lowered->diagnostics.ok()) return lowered->codes().at(0);
         const auto& constants = only(*lowered).constants;
-        return constants.size() == 1 ? constants[0].first + " = " + dump(lowered->system, nullptr, *constants[0].second)
-                                     : std::string("?");
+        return constants.size() == 1
+                   ? constants[0].first + " = " + dump_text(lowered->system, nullptr, *constants[0].second)
+                   : std::string("?");
     };
     EXPECT_EQ(name("constant z of P::M set to 1"), "const_P_M_z = 1");
     EXPECT_EQ(name("constant z of P::C set to 1"), "const_P_C_z = 1");

@@ -37,12 +37,13 @@ struct ReadChain {
     }
     void tell() {
         findings.clear();
-        for (const auto& each : found.sorted()) findings += std::string(each.rule->code) + " " + each.message() + "\n";
+        for (const auto& each : found.sorted_findings())
+            findings += std::string(each.rule->code) + " " + each.message() + "\n";
     }
     /// The report on the claims.
     std::string asked() {
         const ChainStates states(scenario, std::nullopt);
-        (void)chain_asked(scenario, states, found);
+        (void)find_chain_questions(scenario, states, found);
         tell();
         return findings;
     }
@@ -122,14 +123,14 @@ TEST(ChainStates, AreTheNumbersOfRobots) {
     ASSERT_EQ(read.findings, "");
     const ChainStates states(read.scenario, std::nullopt);
     EXPECT_EQ(states.size(), 11U);
-    const std::size_t two_one = states.of({2.0 / 3, 1.0 / 3});
+    const std::size_t two_one = states.find_state({2.0 / 3, 1.0 / 3});
     ASSERT_NE(two_one, ChainStates::none);
-    EXPECT_EQ(states.text(two_one), "a 2 of 3, b 1 of 3");
-    EXPECT_EQ(states.of({2.0 / 3, 2.0 / 3}), ChainStates::none) << "there are no four robots";
-    EXPECT_EQ(states.measure(two_one, 0), (MeasureClass{true, 2, 2, 2.0 / 3, 2.0 / 3}));
-    EXPECT_EQ(states.measure(two_one, 2), std::nullopt);
-    for (std::size_t to = 1; to < states.size(); ++to) EXPECT_TRUE(states.permitted()[two_one][to]);
-    EXPECT_FALSE(states.permitted()[two_one][ChainStates::start]);
+    EXPECT_EQ(states.state_text(two_one), "a 2 of 3, b 1 of 3");
+    EXPECT_EQ(states.find_state({2.0 / 3, 2.0 / 3}), ChainStates::none) << "there are no four robots";
+    EXPECT_EQ(states.class_of_measure(two_one, 0), (MeasureClass{true, 2, 2, 2.0 / 3, 2.0 / 3}));
+    EXPECT_EQ(states.class_of_measure(two_one, 2), std::nullopt);
+    for (std::size_t to = 1; to < states.size(); ++to) EXPECT_TRUE(states.permitted_transitions()[two_one][to]);
+    EXPECT_FALSE(states.permitted_transitions()[two_one][ChainStates::start]);
 }
 
 TEST(ChainStates, HaveLevels) {
@@ -138,9 +139,9 @@ TEST(ChainStates, HaveLevels) {
     ASSERT_EQ(read.findings, "");
     const ChainStates states(read.scenario, std::nullopt);
     EXPECT_EQ(states.size(), 1U + 3 * 2);
-    EXPECT_EQ(states.text(states.of({10, 1.0 / 3})), "way up to 10 cm, a 0 to 1 of 3");
-    EXPECT_EQ(states.text(states.of({10.5, 2.0 / 3})), "way 10 to 20 cm, a 2 to 3 of 3");
-    EXPECT_EQ(states.text(states.of({1e9, 0})), "way above 20 cm, a 0 to 1 of 3");
+    EXPECT_EQ(states.state_text(states.find_state({10, 1.0 / 3})), "way up to 10 cm, a 0 to 1 of 3");
+    EXPECT_EQ(states.state_text(states.find_state({10.5, 2.0 / 3})), "way 10 to 20 cm, a 2 to 3 of 3");
+    EXPECT_EQ(states.state_text(states.find_state({1e9, 0})), "way above 20 cm, a 0 to 1 of 3");
 }
 
 TEST(ChainStates, TooManyAreRefused) {
@@ -161,7 +162,7 @@ TEST(ChainStates, TransitionsAreThoseOfRobots) {
         double a = 0;
         double b = 0;
         for (const std::size_t each : robots) (each == 1 ? a : b) += each == 0 ? 0 : 1;
-        return states.of({a / 3, b / 3});
+        return states.find_state({a / 3, b / 3});
     };
     statistics::Permitted expected(11, std::vector<bool>(11));
     expected[ChainStates::start][state({0, 0, 0})] = true;
@@ -172,14 +173,14 @@ TEST(ChainStates, TransitionsAreThoseOfRobots) {
             if (after[from[0]][to[0]] && after[from[1]][to[1]] && after[from[2]][to[2]])
                 expected[state(from)][state(to)] = true;
         }
-    EXPECT_EQ(states.permitted(), expected);
+    EXPECT_EQ(states.permitted_transitions(), expected);
 }
 
 /// A class without successors excludes no transition.
 TEST(Transitions, NothingIsExcludedWhereTimeStops) {
     const ReadChain read("abstract by a every 1 s estimate average a with confidence 95 %", "1");
     const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{false, true}, {false, false}}});
-    const statistics::Permitted permitted = states.permitted();
+    const statistics::Permitted permitted = states.permitted_transitions();
     EXPECT_EQ(permitted[1], (std::vector<bool>{false, false, true}));
     EXPECT_EQ(permitted[2], (std::vector<bool>{false, true, true}));
 }
@@ -191,7 +192,7 @@ TEST(Transitions, ObeyLimits) {
     diagnostics::Budget budget;
     budget.interrupt();
     EXPECT_THROW(budget.check(), diagnostics::LimitReached);
-    EXPECT_THROW((void)states.permitted(&budget), diagnostics::LimitReached);
+    EXPECT_THROW((void)states.permitted_transitions(&budget), diagnostics::LimitReached);
 }
 
 /// A measure of time is not a share: it is in seconds and does not count robots.
@@ -201,9 +202,9 @@ TEST(States, OfATime) {
     ASSERT_EQ(read.findings, "");
     const ChainStates states(read.scenario, std::nullopt);
     ASSERT_EQ(states.size(), 3U);
-    EXPECT_EQ(states.text(1), "now up to 2 s");
-    EXPECT_EQ(states.text(2), "now above 2 s");
-    EXPECT_EQ(states.of({11}), 2U);
+    EXPECT_EQ(states.state_text(1), "now up to 2 s");
+    EXPECT_EQ(states.state_text(2), "now above 2 s");
+    EXPECT_EQ(states.find_state({11}), 2U);
 }
 
 // ---------------------------------------------------------------- answers
@@ -223,11 +224,11 @@ std::vector<ChainAnswer> answered(const Scenario& scenario, const Draw& draw, st
     const ChainStates states(scenario, std::nullopt);
     diagnostics::Diagnostics found;
     std::vector<Excluded> excluded;
-    const auto permitted = states.permitted();
+    const auto permitted = states.permitted_transitions();
     const auto sequences = sequences_of(scenario, states, permitted, trials, excluded);
     EXPECT_TRUE(excluded.empty());
     std::vector<ChainAnswer> result;
-    for (const ChainAsked& each : chain_asked(scenario, states, found))
+    for (const ChainAsked& each : find_chain_questions(scenario, states, found))
         result.push_back(chain_answer(scenario, each, permitted, sequences, trials, nullptr));
     EXPECT_TRUE(found.ok());
     return result;
@@ -253,7 +254,7 @@ TEST(ChainAnswer, HoldsOfChainsInNineteenOfTwentyRepetitions) {
         const auto answers = answered(read.scenario, wanders, repetition + 1);
         ASSERT_EQ(answers.size(), 3U);
         for (std::size_t q = 0; q < 3; ++q)
-            if (!answers[q].refuted() && answers[q].low <= truth[q] && truth[q] <= answers[q].high) ++good[q];
+            if (!answers[q].is_refuted() && answers[q].low <= truth[q] && truth[q] <= answers[q].high) ++good[q];
     }
     for (const int each : good) EXPECT_GE(each, 190);
 }
@@ -262,8 +263,8 @@ TEST(ChainAnswer, ClaimsAreJudged) {
     const ReadChain read(one_robot, "1");
     const auto answers = answered(read.scenario, wanders, 5);
     // 1 - 0.9^12 is 0.72: 300 trials distinguish it from 0.4.
-    EXPECT_EQ(answers[0].verdict(), ClaimVerdict::holds);
-    EXPECT_EQ(answers[1].verdict(), ClaimVerdict::estimated);
+    EXPECT_EQ(answers[0].claim_verdict(), ClaimVerdict::holds);
+    EXPECT_EQ(answers[1].claim_verdict(), ClaimVerdict::estimated);
     EXPECT_GT(answers[1].low, 4);
     EXPECT_LT(answers[1].high, 40);
 }
@@ -280,7 +281,7 @@ TEST(ChainAnswer, WhatIsLockedIsRefuted) {
     };
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const auto answers = answered(read.scenario, locked, seed);
-        for (std::size_t q = 0; q < 2; ++q) EXPECT_TRUE(answers[q].refuted()) << seed;
+        for (std::size_t q = 0; q < 2; ++q) EXPECT_TRUE(answers[q].is_refuted()) << seed;
     }
 }
 
@@ -290,14 +291,14 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     const ReadChain read("abstract by near every 1 s estimate average near with confidence 95 %", "1");
     const ChainStates states(read.scenario, std::nullopt);
     diagnostics::Diagnostics found;
-    const auto asked = chain_asked(read.scenario, states, found);
+    const auto asked = find_chain_questions(read.scenario, states, found);
     const auto finding = [&](const Draw& draw) {
         std::mt19937_64 random(3);
         std::vector<TrialResult> trials(600);
         for (TrialResult& trial : trials)
             for (const double each : draw(random)) trial.samples.push_back({each});
         std::vector<Excluded> excluded;
-        const auto permitted = states.permitted();
+        const auto permitted = states.permitted_transitions();
         return order_finding(asked, permitted, sequences_of(read.scenario, states, permitted, trials, excluded));
     };
     EXPECT_FALSE(finding(wanders));
@@ -312,7 +313,8 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     });
     ASSERT_TRUE(lasting);
     EXPECT_NEAR(lasting->confidence, 0.95, 1e-12);
-    EXPECT_EQ(states.text(lasting->found.state), "near 1 of 1") << "what is next after it depends on the one before";
+    EXPECT_EQ(states.state_text(lasting->found.state), "near 1 of 1")
+        << "what is next after it depends on the one before";
 
     ChainResult result;
     result.questions = 1;
@@ -320,7 +322,7 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     result.order_asked = true;
     EXPECT_THAT(order_text(states, result), HasSubstr("nothing shows"));
     result.order = lasting;
-    EXPECT_TRUE(result.fails());
+    EXPECT_TRUE(result.has_failed());
     EXPECT_THAT(order_text(states, result), HasSubstr("REFUTED with confidence 95 %"));
     EXPECT_THAT(chain_summary(result), HasSubstr("what follows a state depends on the one before it"));
     ChainAnswer& answer = result.answers.emplace_back();
@@ -337,7 +339,7 @@ TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
         "1");
     const ChainStates states(read.scenario, std::nullopt);
     diagnostics::Diagnostics found;
-    const auto asked = chain_asked(read.scenario, states, found);
+    const auto asked = find_chain_questions(read.scenario, states, found);
     ASSERT_EQ(asked.size(), 2U);
     // The state stays for one step after each change, and changes after each step without a change.
     const statistics::StateSequence twos{1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2};
@@ -359,7 +361,7 @@ TEST(Sequences, WhatIsExcludedIsFound) {
     trials[0].samples = {{0}, {1}, {1}};
     trials[1].samples = {{0}, {1}, {0}};
     std::vector<Excluded> excluded;
-    const auto sequences = sequences_of(read.scenario, states, states.permitted(), trials, excluded);
+    const auto sequences = sequences_of(read.scenario, states, states.permitted_transitions(), trials, excluded);
     EXPECT_EQ(sequences[0].size(), 4U);
     ASSERT_EQ(excluded.size(), 1U);
     EXPECT_EQ(excluded[0].trial, 1U);
@@ -378,10 +380,10 @@ TEST(ChainReport, SaysWhatItIs) {
     answer.low = 12.34;
     answer.high = std::numeric_limits<double>::infinity();
     EXPECT_THAT(answers_text(result), HasSubstr("at least 12.3 s; no upper bound was found"));
-    EXPECT_FALSE(result.complete());
+    EXPECT_FALSE(result.is_complete());
     EXPECT_THAT(chain_summary(result), HasSubstr("1 of 2 open"));
     answer.checks.push_back({60, {0.5, 1}, 0.3, {0.2, 0.4}, true});
-    EXPECT_TRUE(result.fails());
+    EXPECT_TRUE(result.has_failed());
     EXPECT_THAT(answers_text(result), HasSubstr("REFUTED"));
     EXPECT_THAT(answers_text(result), HasSubstr("at 60 s it says between 50 % and 100 %"));
     EXPECT_THAT(chain_summary(result), HasSubstr("refuted: the chain is no abstraction here (1 of 2 answers)"));

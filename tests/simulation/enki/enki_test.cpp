@@ -29,7 +29,7 @@ TEST(Enki, OneClusterInAllTenTrials) {
     Experiment experiment(read_file(corpus + "aggregation/aggregation.rct"),
                           read_file(corpus + "aggregation/aggregation.scenario"));
     const RunResult result = run_in_enki(experiment);
-    EXPECT_TRUE(result.holds()) << bands_text(experiment.scenario, result) << experiment.messages();
+    EXPECT_TRUE(result.all_hold()) << bands_text(experiment.scenario, result) << experiment.messages();
 }
 
 TEST(Enki, BrokenControllersFail) {

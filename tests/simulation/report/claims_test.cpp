@@ -28,7 +28,8 @@ Claim at_least(double probability, double confidence, std::uint32_t most = 10'00
 /// Decides a claim with as many trials as it needs; every `period`-th trial fails (0: none).
 ClaimResult judged(const Claim& claim, std::uint64_t period, std::uint32_t comparisons = 1) {
     ClaimJudge judge(claim, comparisons);
-    for (std::uint64_t trial = 1; !judge.done(); ++trial) judge.add({period == 0 || trial % period != 0, 1, false}, 10);
+    for (std::uint64_t trial = 1; !judge.is_done(); ++trial)
+        judge.add({period == 0 || trial % period != 0, 1, false}, 10);
     return judge.result();
 }
 
@@ -37,7 +38,7 @@ ClaimResult judged(const Claim& claim, std::uint64_t period, std::uint32_t compa
 TEST(Claims, HoldAtTheFirstLookThatShowsIt) {
     const ClaimResult found = judged(at_least(0.95, 0.99), 0);
     EXPECT_EQ(found.verdict, ClaimVerdict::holds);
-    EXPECT_EQ(found.trials(), 183U);
+    EXPECT_EQ(found.trial_count(), 183U);
     EXPECT_EQ(found.successes, 183U);
     EXPECT_NEAR(found.interval.low, std::pow(0.01 / 56 / 2, 1 / 183.0), 1e-7);
     EXPECT_EQ(found.steps, 1830U);
@@ -47,11 +48,11 @@ TEST(Claims, HoldAtTheFirstLookThatShowsIt) {
 TEST(Claims, FailAndStayOpen) {
     const ClaimResult none = judged(at_least(0.95, 0.99), 1);
     EXPECT_EQ(none.verdict, ClaimVerdict::fails);
-    EXPECT_EQ(none.trials(), 16U) << "the first look";
+    EXPECT_EQ(none.trial_count(), 16U) << "the first look";
     EXPECT_NEAR(none.interval.high, 1 - std::pow(0.01 / 4, 1 / 16.0), 1e-7);
     const ClaimResult few = judged(at_least(0.95, 0.99, 10), 0);
     EXPECT_EQ(few.verdict, ClaimVerdict::open);
-    EXPECT_EQ(few.trials(), 10U);
+    EXPECT_EQ(few.trial_count(), 10U);
     EXPECT_NEAR(few.interval.low, std::pow(0.005, 0.1), 1e-7) << "one look with the whole error";
     EXPECT_EQ(judged(at_least(0.5, 0.99, 2000), 2).verdict, ClaimVerdict::open) << "half of them succeed";
 }
@@ -66,7 +67,7 @@ TEST(Claims, AtMost) {
 /// Each point of a sweep has its share of the total error.
 TEST(Claims, ComparisonsShareTheError) {
     const ClaimResult found = judged(at_least(0.95, 0.99), 0, 30);
-    EXPECT_EQ(found.trials(), 275U);
+    EXPECT_EQ(found.trial_count(), 275U);
     EXPECT_NEAR(found.interval.low, std::pow(0.01 / 30 / 72 / 2, 1 / 275.0), 1e-7);
 }
 
@@ -74,10 +75,10 @@ TEST(Claims, ComparisonsShareTheError) {
 TEST(Claims, WithAnIndifferenceAreTested) {
     Claim claim = at_least(0.925, 0.99);
     claim.indifference = 0.025;
-    EXPECT_EQ(judged(claim, 0).trials(), 86U);
+    EXPECT_EQ(judged(claim, 0).trial_count(), 86U);
     EXPECT_EQ(judged(claim, 0).verdict, ClaimVerdict::holds);
     EXPECT_EQ(judged(claim, 1).verdict, ClaimVerdict::fails);
-    EXPECT_EQ(judged(claim, 1).trials(), 7U) << "n ln(.10/.05) >= ln 100";
+    EXPECT_EQ(judged(claim, 1).trial_count(), 7U) << "n ln(.10/.05) >= ln 100";
     claim.trials = 50;
     EXPECT_EQ(judged(claim, 0).verdict, ClaimVerdict::open);
 }
@@ -131,7 +132,7 @@ RunResult run(Experiment& experiment, unsigned threads, bool record) {
     RunOptions options;
     options.threads = threads;
     options.record = record;
-    return simulation::run(experiment.plan, experiment.controller->drive(), options, experiment.diagnostics);
+    return simulation::run_trials(experiment.plan, experiment.controller->drive(), options, experiment.diagnostics);
 }
 
 std::string described(const RunResult& result) {
@@ -162,12 +163,12 @@ TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     EXPECT_EQ(kept.trials[1].steps, 100U);
     EXPECT_TRUE(bare.trials.empty());
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_EQ(kept.claims[c].trials(), bare.claims[c].trials());
+        EXPECT_EQ(kept.claims[c].trial_count(), bare.claims[c].trial_count());
         EXPECT_EQ(kept.claims[c].successes, bare.claims[c].successes);
         EXPECT_EQ(kept.claims[c].steps, bare.claims[c].steps);
     }
     EXPECT_LE(bare.steps, kept.steps);
-    EXPECT_LT(bare.claims[1].steps, 100 * bare.claims[1].trials()) << "trials that succeed end then";
+    EXPECT_LT(bare.claims[1].steps, 100 * bare.claims[1].trial_count()) << "trials that succeed end then";
 }
 
 /// A robot that starts within 20 cm of the lamp succeeds immediately. The distance after 10 s at 10 cm/s and every
@@ -198,11 +199,11 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
     EXPECT_TRUE(experiment.diagnostics.ok());
     // The answer is known at the start, so it counts. A later answer cannot occur.
     EXPECT_EQ(result.claims[1].verdict, ClaimVerdict::fails);
-    EXPECT_EQ(result.claims[1].trials(), 16U);
-    EXPECT_EQ(result.claims[1].stopped() + result.claims[1].successes, 16U);
-    EXPECT_GE(result.claims[1].stopped(), 8U);
+    EXPECT_EQ(result.claims[1].trial_count(), 16U);
+    EXPECT_EQ(result.claims[1].stopped_count() + result.claims[1].successes, 16U);
+    EXPECT_GE(result.claims[1].stopped_count(), 8U);
     EXPECT_EQ(result.claims[2].verdict, ClaimVerdict::fails) << "whatever is claimed of it";
-    EXPECT_TRUE(result.fails());
+    EXPECT_TRUE(result.has_failed());
     Experiment most(loop, replaced(scenario, "60 cm within 10 s >= 70 %", "60 cm within 10 s <= 70 %"));
     EXPECT_EQ(run(most, 1, false).claims[1].verdict, ClaimVerdict::fails) << "against it too";
     // In a scenario with bands it remains an error.
@@ -210,7 +211,7 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
                                    "measure way is distance(lamp)\n\taccept each way >= 0 cm"));
     const RunResult stopped = run(band, 1, false);
     EXPECT_TRUE(stopped.stops_are_errors);
-    EXPECT_TRUE(stopped.stopped());
+    EXPECT_TRUE(stopped.has_stopped_trial());
     EXPECT_EQ(band.codes(), "RC-M12 RC-M12 RC-M12");
 }
 

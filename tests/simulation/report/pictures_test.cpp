@@ -63,7 +63,7 @@ TEST(Pictures, CsvHasARowARobotATime) {
 }
 
 TEST(Pictures, RasterShowsTheRobotWhereItIs) {
-    const Raster raster = rasterise(small(), two_frames()[1], 2, 250);  // one pixel per centimetre
+    const Raster raster = rasterise_frame(small(), two_frames()[1], 2, 250);  // one pixel per centimetre
     const auto dot = [&](double x, double y) {
         const std::size_t index =
             3 * (static_cast<std::size_t>(125 - y) * raster.width + static_cast<std::size_t>(125 + x));
@@ -99,11 +99,11 @@ TEST(Pictures, NamesAreText) {
 }
 
 TEST(Ticks, AreRound) {
-    EXPECT_THAT(ticks(-125, 125, 7), ElementsAre(-100, -50, 0, 50, 100));
-    EXPECT_THAT(ticks(0, 180, 9), ElementsAre(0, 50, 100, 150));
-    EXPECT_THAT(ticks(0, 1, 6), ElementsAre(0, ::testing::DoubleEq(0.2), ::testing::DoubleEq(0.4),
-                                            ::testing::DoubleNear(0.6, 1e-12), ::testing::DoubleEq(0.8), 1));
-    EXPECT_THAT(ticks(3, 3, 5), ElementsAre());
+    EXPECT_THAT(axis_ticks(-125, 125, 7), ElementsAre(-100, -50, 0, 50, 100));
+    EXPECT_THAT(axis_ticks(0, 180, 9), ElementsAre(0, 50, 100, 150));
+    EXPECT_THAT(axis_ticks(0, 1, 6), ElementsAre(0, ::testing::DoubleEq(0.2), ::testing::DoubleEq(0.4),
+                                                 ::testing::DoubleNear(0.6, 1e-12), ::testing::DoubleEq(0.8), 1));
+    EXPECT_THAT(axis_ticks(3, 3, 5), ElementsAre());
     EXPECT_EQ(number_text(-0.0), "0");
 }
 
@@ -119,13 +119,13 @@ TEST(Series, QuartilesAreInterpolated) {
 }
 
 TEST(Series, ThinnedKeepsTheEnds) {
-    EXPECT_EQ(thinning(100, 100), 1U);
-    EXPECT_EQ(thinning(101, 100), 2U) << "0, 2, ..., 100 are 51";
-    EXPECT_EQ(thinning(10, 2), 9U) << "the ends alone";
-    EXPECT_EQ(thinning(0, 2), 1U);
-    EXPECT_THAT(thinned(10, 4), ElementsAre(0, 4, 8, 9));
-    EXPECT_THAT(thinned(9, 4), ElementsAre(0, 4, 8));
-    EXPECT_THAT(thinned(0, 4), ElementsAre());
+    EXPECT_EQ(thinning_factor(100, 100), 1U);
+    EXPECT_EQ(thinning_factor(101, 100), 2U) << "0, 2, ..., 100 are 51";
+    EXPECT_EQ(thinning_factor(10, 2), 9U) << "the ends alone";
+    EXPECT_EQ(thinning_factor(0, 2), 1U);
+    EXPECT_THAT(kept_indices(10, 4), ElementsAre(0, 4, 8, 9));
+    EXPECT_THAT(kept_indices(9, 4), ElementsAre(0, 4, 8));
+    EXPECT_THAT(kept_indices(0, 4), ElementsAre());
 }
 
 /// Three robots in a row, `gap` apart, at each of these times.
@@ -198,7 +198,7 @@ TEST(Plot, HasAxesBandsAndALineForEachTrial) {
     Scenario scenario = small();
     scenario.robots = 3;
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30, 6})}, machines());
-    const Plot drawn = plot(charts.charts[0], charts.times, {true, true});
+    const Plot drawn = draw_plot(charts.charts[0], charts.times, {true, true});
     EXPECT_THAT(drawn.svg, HasSubstr(">[cm]</text>"));
     EXPECT_THAT(drawn.svg, HasSubstr(">time [s]</text>"));
     EXPECT_THAT(drawn.svg, HasSubstr("data-trial=\"1\""));

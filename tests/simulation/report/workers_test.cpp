@@ -21,7 +21,7 @@ TEST(Workers, WhatOneThrowsReachesTheCaller) {
         return nullptr;
     };
     diagnostics::Diagnostics diagnostics;
-    EXPECT_THROW((void)run(plan, Drives({}, nullptr), options, diagnostics), std::bad_alloc);
+    EXPECT_THROW((void)run_trials(plan, Drives({}, nullptr), options, diagnostics), std::bad_alloc);
 }
 
 }  // namespace

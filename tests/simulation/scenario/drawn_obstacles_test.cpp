@@ -108,7 +108,7 @@ TEST(DrawnObstacles, StandInTheArena) {
     diagnostics::Diagnostics missing;
     (void)read_scenario(sources, source, missing);
     ASSERT_FALSE(missing.ok());
-    EXPECT_THAT(missing.sorted().at(0).message(), HasSubstr("obstacles of map.svg"));
+    EXPECT_THAT(missing.sorted_findings().at(0).message(), HasSubstr("obstacles of map.svg"));
 
     std::ofstream(made + "/map.svg") << drawing("<rect x=\"10\" y=\"10\" width=\"10\" height=\"10\"/>");
     diagnostics::Diagnostics good;

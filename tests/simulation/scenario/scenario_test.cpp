@@ -60,7 +60,7 @@ struct Read {
     }
     [[nodiscard]] std::string findings() const {
         std::string out;
-        for (const auto& d : diagnostics.sorted()) {
+        for (const auto& d : diagnostics.sorted_findings()) {
             const auto place = sources.position(d.span.source, d.span.begin);
             out += fmt(place) + " " + std::string(d.rule->code) + " " + d.message() + "\n";
         }
@@ -83,7 +83,7 @@ TEST(Scenario, ReadsEveryItemIntoCentimetresSecondsRadians) {
     EXPECT_DOUBLE_EQ(s.world.control_step, 0.1);
     EXPECT_EQ(s.world.physics_steps, 5U);
     EXPECT_EQ(s.units_per_step, 2U);
-    EXPECT_EQ(s.steps(), 20U);
+    EXPECT_EQ(s.step_count(), 20U);
     EXPECT_DOUBLE_EQ(s.world.arena.width, 200);
     EXPECT_FALSE(s.world.arena.walled);
     EXPECT_EQ(s.world.arena.walls.at(0).to, (Vector{5, -10}));
@@ -203,7 +203,7 @@ TEST(ScenarioProperty, SwappedWordsDoNoHarm) {
         const Read read(changed);
         if (!read.diagnostics.ok()) continue;
         EXPECT_GT(read.scenario.robots, 0U) << changed;
-        EXPECT_GT(read.scenario.steps(), 0U) << changed;
+        EXPECT_GT(read.scenario.step_count(), 0U) << changed;
     }
 }
 
@@ -368,7 +368,7 @@ TEST(Scenario, SaysWhatIsProbablyMeant) {
     for (const Mistake& each : mistakes) {
         const Read read(replaced(good, each.from, each.to));
         EXPECT_THAT(diagnostics::render_text(read.sources, read.diagnostics), HasSubstr(each.note)) << each.to;
-        for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted())
+        for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted_findings())
             for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
     }
     for (const diagnostics::Advice& row : scenario_advice()) {

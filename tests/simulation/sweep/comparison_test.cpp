@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "simulation/scenario/read_scenario.hpp"
 #include "base/statistics/binomial.hpp"
+#include "simulation/scenario/read_scenario.hpp"
 
 namespace robochart::simulation {
 namespace {
@@ -29,7 +29,7 @@ constexpr const char* estimating = R"(scenario S for M {
 struct Sweeping {
     explicit Sweeping(const std::string& text = estimating) {
         scenario = read_scenario(sources, sources.add("s.scenario", text), diagnostics);
-        for (const auto& each : diagnostics.sorted()) findings += each.message() + "\n";
+        for (const auto& each : diagnostics.sorted_findings()) findings += each.message() + "\n";
     }
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -39,7 +39,7 @@ struct Sweeping {
 
 ClaimResult estimated(const Claim& claim, std::uint64_t successes) {
     ClaimJudge judge(claim, 1);
-    for (std::uint64_t trial = 0; !judge.done(); ++trial) judge.add({trial < successes, 1, false}, 10);
+    for (std::uint64_t trial = 0; !judge.is_done(); ++trial) judge.add({trial < successes, 1, false}, 10);
     return judge.result();
 }
 
@@ -49,10 +49,10 @@ TEST(Estimates, AreIntervalsAfterAllTrials) {
     ASSERT_EQ(read.scenario.claims.size(), 1U);
     const ClaimResult found = estimated(read.scenario.claims[0], 4);
     EXPECT_EQ(found.verdict, ClaimVerdict::estimated);
-    EXPECT_EQ(found.trials(), 10U);
+    EXPECT_EQ(found.trial_count(), 10U);
     EXPECT_EQ(found.interval, statistics::clopper_pearson(4, 10, 1 - read.scenario.claims[0].confidence));
     read.scenario.set_trials(25);
-    EXPECT_EQ(estimated(read.scenario.claims[0], 25).trials(), 25U);
+    EXPECT_EQ(estimated(read.scenario.claims[0], 25).trial_count(), 25U);
     EXPECT_EQ(read.scenario.claims[0].text, "probability spread <= 5 cm within 10 s with confidence 95 %");
 }
 
@@ -90,15 +90,15 @@ TEST(Comparison, TestsEachPointAndAllTogether) {
     const auto table = read_table("note,robots,successes,trials\nx,1,0,10\ny,3,5,10\n\"a, b\",2,0,10\nz,9,1,1\n",
                                   read.scenario, error);
     ASSERT_TRUE(table) << error;
-    const auto all = compare(read.scenario, sweep(read.scenario, {10, 0, 4}), *table);
+    const auto all = compare_tables(read.scenario, sweep(read.scenario, {10, 0, 4}), *table);
     ASSERT_EQ(all.size(), 3U) << "9 robots are not here";
     // Ten of ten is compared with none of ten. The p-value is 2 of (20 choose 10) divisions, and there are three tests.
     EXPECT_NEAR(all[0].chance, 2.0 / 184'756, 1e-12);
     EXPECT_NEAR(all[0].adjusted, 6.0 / 184'756, 1e-12);
-    EXPECT_TRUE(rejected(read.scenario, all[0]));
+    EXPECT_TRUE(is_rejected(read.scenario, all[0]));
     EXPECT_NEAR(all[1].chance, 1, 1e-9);
-    EXPECT_FALSE(rejected(read.scenario, all[1]));
-    EXPECT_FALSE(rejected(read.scenario, all[2]));
+    EXPECT_FALSE(is_rejected(read.scenario, all[1]));
+    EXPECT_FALSE(is_rejected(read.scenario, all[2]));
     EXPECT_EQ(comparison_summary(read.scenario, all), "1 of 3 estimates differ from the table");
     EXPECT_THAT(comparison_text(read.scenario, all), HasSubstr("DIFFERS"));
 }
@@ -113,7 +113,7 @@ TEST(Comparison, ItsOwnTableIsOne) {
     ASSERT_EQ(table->size(), 3U);
     EXPECT_THAT((*table)[2].point, ElementsAre(3));
     EXPECT_EQ((*table)[2].sample.successes, 3U);
-    EXPECT_EQ(comparison_summary(read.scenario, compare(read.scenario, result, *table)),
+    EXPECT_EQ(comparison_summary(read.scenario, compare_tables(read.scenario, result, *table)),
               "none of 3 estimates differs from the table");
 }
 

@@ -29,7 +29,7 @@ constexpr const char* varied = R"(scenario S for M {
 struct ReadScenario {
     explicit ReadScenario(const std::string& text) {
         scenario = read_scenario(sources, sources.add("s.scenario", text), diagnostics);
-        for (const auto& each : diagnostics.sorted())
+        for (const auto& each : diagnostics.sorted_findings())
             findings += std::string(each.rule->code) + " " + each.message() + "\n";
     }
     diagnostics::SourceManager sources;
@@ -136,7 +136,7 @@ std::vector<PointResult> verdicts(const std::string& letters) {
 }
 
 std::string least_of(const std::string& letters) {
-    const Least result = least(verdicts(letters), 0, std::nullopt);
+    const Least result = least_value(verdicts(letters), 0, std::nullopt);
     return (result.value ? std::to_string(static_cast<int>(*result.value)) : "none") +
            (result.certain ? " certain" : "") + (result.ended ? " ended" : "");
 }
@@ -157,22 +157,22 @@ TEST(Sweep, EachValueOfTheSecondVariationHasItsLeast) {
          {std::tuple(1.0, 0.0, ClaimVerdict::fails), std::tuple(2.0, 0.0, ClaimVerdict::holds),
           std::tuple(1.0, 0.1, ClaimVerdict::holds), std::tuple(2.0, 0.1, ClaimVerdict::open)})
         results.push_back({{robots, noise}, {found(verdict)}});
-    EXPECT_EQ(least(results, 0, 0.0).value, 2);
-    EXPECT_EQ(least(results, 0, 0.1).value, 1);
+    EXPECT_EQ(least_value(results, 0, 0.0).value, 2);
+    EXPECT_EQ(least_value(results, 0, 0.1).value, 1);
 }
 
 TEST(Sweep, WhatIsKeptComesBack) {
     const std::vector<ClaimResult> claims{found(ClaimVerdict::holds), found(ClaimVerdict::open)};
-    const auto back = restored(stored(claims), 2);
+    const auto back = claims_from_text(claims_to_text(claims), 2);
     ASSERT_TRUE(back);
-    EXPECT_EQ(stored(*back), stored(claims));
+    EXPECT_EQ(claims_to_text(*back), claims_to_text(claims));
     EXPECT_EQ((*back)[0].interval, claims[0].interval);
-    EXPECT_EQ((*back)[0].trials(), 16U);
-    EXPECT_EQ((*back)[0].stopped(), 1U);
-    EXPECT_FALSE(restored(stored(claims), 3));
-    EXPECT_FALSE(restored("not that", 2));
-    EXPECT_FALSE(restored("[[1],[2]]", 2));
-    EXPECT_FALSE(restored(R"([["a",1,0,0,1,1,1,[]],[0,1,0,0,1,1,1,[]]])", 2));
+    EXPECT_EQ((*back)[0].trial_count(), 16U);
+    EXPECT_EQ((*back)[0].stopped_count(), 1U);
+    EXPECT_FALSE(claims_from_text(claims_to_text(claims), 3));
+    EXPECT_FALSE(claims_from_text("not that", 2));
+    EXPECT_FALSE(claims_from_text("[[1],[2]]", 2));
+    EXPECT_FALSE(claims_from_text(R"([["a",1,0,0,1,1,1,[]],[0,1,0,0,1,1,1,[]]])", 2));
 }
 
 TEST(Sweep, TablesAndSets) {

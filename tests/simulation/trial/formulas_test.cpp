@@ -25,7 +25,7 @@ Scenario with_property(const std::string& property) {
         property + " >= 50 % with confidence 90 % }";
     Scenario scenario = read_scenario(sources, sources.add("s.scenario", text), diagnostics);
     std::string findings;
-    for (const auto& each : diagnostics.sorted()) findings += each.message() + "\n";
+    for (const auto& each : diagnostics.sorted_findings()) findings += each.message() + "\n";
     EXPECT_EQ(findings, "") << property;
     return scenario;
 }
@@ -43,7 +43,7 @@ std::string answer(const std::string& property, const Values& run) {
     if (scenario.claims.size() != 1) return "";
     Property watched(scenario.claims.front().property, 1, 5);
     for (std::uint64_t step = 0; step <= 5; ++step)
-        if (watched.due(step)) watched.look(step, at(run, step));
+        if (watched.is_due(step)) watched.evaluate_at(step, at(run, step));
     if (!watched.answer().holds) return "open";
     return (*watched.answer().holds ? "true " : "false ") + std::to_string(watched.answer().step);
 }
@@ -93,11 +93,11 @@ TEST(Formulas, ConnectivesDecideEarly) {
 TEST(Formulas, WhatATrialThatStopsLeavesOpenIsTaken) {
     const Scenario scenario = with_property("a >= 2 within 4 s");
     Property watched(scenario.claims.front().property, 1, 5);
-    watched.look(0, at(up_and_down, 0));
+    watched.evaluate_at(0, at(up_and_down, 0));
     watched.end(1, false);
     EXPECT_EQ(watched.answer(), (Answer{false, 1, true}));
     Property decided(scenario.claims.front().property, 1, 5);
-    for (std::uint64_t step = 0; step <= 2; ++step) decided.look(step, at(up_and_down, step));
+    for (std::uint64_t step = 0; step <= 2; ++step) decided.evaluate_at(step, at(up_and_down, step));
     decided.end(3, false);
     EXPECT_EQ(decided.answer(), (Answer{true, 2, false})) << "what is known stays";
 }
@@ -204,7 +204,7 @@ TEST(Formulas, RandomOnesAreAsTheirOperatorsAreDefined) {
         const Values run = random.run();
         Property watched(formula, 1, 5);
         for (std::uint64_t step = 0; step <= 5; ++step)
-            if (watched.due(step)) watched.look(step, at(run, step));
+            if (watched.is_due(step)) watched.evaluate_at(step, at(run, step));
         ASSERT_TRUE(watched.answer().holds) << seed;
         EXPECT_EQ(*watched.answer().holds, defined(formula, run)) << seed;
         early += watched.answer().step < 5 ? 1U : 0U;

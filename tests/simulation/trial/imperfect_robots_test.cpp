@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "simulation/scenario/read_scenario.hpp"
 #include "base/statistics/binomial.hpp"
+#include "simulation/scenario/read_scenario.hpp"
 #include "tests/simulation/harness.hpp"
 
 namespace robochart::simulation {
@@ -72,7 +72,7 @@ std::vector<std::string> ends(const std::string& text, const std::string& of = l
     const Machines machines = machines_of(experiment.controller->drive());
     const Frame& last = result.trials.at(0).frames.back();
     for (std::size_t robot = 0; robot < last.poses.size(); ++robot)
-        states.push_back(machines.at(0).state(last.state(robot)));
+        states.push_back(machines.at(0).state_name(last.robot_state(robot)));
     return states;
 }
 
@@ -131,8 +131,8 @@ std::uint64_t noticing(const std::string& sensor, const std::string& reading) {
         experiment.scenario.seed = seed;
         for (const TrialResult& trial : experiment.run().trials)
             for (std::size_t robot = 0; robot < 2; ++robot) {
-                const std::uint16_t state = trial.frames.back().state(robot);
-                robots += machines_of(experiment.controller->drive())[0].state(state) == "Seeing" ? 1U : 0U;
+                const std::uint16_t state = trial.frames.back().robot_state(robot);
+                robots += machines_of(experiment.controller->drive())[0].state_name(state) == "Seeing" ? 1U : 0U;
             }
     }
     return robots;
@@ -194,8 +194,8 @@ TEST(Failures, OfMotorsStopTheRobotAlone) {
     const auto& frames = result.trials.at(0).frames;
     EXPECT_NEAR(frames.at(20).poses[0].at.x, 10, 1e-9) << "10 cm/s for a second";
     EXPECT_NEAR(frames[20].poses[1].at.x, 40, 1e-9);
-    EXPECT_NEAR(measured(experiment.scenario, experiment.scenario.measures[1], frames[9]), 1, 0);
-    EXPECT_NEAR(measured(experiment.scenario, experiment.scenario.measures[1], frames[20]), 0.5, 0);
+    EXPECT_NEAR(measure_value(experiment.scenario, experiment.scenario.measures[1], frames[9]), 1, 0);
+    EXPECT_NEAR(measure_value(experiment.scenario, experiment.scenario.measures[1], frames[20]), 0.5, 0);
 }
 
 TEST(Failures, OfSensorsReportNothing) {
@@ -222,7 +222,7 @@ TEST(Failures, AreThoseOfTheFormulaForKOutOfN) {
     for (std::size_t c = 0; c < 3; ++c) {
         const double expected = statistics::at_least(10 - c, 10, alive);
         EXPECT_EQ(result.claims.at(c).verdict, ClaimVerdict::estimated);
-        EXPECT_EQ(result.claims[c].trials(), 2000U);
+        EXPECT_EQ(result.claims[c].trial_count(), 2000U);
         EXPECT_LE(result.claims[c].interval.low, expected) << 10 - c;
         EXPECT_GE(result.claims[c].interval.high, expected) << 10 - c;
     }
@@ -232,10 +232,10 @@ TEST(Lights, Move) {
     Light light;
     light.at = {10, 0};
     light.to = {10, 30};
-    EXPECT_EQ(light.position(5), (Vector{10, 0})) << "without a speed it stands";
+    EXPECT_EQ(light.position_at(5), (Vector{10, 0})) << "without a speed it stands";
     light.speed = 2;
-    EXPECT_NEAR(light.position(5).y, 10, 1e-12);
-    EXPECT_NEAR(light.position(100).y, 30, 1e-12) << "there it stays";
+    EXPECT_NEAR(light.position_at(5).y, 10, 1e-12);
+    EXPECT_NEAR(light.position_at(100).y, 30, 1e-12) << "there it stays";
 }
 
 TEST(Obstacles, StandInTheWayAndHoldNobody) {

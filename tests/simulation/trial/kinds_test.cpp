@@ -2,6 +2,7 @@
 // Several kinds of robots with separate models, and the machine of an environment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 
@@ -14,7 +15,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// The robot drives forward from the start.
+/// Drives forward from the start.
 constexpr const char* runner = R"(
 interface Legs { run() }
 interface Ears { event shout }
@@ -29,7 +30,7 @@ stm Runner {
 }
 )";
 
-/// The robot drives back for the number of time units in its constant, and sends its number.
+/// Drives back for the number of time units in its constant; sends its number.
 constexpr const char* backer = R"(
 interface Wheels { back() halt() }
 interface Says { var word : nat = 0 }
@@ -84,12 +85,12 @@ TEST(Kinds, EachHasItsModelItsPlacesAndItsPlatform) {
     // The signal comes in the cycle at 0.5 s, so from 0.5 s on the robot drives for 1.5 s at 10 cm/s.
     EXPECT_NEAR(last.poses[0].at.x, 15, 1e-9);
     EXPECT_NEAR(last.poses[1].at.x, 15, 1e-9);
-    // The robot drives three time units of 0.1 s backwards.
+    // Three time units of 0.1 s backwards.
     EXPECT_NEAR(last.poses[2].at.x, -3, 1e-9);
     const Machines machines = machines_of(experiment.scenario, experiment.drives());
     ASSERT_EQ(machines.size(), 1U);
-    EXPECT_EQ(machines[0].state(last.state(0)), "runners::Running");
-    EXPECT_EQ(machines[0].state(last.state(2)), "backers::Standing");
+    EXPECT_EQ(machines[0].state_name(last.robot_state(0)), "runners::Running");
+    EXPECT_EQ(machines[0].state_name(last.robot_state(2)), "backers::Standing");
 }
 
 TEST(Kinds, AKindThatIsCalledLikeAStateMakesItsNameMeanTwoThings) {
@@ -117,7 +118,7 @@ TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
             EXPECT_EQ(a.trials[0].frames[f].poses[robot].at, b.trials[0].frames[f].poses[robot].at);
 }
 
-/// Wheels, axle and noise are those of the first kind unless the kind states its own. A fifth of the speed gives a
+/// Wheels, axle and noise are those of the first kind unless the kind states its own; a fifth of the speed gives a
 /// fifth of the distance.
 TEST(Kinds, DriveByWheelsOfTheirOwn) {
     const auto at_end = [](const std::string& own) {
@@ -183,7 +184,7 @@ TEST(Kinds, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(mixed, "robots 1 backers", "robots 1 runners")), "RC-M05 RC-M06 RC-M06");
 }
 
-/// The machine counts to its constant, then performs two actions.
+/// Counts to its constant, then performs two actions.
 constexpr const char* keeper = R"(
 interface Acts { act(x : real, y : real) stop() }
 interface Watch { event late event seen : boolean event share : real }
@@ -239,11 +240,11 @@ const Frame& frame_near(const RunResult& result, double time) {
 TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
     Experiment experiment(runner, watched, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // The environment reads the time in the cycle at 1 s, and the action takes effect in the next cycle.
+    // Read in the cycle at 1 s; the action takes effect in the next cycle.
     EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
     EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));
-    // The light needs 2.236 s for the 22.36 cm to (10, 20) at 10 cm/s. After one second it has moved 10 cm.
+    // It takes 22.36 cm to (10, 20) at 10 cm/s: after one second it has moved 10 cm.
     EXPECT_NEAR(length(frame_near(result, 2).lights.at(0).at), 10, 1e-6);
     EXPECT_NEAR(frame_near(result, 2).lights.at(0).at.y, 2 * frame_near(result, 2).lights.at(0).at.x, 1e-6);
     // The robots read the event in the cycle at 1.1 s, and drive for 1.9 s.
@@ -257,8 +258,8 @@ TEST(WorldMachine, ReadsConditionsAndMeasures) {
         "model.rct", {keeper});
     const RunResult result = experiment.run();
     const Frame& last = result.trials.at(0).frames.back();
-    EXPECT_EQ(std::count(last.working.begin(), last.working.end(), false), 1);
-    // One of the two robots, chosen at random, stands still. Over many trials both robots are chosen.
+    EXPECT_EQ(std::ranges::count(last.working, false), 1);
+    // One of the two robots, chosen at random, stands: over many trials it is not always the same one.
     Experiment many(runner,
                     replaced(replaced(watched, "stimulus shout on act",
                                       "stimulus shout on act failure of motors in 1 robots on stop"),
@@ -378,8 +379,7 @@ TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
     text = replaced(text, "feed late when clock >= 1 s", "feed late when running >= 100 %");
     Experiment experiment(runner, text, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // The robot has been running since the cycle at 0.5 s. The environment reads this in the cycle at 0.6 s, and its
-    // action takes effect after that step.
+    // Running since the cycle at 0.5 s, read in that at 0.6 s, effective after that step.
     EXPECT_FALSE(frame_near(result, 0.6).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 0.7).obstacles.at(0));
 }

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 
@@ -48,11 +49,11 @@ TEST(MeasuresProperty, ClusterIsTheClosure) {
 
 TEST(Measures, ClustersCountThoseAloneToo) {
     const auto poses = at({{0, 0}, {20, 0}, {10, 0}, {0, 50}});
-    EXPECT_EQ(clusters(poses, 10).count, 2U) << "the three, and the one alone";
-    EXPECT_EQ(clusters(poses, 10).largest, 3U);
-    EXPECT_EQ(clusters(poses, 9.99).count, 4U);
-    EXPECT_EQ(clusters(poses, 60).count, 1U);
-    EXPECT_EQ(clusters({}, 60).count, 0U);
+    EXPECT_EQ(count_clusters(poses, 10).count, 2U) << "the three, and the one alone";
+    EXPECT_EQ(count_clusters(poses, 10).largest, 3U);
+    EXPECT_EQ(count_clusters(poses, 9.99).count, 4U);
+    EXPECT_EQ(count_clusters(poses, 60).count, 1U);
+    EXPECT_EQ(count_clusters({}, 60).count, 0U);
 }
 
 TEST(Measures, MeanDistanceIsOverAllPairs) {
@@ -63,7 +64,7 @@ TEST(Measures, MeanDistanceIsOverAllPairs) {
 
 TEST(Measures, SpreadAndMomentOfASquare) {
     const auto poses = at({{3, 4}, {-3, 4}, {3, -4}, {-3, -4}});
-    EXPECT_DOUBLE_EQ(spread(poses), 5);
+    EXPECT_DOUBLE_EQ(mean_spread(poses), 5);
     EXPECT_DOUBLE_EQ(second_moment(poses, 2.5), 4 * 25 / 25.0);
     EXPECT_EQ(centroid(poses), (Vector{0, 0}));
 }
@@ -89,9 +90,9 @@ TEST(Statistics, TimesAveragesAndMoments) {
         // Two robots that move apart by 2 cm per step: the spread is the number of steps.
         const double half = static_cast<double>(step);
         const Frame frame{0, at({{-half, 0}, {half, 0}}), {}, {}};
-        statistics.look(step, measures_now(scenario, frame));
+        statistics.take_samples(step, measures_now(scenario, frame));
     }
-    const auto values = statistics.values();
+    const auto values = statistics.band_values();
     EXPECT_NEAR(values[0], 0.5, 1e-12) << "5 is reached after five steps of 0.1 s";
     EXPECT_NEAR(values[1], (0 + 10 + 20) / 3.0, 1e-12) << "at 0, 1 and 2 s";
     EXPECT_NEAR(values[2], 5, 1e-12);
@@ -102,15 +103,15 @@ TEST(Judge, EachTakesTheWorstMeanTheMean) {
     std::vector<TrialResult> trials(2);
     trials[0].statistics = {0.5, 3, 1};
     trials[1].statistics = {NAN, 4.5, 1};
-    const auto bands = judge(scenario, trials);
+    const auto bands = judge_bands(scenario, trials);
     EXPECT_FALSE(bands[0].holds);
     EXPECT_TRUE(std::isnan(bands[0].value)) << "never is the worst";
     EXPECT_EQ(bands[0].trials_outside, 1U);
     EXPECT_TRUE(bands[1].holds);
     EXPECT_DOUBLE_EQ(bands[1].value, 3.75);
     trials[1].statistics[0] = 0.9;
-    EXPECT_TRUE(judge(scenario, trials)[0].holds);
-    EXPECT_DOUBLE_EQ(judge(scenario, trials)[0].value, 0.9);
+    EXPECT_TRUE(judge_bands(scenario, trials)[0].holds);
+    EXPECT_DOUBLE_EQ(judge_bands(scenario, trials)[0].value, 0.9);
 }
 
 }  // namespace

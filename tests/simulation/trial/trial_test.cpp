@@ -120,8 +120,8 @@ scenario World for Loop {
 }
 )");
     const RunResult result = experiment.run();
-    ASSERT_TRUE(result.stopped());
-    EXPECT_FALSE(result.holds());
+    ASSERT_TRUE(result.has_stopped_trial());
+    EXPECT_FALSE(result.all_hold());
     EXPECT_EQ(result.trials[0].steps, 0U);
     EXPECT_THAT(result.trials[0].stop->place,
                 ::testing::AnyOf(HasSubstr("Loop::A"), HasSubstr("Loop::B"), HasSubstr("Loop::t")));
@@ -164,14 +164,14 @@ scenario World for M {
 }
 )");
     const RunResult result = experiment.run();
-    ASSERT_TRUE(result.stopped()) << experiment.messages();
+    ASSERT_TRUE(result.has_stopped_trial()) << experiment.messages();
     EXPECT_THAT(result.trials[0].stop->cause, HasSubstr("precondition"));
 }
 
 class Counting final : public Trace {
 public:
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-               rc_drive_result /*result*/) override {
+    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result /*result*/) override {
         ++cycles;
         if (robot != 0) return;
         if (inputs[0].present != 0) seen.push_back(step);
@@ -244,7 +244,7 @@ scenario World for Roam {
 )");
     ASSERT_EQ(experiment.codes(), "") << experiment.messages();
     const RunResult result = experiment.run();
-    ASSERT_FALSE(result.stopped()) << experiment.messages();
+    ASSERT_FALSE(result.has_stopped_trial()) << experiment.messages();
     const auto& frames = result.trials.at(0).frames;
     EXPECT_NEAR(frames[20].poses[0].at.x, 0, 1e-9) << "waits for the sign at 2 s";
     EXPECT_NEAR(frames[21].poses[0].at.x, 1, 1e-9);
@@ -306,7 +306,7 @@ TEST_F(NamedStimuli, AreLiteralsAndConstantsOfTheModel) {
                                 others);
     ASSERT_EQ(run->codes(), "") << run->messages();
     const RunResult result = run->run();
-    ASSERT_FALSE(result.stopped()) << run->messages();
+    ASSERT_FALSE(result.has_stopped_trial()) << run->messages();
     const auto& frames = result.trials.at(0).frames;
     EXPECT_NEAR(frames[10].poses[0].at.x, 0, 1e-9) << "OUT is not FAR";
     EXPECT_NEAR(frames[20].poses[0].at.x, 10, 1e-9) << "ten steps of a centimetre since FAR";
@@ -381,8 +381,8 @@ scenario World for Grows {
         Experiment experiment(replaced(squares, "ENTRY", entry), replaced(plane, "DRIVE", drive));
         EXPECT_EQ(experiment.codes(), "");
         const RunResult result = experiment.run();
-        EXPECT_TRUE(result.stopped());
-        EXPECT_FALSE(result.holds());
+        EXPECT_TRUE(result.has_stopped_trial());
+        EXPECT_FALSE(result.all_hold());
         EXPECT_THAT(experiment.codes(), HasSubstr("RC-M12"));
         EXPECT_THAT(experiment.messages(), HasSubstr("a number that is not finite"));
         return result.trials.empty() || !result.trials[0].stop ? -1 : result.trials[0].stop->time;

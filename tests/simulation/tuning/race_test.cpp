@@ -23,19 +23,19 @@ class Synthetic : public RaceSubject {
 public:
     explicit Synthetic(std::vector<Parameter> parameters) : parameters_(std::move(parameters)) {}
 
-    bool usable(const Candidate& candidate) override {
+    bool is_usable(const Candidate& candidate) override {
         candidates_.push_back(candidate);
-        return is_usable(candidate);
+        return can_run(candidate);
     }
-    bool admitted(const Candidate& candidate) override {
+    bool admits_candidate(const Candidate& candidate) override {
         ++asked_;
         return is_admitted(candidate);
     }
-    std::vector<double> costs(const std::vector<RaceTrial>& trials) override {
+    std::vector<double> trial_costs(const std::vector<RaceTrial>& trials) override {
         std::vector<double> result;
         for (const RaceTrial& trial : trials) {
             EXPECT_TRUE(run_.insert(trial).second) << "run once";
-            EXPECT_TRUE(is_usable(candidates_[trial.candidate]));
+            EXPECT_TRUE(can_run(candidates_[trial.candidate]));
             if (run_.size() > most_) throw std::runtime_error("ended");
             // The noise of the seed is common to all candidates; a smaller noise is individual.
             result.push_back(cost(candidates_[trial.candidate]) + 10 * noise(trial.seed, 0) +
@@ -43,14 +43,14 @@ public:
         }
         return result;
     }
-    virtual bool is_usable(const Candidate&) { return true; }
+    virtual bool can_run(const Candidate&) { return true; }
     virtual bool is_admitted(const Candidate&) { return true; }
     virtual double cost(const Candidate& candidate) {
         const double x = number(candidate, 0) - 0.3;
         return 5 * x * x;
     }
     double number(const Candidate& candidate, std::size_t p) const {
-        return std::stod(parameters_[p].value(candidate[p]));
+        return std::stod(parameters_[p].value_text(candidate[p]));
     }
 
     std::vector<Parameter> parameters_;
@@ -69,8 +69,8 @@ Parameter parameter(const std::string& text, ParameterKind kind = ParameterKind:
 double best(Synthetic& subject, const RaceOptions& options, std::size_t p = 0) {
     Race race(subject.parameters_, options, subject);
     race.run();
-    EXPECT_LE(race.trials(), options.budget);
-    EXPECT_EQ(race.trials(), subject.run_.size());
+    EXPECT_LE(race.trial_count(), options.budget);
+    EXPECT_EQ(race.trial_count(), subject.run_.size());
     EXPECT_FALSE(race.elites().empty());
     return subject.number(race.entries()[race.elites().front()].candidate, p);
 }
@@ -125,20 +125,20 @@ TEST(Race, NothingIsAdmitted) {
     Race race(subject.parameters_, {500, 1, Elimination::friedman}, subject);
     race.run();
     EXPECT_TRUE(race.elites().empty());
-    EXPECT_LE(race.trials(), 500U);
+    EXPECT_LE(race.trial_count(), 500U);
 }
 
 TEST(Race, WhatCannotRunIsNotRun) {
     class Half : public Synthetic {
         using Synthetic::Synthetic;
-        bool is_usable(const Candidate& c) override { return number(c, 0) < 0.2; }
+        bool can_run(const Candidate& c) override { return number(c, 0) < 0.2; }
     };
     Half subject({parameter("0.0..1.0")});
     EXPECT_NEAR(best(subject, {1000, 1, Elimination::friedman}), 0.2, 0.1);
     Half none({parameter("0.5..1.0")});
     Race race(none.parameters_, {1000, 1, Elimination::friedman}, none);
     race.run();
-    EXPECT_EQ(race.trials(), 0U);
+    EXPECT_EQ(race.trial_count(), 0U);
     EXPECT_TRUE(race.elites().empty());
 }
 
@@ -160,7 +160,7 @@ TEST(Race, BudgetsThatAreTooSmall) {
         Synthetic subject({parameter("0.0..1.0")});
         Race race(subject.parameters_, {budget, 1, Elimination::friedman}, subject);
         race.run();
-        EXPECT_LE(race.trials(), budget);
+        EXPECT_LE(race.trial_count(), budget);
     }
 }
 
@@ -181,7 +181,7 @@ TEST(Race, WhatWasFoundStaysWhereItIsEnded) {
     Race race(subject.parameters_, {2000, 1, Elimination::friedman}, subject);
     EXPECT_THROW(race.run(), std::runtime_error);
     ASSERT_FALSE(race.elites().empty());
-    EXPECT_LE(race.trials(), 1300U);
+    EXPECT_LE(race.trial_count(), 1300U);
     EXPECT_NEAR(subject.number(race.entries()[race.elites().front()].candidate, 0), 0.3, 0.3);
 }
 

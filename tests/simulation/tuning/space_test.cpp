@@ -29,30 +29,30 @@ std::string refused(const std::string& text, ParameterKind kind = ParameterKind:
 TEST(TuningSpace, RangesHaveAHundredStepsOrMore) {
     const Parameter radius = read("0.05..0.5");
     EXPECT_EQ(radius.size(), 451U) << "0.45 in thousandths";
-    EXPECT_EQ(radius.value(0), "0.05");
-    EXPECT_EQ(radius.value(150), "0.2");
-    EXPECT_EQ(radius.value(137), "0.187");
-    EXPECT_EQ(radius.value(450), "0.5");
+    EXPECT_EQ(radius.value_text(0), "0.05");
+    EXPECT_EQ(radius.value_text(150), "0.2");
+    EXPECT_EQ(radius.value_text(137), "0.187");
+    EXPECT_EQ(radius.value_text(450), "0.5");
     EXPECT_EQ(read("0..200").size(), 201U) << "whole steps suffice";
     EXPECT_EQ(read("0.00..1").size(), 101U) << "and as many decimals as are written";
     const Parameter below = read("-1..1");
-    EXPECT_EQ(below.value(0), "-1.0");
-    EXPECT_EQ(below.value(5), "-0.95") << "20 steps of 0.1 would be too few";
+    EXPECT_EQ(below.value_text(0), "-1.0");
+    EXPECT_EQ(below.value_text(5), "-0.95") << "20 steps of 0.1 would be too few";
 }
 
 TEST(TuningSpace, WholeNumbers) {
     const Parameter patience = read("5..30", ParameterKind::whole);
     EXPECT_EQ(patience.size(), 26U);
-    EXPECT_EQ(patience.value(20), "25");
-    EXPECT_EQ(read("-3..-1", ParameterKind::whole).value(0), "-3");
+    EXPECT_EQ(patience.value_text(20), "25");
+    EXPECT_EQ(read("-3..-1", ParameterKind::whole).value_text(0), "-3");
     EXPECT_THAT(refused("0.5..3", ParameterKind::whole), HasSubstr("whole numbers"));
 }
 
 TEST(TuningSpace, Lists) {
     const Parameter mode = read("Mode::A,Mode::B", ParameterKind::other);
     EXPECT_EQ(mode.size(), 2U);
-    EXPECT_EQ(mode.value(1), "Mode::B");
-    EXPECT_FALSE(mode.ordered());
+    EXPECT_EQ(mode.value_text(1), "Mode::B");
+    EXPECT_FALSE(mode.is_ordered());
     EXPECT_THAT(refused("1,2,1"), HasSubstr("twice"));
     EXPECT_THAT(refused("1,,2"), HasSubstr("empty"));
     EXPECT_THAT(refused("1,2,"), HasSubstr("empty"));
@@ -75,7 +75,7 @@ TEST(TuningSpace, WhatIsDrawnLiesWithin) {
     Neighbourhood near = whole_space(parameters);
     std::set<std::uint64_t> first, second, third;
     for (int i = 0; i < 2000; ++i) {
-        const Candidate any = drawn(parameters, random);
+        const Candidate any = draw_candidate(parameters, random);
         const Candidate close = drawn_near(parameters, {0, 2, 1}, near, random);
         for (std::size_t p = 0; p < 3; ++p) {
             EXPECT_LT(any[p], parameters[p].size());
@@ -97,10 +97,10 @@ TEST(TuningSpace, NeighbourhoodsNarrow) {
     const std::vector<Parameter> parameters{read("0.05..0.5"), read("p,q")};
     Neighbourhood near = whole_space(parameters);
     EXPECT_EQ(near.deviations[0], 225);
-    narrow(near, parameters, {0, 1}, 64, 0.5);
+    narrow_neighbourhood(near, parameters, {0, 1}, 64, 0.5);
     EXPECT_NEAR(near.deviations[0], 225.0 / 8, 1e-9);
     EXPECT_THAT(near.probabilities[1], ElementsAre(0.25, 0.75));
-    widen(near, parameters);
+    widen_neighbourhood(near, parameters);
     EXPECT_NEAR(near.deviations[0], 225.0 / 4, 1e-9);
     EXPECT_THAT(near.probabilities[1], ElementsAre(0.375, 0.625));
 }

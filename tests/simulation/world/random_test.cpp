@@ -69,7 +69,7 @@ TEST(Random, HasTheMomentsOfItsDistributions) {
         const double n = random.normal();
         normal_sum += n;
         normal_square += n * n;
-        taken += random.chance(0.25) ? 1 : 0;
+        taken += random.draw_chance(0.25) ? 1 : 0;
     }
     // Five standard errors.
     EXPECT_NEAR(sum / draws, 1, 5 * 1.155 / 447);
@@ -81,8 +81,8 @@ TEST(Random, HasTheMomentsOfItsDistributions) {
 
 TEST(Random, CertainChancesDrawNothing) {
     Random random(3), untouched(3);
-    EXPECT_FALSE(random.chance(0));
-    EXPECT_TRUE(random.chance(1));
+    EXPECT_FALSE(random.draw_chance(0));
+    EXPECT_TRUE(random.draw_chance(1));
     EXPECT_EQ(random.next(), untouched.next());
 }
 

@@ -14,8 +14,8 @@ constexpr double pi = std::numbers::pi;
 
 struct Scene {
     explicit Scene(const std::vector<Pose>& poses, WorldOptions options = {}) : world(options, 1), sensing(world) {
-        for (const Pose& pose : poses) world.place(pose);
-        sensing.update();
+        for (const Pose& pose : poses) world.add_robot(pose);
+        sensing.update_positions();
     }
     World world;
     Sensing sensing;
@@ -119,8 +119,8 @@ TEST(LightRing, OthersThrowShadows) {
 
 TEST(Proximity, MeasuresFromTheBody) {
     Scene scene({{{0, 0}, -pi / 8}, {{12, 0}, 0}});  // the first sensor looks along the x axis
-    EXPECT_NEAR(*scene.sensing.nearest(0, {}), 12 - 2 * 3.7, 1e-9);
-    EXPECT_FALSE(Scene({{{0, 0}, 0}}).sensing.nearest(0, {}).has_value());
+    EXPECT_NEAR(*scene.sensing.nearest_distance(0, {}), 12 - 2 * 3.7, 1e-9);
+    EXPECT_FALSE(Scene({{{0, 0}, 0}}).sensing.nearest_distance(0, {}).has_value());
 }
 
 WorldOptions crowded(std::size_t cells_from) {
@@ -139,13 +139,13 @@ TEST(SensingProperty, GridAndBruteForceAgree) {
         ASSERT_TRUE(plain.place_at_random(robots, {{-150, -150}, {150, 150}}));
         ASSERT_TRUE(celled.place_at_random(robots, {{-150, -150}, {150, 150}}));
         Sensing one(plain), two(celled);
-        one.update();
-        two.update();
+        one.update_positions();
+        two.update_positions();
         const LightRing no_leak{8, 0};
         for (std::size_t i = 0; i < robots; ++i) {
             ASSERT_EQ(one.line_of_sight(i, 0).what, two.line_of_sight(i, 0).what) << "seed " << seed << " robot " << i;
             ASSERT_EQ(one.line_of_sight(i, 0).distance, two.line_of_sight(i, 0).distance);
-            ASSERT_EQ(one.nearest(i, {}), two.nearest(i, {}));
+            ASSERT_EQ(one.nearest_distance(i, {}), two.nearest_distance(i, {}));
             ASSERT_EQ(one.lit_sensors(i, no_leak, {140, 100}), two.lit_sensors(i, no_leak, {140, 100}));
             const auto heard = one.range_and_bearing(i, {}, 80);
             const auto celled_heard = two.range_and_bearing(i, {}, 80);
@@ -161,7 +161,7 @@ TEST(SensingProperty, RayAgreesWithWalkingAlongIt) {
         World world(crowded(40), seed);
         ASSERT_TRUE(world.place_at_random(30, {{-150, -150}, {150, 150}}));
         Sensing sensing(world);
-        sensing.update();
+        sensing.update_positions();
         for (std::size_t i = 0; i < world.size(); ++i) {
             const Sight sight = sensing.line_of_sight(i, 0);
             const double end = sight.what == Seen::robot ? sight.distance : 0;

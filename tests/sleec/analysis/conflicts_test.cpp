@@ -184,7 +184,7 @@ TEST(SleecConflicts, AreNotDecidedWithinTooFewStates) {
 // ---------------------------------------------------------------- redundancy
 
 bool redundant(const std::string& rule, const std::string& by, WithoutLimit without = WithoutLimit::eventually) {
-    return redundant(rules_of("R1 " + rule + "\nR2 " + by), 0, 1, {without, {}, nullptr});
+    return is_redundant(rules_of("R1 " + rule + "\nR2 " + by), 0, 1, {without, {}, nullptr});
 }
 
 /// Three alternatives end at the same instant, and one rule excludes each. Without one of these rules an alternative
@@ -222,7 +222,7 @@ TEST(SleecConflicts, OfInstantsWithoutEnd) {
 
 std::string suggested(const std::string& rules, std::vector<std::size_t> in_conflict) {
     std::string text;
-    for (const Suggestion& each : suggest(rules_of(rules), in_conflict, {}))
+    for (const Suggestion& each : suggest_defeaters(rules_of(rules), in_conflict, {}))
         text += (text.empty() ? "" : ", ") + std::to_string(each.rule) + " " + each.text;
     return text;
 }
@@ -257,8 +257,8 @@ TEST(SleecRedundancy, IsImplicationByTheSameTrigger) {
 }
 
 TEST(SleecRedundancy, KnowsRulesThatAskForNothing) {
-    EXPECT_TRUE(asks_for_nothing(rules_of("R when Go and level > 3 and level < 4 then Stop"), 0, {}));
-    EXPECT_FALSE(asks_for_nothing(rules_of("R when Go and level > 3 then Stop"), 0, {}));
+    EXPECT_TRUE(makes_no_demand(rules_of("R when Go and level > 3 and level < 4 then Stop"), 0, {}));
+    EXPECT_FALSE(makes_no_demand(rules_of("R when Go and level > 3 then Stop"), 0, {}));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using Counts = std::vector<std::size_t>;
 
 std::map<std::string, Counts> recorded(const fs::path& table) {
     std::map<std::string, Counts> result;
-    std::istringstream lines(tests::contents(table));
+    std::istringstream lines(tests::read_contents(table));
     std::string line;
     std::getline(lines, line);
     while (std::getline(lines, line)) {
@@ -55,15 +55,16 @@ Diagnosed diagnosed(const CheckedRules& rules) {
         result.conflicts.insert(names);
     });
     for (std::size_t i = 0; i < rules.rules.size(); ++i) {
-        bool superfluous = asks_for_nothing(rules, i, options);
+        bool superfluous = makes_no_demand(rules, i, options);
         for (std::size_t k = 0; k < rules.rules.size() && !superfluous; ++k)
-            superfluous = i != k && redundant(rules, i, k, options);
+            superfluous = i != k && is_redundant(rules, i, k, options);
         if (superfluous) result.superfluous.insert(rules.name(i));
     }
     for (const CheckedProperty& each : rules.concerns)
-        if (possible(rules, each, options).possible != Answer::no) result.raised.insert(each.written->name.text);
+        if (check_possible(rules, each, options).possible != Answer::no) result.raised.insert(each.written->name.text);
     for (const CheckedProperty& each : rules.purposes)
-        if (possible(rules, each, options).possible != Answer::yes) result.blocked.insert(each.written->name.text);
+        if (check_possible(rules, each, options).possible != Answer::yes)
+            result.blocked.insert(each.written->name.text);
     return result;
 }
 
@@ -88,7 +89,7 @@ TEST(SleecDiagnoses, AreThoseOfLegos) {
                                                    "R4 R11_1", "R4 R16", "R3_1 R17", "R12_1 R17"}}};
     for (const auto& [set, counts] : table) {
         SCOPED_TRACE(set);
-        testing::Read read(tests::contents(suite / "legos" / (files.at(set) + ".sleec")));
+        testing::Read read(tests::read_contents(suite / "legos" / (files.at(set) + ".sleec")));
         ASSERT_TRUE(read.checked_too().checked) << read.report();
         const Diagnosed found = diagnosed(*read.checked);
         EXPECT_EQ(found.superfluous, superfluous.at(set));

@@ -26,11 +26,11 @@ Asked ask(const std::string& rules, const std::string& property, WithoutLimit wi
     AnalysisOptions options;
     options.without_limit = without;
     const CheckedProperty& asked = read.checked->concerns[0];
-    const PropertyAnswer found = possible(*read.checked, asked, options);
+    const PropertyAnswer found = check_possible(*read.checked, asked, options);
     Asked result{found.possible, "", ""};
     for (const std::string& line : history_lines(found.history, asked, *read.checked)) result.history += line + "; ";
     if (found.possible == Answer::no)
-        for (const std::size_t each : excluding(*read.checked, asked, options))
+        for (const std::size_t each : excluding_rules(*read.checked, asked, options))
             result.excluded += read.checked->name(each) + " ";
     return result;
 }
@@ -120,7 +120,7 @@ TEST(SleecProperties, WhatIsNotDecidedIsSaid) {
     Read read(with_definitions("A when Go and (({level} + 1) > 3) then Stop") +
               "purpose_start p exists Go purpose_end\n");
     ASSERT_TRUE(read.checked_too().checked) << read.report();
-    const PropertyAnswer found = possible(*read.checked, read.checked->purposes[0], {});
+    const PropertyAnswer found = check_possible(*read.checked, read.checked->purposes[0], {});
     EXPECT_EQ(found.possible, Answer::not_decided);
     EXPECT_NE(found.reason, "");
 }
@@ -157,7 +157,7 @@ std::string implying(const std::string& rules, std::size_t rule, WithoutLimit wi
     if (!read.checked) return "";
     AnalysisOptions options;
     options.without_limit = without;
-    const Implication found = implied(*read.checked, rule, options);
+    const Implication found = check_implied(*read.checked, rule, options);
     if (found.implied == Answer::not_decided) return found.reason;
     std::string names = found.implied == Answer::yes ? "implied by" : "";
     for (const std::size_t each : found.by) names += " " + read.checked->name(each);

@@ -22,7 +22,7 @@ TEST(SleecCheck, FollowsNames) {
     EXPECT_EQ(findings("R when Go then Stop within level seconds"), "SLEEC-T02:7");
     EXPECT_EQ(findings("R when Go and (Halt or near) then Stop"), "SLEEC-T02:7") << "an event stands alone";
     Read read(with_definitions("R when Go then Stopp"));
-    EXPECT_EQ(read.checked_too().diagnostics.sorted().front().fixes.at(0).replacement, "Stop");
+    EXPECT_EQ(read.checked_too().diagnostics.sorted_findings().front().fixes.at(0).replacement, "Stop");
 }
 
 TEST(SleecCheck, RefusesNamesGivenTwice) {
@@ -91,8 +91,8 @@ TEST(SleecCheck, WorksOutLimitsThatAreComputed) {
 TEST(SleecCheck, ComparesScalesWithNumbersInLegosOnly) {
     Read read(with_definitions("R when Go and ({load} > 1) then Stop"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
-    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, 0, 2}), 1) << "high";
-    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, 0, 1}), 0) << "mid";
+    EXPECT_EQ(evaluate_condition(*read.checked->rules[0].condition, {0, 0, 0, 2}), 1) << "high";
+    EXPECT_EQ(evaluate_condition(*read.checked->rules[0].condition, {0, 0, 0, 1}), 0) << "mid";
     EXPECT_EQ(findings("R when Go and load > 1 then Stop"), "SLEEC-T04:7");
     EXPECT_EQ(findings("R when Go and ({load} > {near}) then Stop"), "SLEEC-T04:7");
 }
@@ -108,8 +108,8 @@ TEST(SleecCheck, AtLeastForbidsTheSecondsBefore) {
 TEST(SleecCheck, EvaluatesWithoutOverflow) {
     Read read(with_definitions("R when Go and ({level} * 1000000000 * 1000000000 * 1000000000 > 5) then Stop"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
-    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, 1'000'000'000, 0}), 1);
-    EXPECT_EQ(evaluate(*read.checked->rules[0].condition, {0, 0, -1'000'000'000, 0}), 0);
+    EXPECT_EQ(evaluate_condition(*read.checked->rules[0].condition, {0, 0, 1'000'000'000, 0}), 1);
+    EXPECT_EQ(evaluate_condition(*read.checked->rules[0].condition, {0, 0, -1'000'000'000, 0}), 0);
 }
 
 }  // namespace

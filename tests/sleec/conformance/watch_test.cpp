@@ -53,8 +53,8 @@ std::string judged(const std::string& rule, const std::string& component, const 
     std::vector<std::size_t> ways;
     for (std::size_t i = 0; i < watch.ways().size(); ++i)
         if (watch.ways()[i].obligation < watch.obligations().size()) ways.push_back(i);
-    script.decls.push_back(watch.obeyed());
-    script.decls.push_back(watch.never_asked(ways));
+    script.decls.push_back(watch.obeyed_assertion());
+    script.decls.push_back(watch.never_asked_assertion(ways));
     const std::string text = cspm::print(script);
     const cspm::Script again = cspm::read(sources, sources.add("whole.csp", text), diagnostics);
     (void)cspm::check_types(again, diagnostics);

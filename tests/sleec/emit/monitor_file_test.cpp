@@ -101,7 +101,7 @@ public:
     [[nodiscard]] explicit operator bool() const { return library_ != nullptr; }
     [[nodiscard]] Functions functions(std::size_t file) const {
         const auto symbol = [&](const std::string& name) {
-            return library_->symbol((name + std::to_string(file)).c_str());
+            return library_->find_symbol((name + std::to_string(file)).c_str());
         };
         Functions result{};
         result.size = reinterpret_cast<decltype(result.size)>(symbol("size_"));
@@ -135,17 +135,17 @@ public:
         Found generated, expected;
         functions_.step(state_.data(), event, values.data(), note, &generated);
         if (event == no_event)
-            reference_.second();
+            reference_.end_second();
         else
-            reference_.event(event, {values.begin(), values.end()});
-        for (const Violation& each : reference_.take())
+            reference_.observe_event(event, {values.begin(), values.end()});
+        for (const Violation& each : reference_.take_violations())
             expected.insert({each.rule, each.second, each.event ? static_cast<std::uint32_t>(*each.event) : no_event});
         EXPECT_EQ(generated, expected);
         return !expected.empty();
     }
     void forget() {
         functions_.forget(state_.data());
-        reference_.forget();
+        reference_.drop_obligations();
     }
     [[nodiscard]] std::uint64_t lost() const { return functions_.lost(state_.data()); }
 

@@ -45,7 +45,7 @@ public:
             diagnostics);
         for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
         session_.emplace(script);
-        const auto system = session_->system(watch.process());
+        const auto system = session_->system(watch.checked_process());
         graph_ = lts::explore(*system, [](std::size_t) {}).graph;
     }
 
@@ -104,7 +104,7 @@ struct Place {
 
 std::string key(const Place& place) {
     std::string text;
-    for (const auto& [obligation, progress] : place.monitor.owed()) {
+    for (const auto& [obligation, progress] : place.monitor.open_duties()) {
         for (const Demand& each : obligation.any)
             text += std::to_string(each.event) + (each.forbids ? "-" : "+") + std::to_string(each.begin) + "." +
                     std::to_string(each.end) + " ";
@@ -124,13 +124,13 @@ int compare(const CheckedRules& rules) {
         for (const Step& step : steps) {
             Place next = waiting[at];
             if (step.event)
-                next.monitor.event(*step.event, {0, 0, 0, 0});
+                next.monitor.observe_event(*step.event, {0, 0, 0, 0});
             else
-                next.monitor.second();
+                next.monitor.end_second();
             next.states = process.after(next.states, step.name);
             next.history += std::string(step.name) + " ";
             ++next.length;
-            const bool violated = !next.monitor.take().empty();
+            const bool violated = !next.monitor.take_violations().empty();
             EXPECT_EQ(violated, process.broken(next.states)) << next.history;
             if (!violated && known.insert(key(next)).second) waiting.push_back(std::move(next));
         }
@@ -191,11 +191,11 @@ TEST(RuleMonitor, AgreesWithTheCheckerOnRandomHistories) {
         for (int step = 0; step < 2000 && !HasFailure(); ++step) {
             const std::size_t drawn = random() % (2 * events);
             if (drawn < events)
-                monitor->event(drawn, values);
+                monitor->observe_event(drawn, values);
             else
-                monitor->second();
-            states = process->after(states, drawn < events ? rules.event(drawn) : "tock");
-            const bool violated = !monitor->take().empty();
+                monitor->end_second();
+            states = process->after(states, drawn < events ? rules.event_name(drawn) : "tock");
+            const bool violated = !monitor->take_violations().empty();
             ASSERT_EQ(violated, process->broken(states)) << "step " << step;
             if (!violated) continue;
             ++broken;
@@ -212,23 +212,23 @@ TEST(RuleMonitor, SaysWhatWasBroken) {
         with_definitions("A when Go and near then Stop within 2 seconds\nB when Halt then not Stop within 1 seconds"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
     RuleMonitor monitor(*read.checked, WithoutLimit::eventually);
-    monitor.event(0, {0, 0, 0, 0});
-    for (int i = 0; i < 4; ++i) monitor.second();
-    EXPECT_TRUE(monitor.take().empty()) << "nobody is near";
-    monitor.event(0, {1, 0, 0, 0});
-    monitor.second();
-    monitor.event(2, {0, 0, 0, 0});
-    monitor.second();
-    monitor.event(1, {0, 0, 0, 0});
-    const std::vector<Violation> found = monitor.take();
+    monitor.observe_event(0, {0, 0, 0, 0});
+    for (int i = 0; i < 4; ++i) monitor.end_second();
+    EXPECT_TRUE(monitor.take_violations().empty()) << "nobody is near";
+    monitor.observe_event(0, {1, 0, 0, 0});
+    monitor.end_second();
+    monitor.observe_event(2, {0, 0, 0, 0});
+    monitor.end_second();
+    monitor.observe_event(1, {0, 0, 0, 0});
+    const std::vector<Violation> found = monitor.take_violations();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].rule, 1U);
     EXPECT_EQ(found[0].began, 5);
     EXPECT_EQ(found[0].second, 6);
     EXPECT_EQ(found[0].event, 1U);
-    monitor.event(0, {1, 0, 0, 0});
-    for (int i = 0; i < 3; ++i) monitor.second();
-    const std::vector<Violation> late = monitor.take();
+    monitor.observe_event(0, {1, 0, 0, 0});
+    for (int i = 0; i < 3; ++i) monitor.end_second();
+    const std::vector<Violation> late = monitor.take_violations();
     ASSERT_EQ(late.size(), 1U);
     EXPECT_EQ(late[0].rule, 0U);
     EXPECT_EQ(late[0].second, 8);
@@ -240,10 +240,10 @@ TEST(RuleMonitor, LeavesOpenWhatDependsOnAValueThatIsNotKnown) {
         "A when Go and near then Stop within 2 seconds\nB when Go and (near or not near) then Stop within 1 seconds"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
     RuleMonitor monitor(*read.checked, WithoutLimit::eventually);
-    monitor.event(0, {std::nullopt, std::nullopt, std::nullopt, std::nullopt});
+    monitor.observe_event(0, {std::nullopt, std::nullopt, std::nullopt, std::nullopt});
     EXPECT_EQ(monitor.open_triggers(), std::vector<std::size_t>{0}) << "B asks for the same whatever near is";
-    for (int i = 0; i < 3; ++i) monitor.second();
-    const std::vector<Violation> found = monitor.take();
+    for (int i = 0; i < 3; ++i) monitor.end_second();
+    const std::vector<Violation> found = monitor.take_violations();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].rule, 1U);
 }

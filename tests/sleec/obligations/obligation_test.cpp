@@ -24,9 +24,9 @@ std::string demands(const std::string& rule, const Valuation& values = {0, 0, 0,
     std::string text;
     for (const Demand& each : obligation->any)
         text += (text.empty() ? "" : " | ") + std::string(each.forbids ? "not " : "") +
-                read.checked->event(each.event) + " " + std::to_string(each.begin) + "-" +
+                read.checked->event_name(each.event) + " " + std::to_string(each.begin) + "-" +
                 (each.end == forever ? "" : std::to_string(each.end));
-    for (const std::size_t each : obligation->ended_by) text += " unless " + read.checked->event(each);
+    for (const std::size_t each : obligation->ended_by) text += " unless " + read.checked->event_name(each);
     return text;
 }
 
@@ -85,7 +85,7 @@ TEST(SleecObligations, ScalesAreOrdered) {
 TEST(SleecSamples, AreWhatRulesDistinguish) {
     Read read(with_definitions("R1 when Go and level > 3 and near then Stop\nR2 when Halt and safe then Stop"));
     ASSERT_TRUE(read.checked_too().checked);
-    const auto go = samples(*read.checked, {0, 1}, 0, WithoutLimit::eventually, nullptr);
+    const auto go = find_samples(*read.checked, {0, 1}, 0, WithoutLimit::eventually, nullptr);
     ASSERT_EQ(go.size(), 2U);
     EXPECT_FALSE(go[0].obligations[0]);
     EXPECT_TRUE(go[1].obligations[0]);
@@ -96,16 +96,17 @@ TEST(SleecSamples, AreWhatRulesDistinguish) {
 TEST(SleecSamples, FindValuesBetweenAndAroundConstants) {
     Read read(with_definitions("R when Go and level > 3 and level < 5 then Stop"));
     ASSERT_TRUE(read.checked_too().checked);
-    EXPECT_EQ(samples(*read.checked, {0}, 0, WithoutLimit::eventually, nullptr).size(), 2U) << "4 is between";
+    EXPECT_EQ(find_samples(*read.checked, {0}, 0, WithoutLimit::eventually, nullptr).size(), 2U) << "4 is between";
     Read none(with_definitions("R when Go and level > 3 and level < 4 then Stop"));
     ASSERT_TRUE(none.checked_too().checked);
-    EXPECT_EQ(samples(*none.checked, {0}, 0, WithoutLimit::eventually, nullptr).size(), 1U) << "numbers are integers";
+    EXPECT_EQ(find_samples(*none.checked, {0}, 0, WithoutLimit::eventually, nullptr).size(), 1U)
+        << "numbers are integers";
 }
 
 TEST(SleecSamples, AreNotDecidedWhereTheyCannotBe) {
     Read read(with_definitions("R when Go and ({level} + 1 > 3) then Stop"));
     ASSERT_TRUE(read.checked_too().checked);
-    EXPECT_THROW((void)samples(*read.checked, {0}, 0, WithoutLimit::eventually, nullptr), NotDecided);
+    EXPECT_THROW((void)find_samples(*read.checked, {0}, 0, WithoutLimit::eventually, nullptr), NotDecided);
 }
 
 // ---------------------------------------------------------------- comparison with the definition

@@ -3,6 +3,7 @@
 // published verdicts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <map>
@@ -30,7 +31,7 @@ fs::path suite() {
 }
 
 CheckedRules rules_of(const fs::path& path) {
-    Read read(tests::contents(path));
+    Read read(tests::read_contents(path));
     if (!read.checked_too().checked) throw std::runtime_error(read.report());
     return *read.checked;
 }
@@ -50,10 +51,10 @@ std::string unequal_rules(const std::string& name) {
     const Encoding encoding(rules, {"", "_ours"});
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < rules.rules.size(); ++i) all.push_back(i);
-    for (const cspm::DeclPtr& each : encoding.processes(all)) script.decls.push_back(each);
+    for (const cspm::DeclPtr& each : encoding.process_declarations(all)) script.decls.push_back(each);
     for (const std::size_t rule : all) {
         const auto theirs = cspm::build::name("SLEEC" + rules.name(rule));
-        const auto ours = cspm::build::name(encoding.process(rule));
+        const auto ours = cspm::build::name(encoding.process_name(rule));
         script.decls.push_back(cspm::build::assert_refines(theirs, cspm::Model::failures_divergences, ours));
         script.decls.push_back(cspm::build::assert_refines(ours, cspm::Model::failures_divergences, theirs));
     }
@@ -79,7 +80,7 @@ TEST(SleecEncoding, ReadsBackAndHasTypes) {
         "R1 when Go and level > 3 and near then Stop within 2 seconds otherwise Alarm\n"
         "R2 when Halt then not Stop within 3 seconds unless load >= mid unless level < MAX then Stop"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
-    const cspm::Script script = Encoding(*read.checked).script({{0, 1}});
+    const cspm::Script script = Encoding(*read.checked).make_script({{0, 1}});
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const std::string text = cspm::print(script);
@@ -95,14 +96,14 @@ TEST(SleecEncoding, RefusesWhatSleecTkDoesNotRead) {
                                    "R when Go then Stop unless Halt", "R when Go then Stop otherwise Alarm"}) {
         Read read(testing::with_definitions(rule));
         ASSERT_TRUE(read.checked_too().checked) << read.report();
-        EXPECT_THROW((void)Encoding(*read.checked).processes({0}), NotDecided) << rule;
+        EXPECT_THROW((void)Encoding(*read.checked).process_declarations({0}), NotDecided) << rule;
     }
 }
 
 /// "fail pass no no" for each pair of verdicts.tsv, by file and rules.
 std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> expected_verdicts() {
     std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> result;
-    std::istringstream table(tests::contents(suite() / "verdicts.tsv"));
+    std::istringstream table(tests::read_contents(suite() / "verdicts.tsv"));
     std::string line;
     std::getline(table, line);
     while (std::getline(table, line)) {
@@ -143,10 +144,10 @@ std::string differences(const fs::path& path, std::map<std::pair<std::string, st
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < rules.rules.size(); ++i)
         for (std::size_t k = i + 1; k < rules.rules.size(); ++k)
-            if (encoding.related(i, k)) pairs.emplace_back(i, k);
+            if (encoding.are_related(i, k)) pairs.emplace_back(i, k);
     std::string text;
     if (pairs.size() != expected.size()) text += fmt::format("{} pairs, not {}\n", pairs.size(), expected.size());
-    cspm::Session session(encoding.script(pairs));
+    cspm::Session session(encoding.make_script(pairs));
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto name = std::pair(rules.name(pairs[i].first), rules.name(pairs[i].second));
         const auto found = expected.find(name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the conflicts of random rule sets that the analysis finds with those of a naive enumeration.
-// ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED select the number and the seed (scripts/random_rules.sh).
+// ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED select the number and the seed (tests/long.sh rules).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -96,11 +96,11 @@ TEST(SleecFormat, ASecondTimeNothingChanges) {
     for (const auto& each : std::filesystem::recursive_directory_iterator(suite)) {
         if (each.path().extension() != ".sleec") continue;
         SCOPED_TRACE(each.path());
-        const std::string once = formatted(tests::contents(each.path()));
+        const std::string once = formatted(tests::read_contents(each.path()));
         if (once.starts_with("refused: ")) continue;
         ++files;
         EXPECT_EQ(formatted(once), once);
-        testing::Read before(tests::contents(each.path())), after(once);
+        testing::Read before(tests::read_contents(each.path())), after(once);
         EXPECT_TRUE(same_file(before.file, after.file));
     }
     EXPECT_GT(files, 30U);

@@ -146,8 +146,8 @@ TEST(SleecReader, GoesOnAtTheNextRule) {
 TEST(SleecReader, SuggestsTheWordThatWasMeant) {
     const Read read(with_definitions("R1 when Go then Stop within 5 second"));
     ASSERT_EQ(read.findings(), "SLEEC-P01:7");
-    ASSERT_EQ(read.diagnostics.sorted().front().fixes.size(), 1U);
-    EXPECT_EQ(read.diagnostics.sorted().front().fixes.front().replacement, "seconds");
+    ASSERT_EQ(read.diagnostics.sorted_findings().front().fixes.size(), 1U);
+    EXPECT_EQ(read.diagnostics.sorted_findings().front().fixes.front().replacement, "seconds");
 }
 
 TEST(SleecReader, RefusesWithAReason) {
@@ -227,7 +227,7 @@ TEST(SleecReader, SaysWhatIsProbablyMeant) {
         const std::string text = each.text;
         const Read read(text.starts_with("def_") || text.starts_with("rule_") ? text : with_definitions(text));
         EXPECT_NE(read.report().find(each.note), std::string::npos) << text << "\n" << read.report();
-        for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted())
+        for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted_findings())
             for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
     }
     for (const diagnostics::Advice& row : syntax_advice()) {

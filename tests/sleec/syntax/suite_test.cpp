@@ -42,9 +42,9 @@ void expect_round_trip(const std::string& text, const std::string& name) {
 TEST(SleecSuite, EveryFileIsReadAndReadsBack) {
     if (published().empty()) GTEST_SKIP() << "the published files are not there";
     for (const fs::path& path : published()) {
-        Read read(tests::contents(path));
+        Read read(tests::read_contents(path));
         EXPECT_TRUE(read.checked_too().checked) << path << "\n" << read.report();
-        expect_round_trip(tests::contents(path), path.string());
+        expect_round_trip(tests::read_contents(path), path.string());
     }
 }
 
@@ -54,7 +54,7 @@ TEST(SleecSuite, FindingsAreThose) {
     if (published().empty()) GTEST_SKIP() << "the published files are not there";
     std::map<std::string, std::string> findings;
     for (const fs::path& path : published()) {
-        Read read(tests::contents(path));
+        Read read(tests::read_contents(path));
         const fs::path name = path.parent_path().filename() / path.filename();
         EXPECT_EQ(read.file.dialect == Dialect::legos, name.string().starts_with("legos/")) << name;
         if (const std::string found = read.checked_too().findings(); !found.empty()) findings[name.string()] = found;
@@ -77,7 +77,7 @@ TEST(SleecSuite, ChangedTextsAreReadOrRefused) {
         "R1 when Go and near or safe then Stop within MAX minutes otherwise {Help unless level > 3} unless near\n"
         "R2 after Go, Stop within 2 seconds\nR3 Stop at least 3 seconds after Go and load >= mid\n"
         "R4 when Go and ({level} + 2 * 3 < 9) then not Stop unless {near} then Help within [2, 3] hours else Go")};
-    for (const fs::path& path : published()) texts.push_back(tests::contents(path));
+    for (const fs::path& path : published()) texts.push_back(tests::read_contents(path));
     std::uint64_t state = 21;
     const auto below = [&state](std::size_t end) { return diagnostics::splitmix64(state) % end; };
     int accepted = 0;

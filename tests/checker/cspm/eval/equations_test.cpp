@@ -17,7 +17,7 @@
 namespace robochart::cspm::test {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 struct Equation {
     std::string name;
@@ -121,19 +121,20 @@ lts::Graph graph_of(lts::TransitionSystem& system) {
 bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
     constexpr int deepest_look = 100;
     const auto unfolded = [&](const ExprPtr& process) {
-        return session.terms().unfolded(session.process(process), deepest_look);
+        return session.terms().unfold_calls(session.process(process), deepest_look);
     };
     if (unfolded(a) == unfolded(b)) return true;
-    return lts::bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
+    return lts::are_bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
 }
 
 /// Describes how the process differs from the file; empty if it does not.
-std::string difference(const std::filesystem::path& script, const std::string& asked,
-                       const std::filesystem::path& expected) {
-    const std::string equations = definitions(equations_in(contents(expected)), asked);
+std::string find_difference(const std::filesystem::path& script, const std::string& asked,
+                            const std::filesystem::path& expected) {
+    const std::string equations = definitions(equations_in(read_contents(expected)), asked);
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
-    const Script read_script = read(sources, sources.add(script.string(), contents(script) + "\n" + equations), found);
+    const Script read_script =
+        read(sources, sources.add(script.string(), read_contents(script) + "\n" + equations), found);
     if (!found.ok()) return diagnostics::render_text(sources, found) + equations;
     try {
         Session session(read_script);
@@ -161,7 +162,7 @@ TEST(EquationsTest, PublishedProcessesAreWhatIsWrittenBeside) {
             for (const std::string suffix : {"", "1", "2"}) {
                 const auto file = script.parent_path() / (stem + suffix + ".txt");
                 if (!std::filesystem::exists(file)) continue;
-                const std::string found = difference(script, asked, file);
+                const std::string found = find_difference(script, asked, file);
                 fits = fits || found.empty();
                 differences += found + "\n";
             }

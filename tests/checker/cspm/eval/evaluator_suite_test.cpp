@@ -41,7 +41,7 @@ void explore(Session& session, const ExprPtr& process) {
 }
 
 std::string describe(const EvaluationError& error, const diagnostics::SourceManager& sources) {
-    return sources.place(error.span) + ": " + error.what();
+    return sources.path_and_line(error.span) + ": " + error.what();
 }
 
 // Scripts with constructs that are not supported yet; the error says so.

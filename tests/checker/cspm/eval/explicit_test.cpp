@@ -20,7 +20,7 @@ lts::Graph explored(lts::TransitionSystem& system) {
 }
 
 /// The same graph with the event numbers of another table.
-lts::Graph renumbered(const lts::Graph& graph, const process::EventTable& from, process::EventTable& to) {
+lts::Graph renumber_events(const lts::Graph& graph, const process::EventTable& from, process::EventTable& to) {
     lts::Graph result;
     for (lts::StateIndex state = 0; state < graph.size(); ++state) {
         for (const lts::Edge& edge : graph.edges(state))
@@ -37,7 +37,7 @@ lts::Graph read_back(const lts::Graph& graph, process::EventTable& events) {
     const Reading reading(text.str());
     EXPECT_TRUE(reading.ok()) << reading.report() << text.str();
     Session session(reading.script);
-    return renumbered(explored(*session.system(build::name("Explicit"))), session.event_table(), events);
+    return renumber_events(explored(*session.system(build::name("Explicit"))), session.event_table(), events);
 }
 
 TEST(Explicit, RandomProcessesReadBackEqual) {

@@ -152,9 +152,9 @@ PackedGraph packed_graph(Loaded& loaded, const PackedProcesses::Settings& settin
     for (;;) {
         try {
             lts::Graph graph = graph_of(system);
-            return {std::move(graph), processes->loads(), processes->direct_answers()};
+            return {std::move(graph), processes->load_count(), processes->direct_answers()};
         } catch (const RowsTooNarrow&) {
-            system.widen();
+            system.widen_rows();
         }
     }
 }
@@ -198,11 +198,11 @@ TEST(PackedStatesTest, DoNotDependOnWhatIsKept) {
 }
 
 /// Returns the answers to the assertions of a script, and the errors that end them.
-std::vector<std::string> answers(const std::string& text, const Packing& packing) {
+std::vector<std::string> answers_of(const std::string& text, const Packing& packing) {
     Reading reading(text);
     EXPECT_TRUE(reading.ok()) << reading.report();
     Session session(reading.script);
-    session.pack(packing);
+    session.set_packing(packing);
     std::vector<std::string> result;
     refine::Limits limits;
     limits.max_states = 20'000;
@@ -219,7 +219,7 @@ std::vector<std::string> answers(const std::string& text, const Packing& packing
             }
             result.push_back(line);
         } catch (const EvaluationError& error) {
-            std::string line = std::string(error.what()) + " at " + reading.sources.place(error.span);
+            std::string line = std::string(error.what()) + " at " + reading.sources.path_and_line(error.span);
             for (const std::string& call : error.stack) line += " in " + call;
             result.push_back(line);
         }
@@ -228,12 +228,12 @@ std::vector<std::string> answers(const std::string& text, const Packing& packing
 }
 
 void expect_same_answers(const std::string& text, std::size_t assertions) {
-    const std::vector<std::string> expected = answers(text, {never, std::nullopt, false});
+    const std::vector<std::string> expected = answers_of(text, {never, std::nullopt, false});
     EXPECT_EQ(expected.size(), assertions);
-    EXPECT_EQ(answers(text, {0, std::nullopt, false}), expected);
-    EXPECT_EQ(answers(text, {0, std::nullopt, true}), expected);
-    EXPECT_EQ(answers(text, {0, 0, false}), expected);
-    EXPECT_EQ(answers(text, {10, 1, false}), expected);
+    EXPECT_EQ(answers_of(text, {0, std::nullopt, false}), expected);
+    EXPECT_EQ(answers_of(text, {0, std::nullopt, true}), expected);
+    EXPECT_EQ(answers_of(text, {0, 0, false}), expected);
+    EXPECT_EQ(answers_of(text, {10, 1, false}), expected);
 }
 
 TEST(PackedStatesTest, AssertionsOfAllKindsAreAnsweredAlike) {
@@ -323,12 +323,12 @@ Q(n) = n < 2 & a.n -> Q(n + 1) [] n == 2 & a.(1 / 0) -> STOP
 assert P(0) :[deadlock free]
 )",
                         1);
-    EXPECT_TRUE(answers(R"(channel a : {0..5}
+    EXPECT_TRUE(answers_of(R"(channel a : {0..5}
 P(n) = a.n -> (if n == 1 then STOP else P(n + 1)) [] a.0 -> Q(n)
 Q(n) = n < 2 & a.n -> Q(n + 1) [] n == 2 & a.(1 / 0) -> STOP
 assert P(0) :[deadlock free]
 )",
-                        {0, std::nullopt, false})
+                           {0, std::nullopt, false})
                     .front()
                     .starts_with("fails"));
 }
@@ -361,7 +361,7 @@ assert C(0, 0, 0) :[deadlock free]
 )";
     Reading reading(text);
     Session session(reading.script);
-    session.pack({1000, std::nullopt, false});
+    session.set_packing({1000, std::nullopt, false});
     const refine::Verdict verdict = session.check(*session.assertions().front(), {}).verdict;
     EXPECT_EQ(verdict.statistics.states, 41U * 41U * 41U);
     EXPECT_LT(session.terms().size(), 5000U)

@@ -27,8 +27,8 @@ FirstFinding first_finding(const std::string& text) {
     const auto source = sources.add("t.csp", text);
     const Script script = read(sources, source, diagnostics);
     if (diagnostics.ok()) check_types(script, diagnostics);
-    if (diagnostics.sorted().empty()) return {};
-    const diagnostics::Diagnostic finding = diagnostics.sorted().front();
+    if (diagnostics.sorted_findings().empty()) return {};
+    const diagnostics::Diagnostic finding = diagnostics.sorted_findings().front();
     std::string arguments;
     for (const std::string& each : finding.arguments) arguments += each + ";";
     return {std::string(finding.rule->code), arguments, finding.notes.empty() ? "" : finding.notes.front().message};

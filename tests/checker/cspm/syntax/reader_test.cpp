@@ -166,7 +166,7 @@ TEST(ReaderTest, IncludesAreReadOnceAPlaceAndCyclesRefused) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics found;
         const Script script = read_file(sources, (folder / file).string(), found);
-        const auto all = found.sorted();
+        const auto all = found.sorted_findings();
         return all.empty() ? std::to_string(script.decls.size()) : std::string(all[0].rule->code);
     };
     EXPECT_EQ(codes("a.csp"), "2");
@@ -187,7 +187,7 @@ std::string code_of_chain(std::size_t files, std::size_t times) {
                                             text += "include \"" + std::to_string(next) + "\"\n";
                                         return sources.add(path, text);
                                     });
-    const auto all = found.sorted();
+    const auto all = found.sorted_findings();
     EXPECT_LE(all.size(), 1U) << "it is said once";
     return all.empty() ? std::to_string(script.decls.size()) : std::string(all[0].rule->code);
 }

@@ -34,7 +34,7 @@ void expect_all_read(const std::filesystem::path& folder) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics found;
         std::string cause;
-        const auto source = sources.load(file.string(), cause);
+        const auto source = sources.load_file(file.string(), cause);
         ASSERT_TRUE(source) << cause;
         const Script script = read(sources, *source, found);
         EXPECT_TRUE(found.ok()) << diagnostics::render_text(sources, found);

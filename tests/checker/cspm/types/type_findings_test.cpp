@@ -24,7 +24,7 @@ struct Wrong {
 std::string findings(Reading& reading) {
     check_types(reading.script, reading.diagnostics);
     std::string result;
-    for (const diagnostics::Diagnostic& each : reading.diagnostics.sorted()) {
+    for (const diagnostics::Diagnostic& each : reading.diagnostics.sorted_findings()) {
         if (!result.empty()) result += ' ';
         result += std::string(each.rule->code) + "@" +
                   std::to_string(reading.sources.position(each.span.source, each.span.begin).line);
@@ -55,7 +55,7 @@ TEST(Findings, ClausesDoNotJoinAcrossAnInclude) {
         diagnostics::Diagnostics diagnostics;
         const Script script = read_file(sources, path, diagnostics);
         if (diagnostics.ok()) check_types(script, diagnostics);
-        return diagnostics.ok() ? "" : std::string(diagnostics.sorted().front().rule->code);
+        return diagnostics.ok() ? "" : std::string(diagnostics.sorted_findings().front().rule->code);
     };
     EXPECT_EQ(found(write("before.csp", "f(0) = 5\ninclude \"clauses.csp\"\n")), "CSPM-T02");
     EXPECT_EQ(found(write("after.csp", "include \"clauses.csp\"\nf(0) = 5\n")), "CSPM-T02");
@@ -192,13 +192,14 @@ TEST(TypeFindings, PrintIsAWarning) {
 TEST(TypeFindings, SayWhatIsExpectedAndWhy) {
     Reading reading("channel c : Int\nP = c?x -> (if x then STOP else SKIP)\n");
     check_types(reading.script, reading.diagnostics);
-    const auto all = reading.diagnostics.sorted();
+    const auto all = reading.diagnostics.sorted_findings();
     ASSERT_EQ(all.size(), 1U);
     EXPECT_EQ(all[0].message(), "expected Bool, found Int");
     ASSERT_EQ(all[0].notes.size(), 1U);
     EXPECT_EQ(all[0].notes[0].message, "the condition of an `if` is a Bool");
-    EXPECT_EQ(reading.sources.text(all[0].span.source).substr(all[0].span.begin, all[0].span.end - all[0].span.begin),
-              "x");
+    EXPECT_EQ(
+        reading.sources.source_text(all[0].span.source).substr(all[0].span.begin, all[0].span.end - all[0].span.begin),
+        "x");
 }
 
 TEST(TypeFindings, SuggestNearNames) {
@@ -256,7 +257,7 @@ TEST(TypeFindings, ExpressionsTooDeepForAnyStackAreRefused) {
     diagnostics::Diagnostics found;
     check_types(script, found);
     ASSERT_FALSE(found.ok());
-    EXPECT_EQ(found.sorted().front().rule->code, "CSPM-T20");
+    EXPECT_EQ(found.sorted_findings().front().rule->code, "CSPM-T20");
     // Trees of this height cannot be destroyed recursively either.
     script.decls.clear();
     while (expr->args.size() == 1) expr = ExprPtr(expr->args[0]);

@@ -46,58 +46,60 @@ class Terms {
 public:
     Terms(unsigned seed, bool mixed) : random_(seed), mixed_(mixed) {}
 
-    std::string of(Type type, int size) {
-        if (mixed_ && pick(12) == 0) type = all_types[pick(all_types.size())];
-        if (size <= 0 || pick(6) == 0) return leaf(type);
-        switch (pick(5)) {
+    std::string term_of(Type type, int size) {
+        if (mixed_ && pick_number(12) == 0) type = all_types[pick_number(all_types.size())];
+        if (size <= 0 || pick_number(6) == 0) return leaf(type);
+        switch (pick_number(5)) {
             case 0:
-                return "(if " + of(Type::boolean, size - 1) + " then " + of(type, size - 1) + " else " +
-                       of(type, size - 1) + ")";
+                return "(if " + term_of(Type::boolean, size - 1) + " then " + term_of(type, size - 1) + " else " +
+                       term_of(type, size - 1) + ")";
             case 1:
-                return "(let v = " + of(type, size - 1) + " within v)";
+                return "(let v = " + term_of(type, size - 1) + " within v)";
             case 2:
-                return "(\\ u @ " + of(type, size - 1) + ")(" + of(Type::integer, size - 1) + ")";
+                return "(\\ u @ " + term_of(type, size - 1) + ")(" + term_of(Type::integer, size - 1) + ")";
             default:
-                return built(type, size - 1);
+                return build_term(type, size - 1);
         }
     }
 
 private:
-    std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
-    std::string one(std::initializer_list<const char*> choices) { return *(choices.begin() + pick(choices.size())); }
+    std::size_t pick_number(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+    std::string pick_one(std::initializer_list<const char*> choices) {
+        return *(choices.begin() + pick_number(choices.size()));
+    }
 
     std::string leaf(Type type) {
         switch (type) {
             case Type::integer:
-                return one({"0", "1", "x"});
+                return pick_one({"0", "1", "x"});
             case Type::boolean:
-                return one({"true", "false", "y"});
+                return pick_one({"true", "false", "y"});
             case Type::tree:
-                return one({"Leaf", "(Node.Leaf.0.Leaf)"});
+                return pick_one({"Leaf", "(Node.Leaf.0.Leaf)"});
             case Type::data:
-                return one({"B", "(A.0.true)", "(W.V.1)"});
+                return pick_one({"B", "(A.0.true)", "(W.V.1)"});
             case Type::inner:
                 return "(V.0)";
             case Type::event:
-                return one({"e", "(c.1.true)", "(d.B)", "(d.A.0.false)"});
+                return pick_one({"e", "(c.1.true)", "(d.B)", "(d.A.0.false)"});
             case Type::pair:
                 return "(x, y)";
             case Type::sequence:
-                return one({"<>", "<0, 1>", "<0..1>"});
+                return pick_one({"<>", "<0, 1>", "<0..1>"});
             case Type::set:
-                return one({"{}", "{0, 1}", "{0..1}"});
+                return pick_one({"{}", "{0, 1}", "{0..1}"});
             case Type::events:
-                return one({"{| c |}", "{e}", "{| d.A |}", "{}"});
+                return pick_one({"{| c |}", "{e}", "{| d.A |}", "{}"});
             case Type::function:
-                return one({"(\\ z @ z)", "(\\ z @ z + 1)"});
+                return pick_one({"(\\ z @ z)", "(\\ z @ z + 1)"});
             case Type::process:
-                return one({"STOP", "SKIP"});
+                return pick_one({"STOP", "SKIP"});
         }
         return "";
     }
 
-    std::string built(Type type, int n) {
-        const auto some = [&](Type wanted) { return of(wanted, n); };
+    std::string build_term(Type type, int n) {
+        const auto some = [&](Type wanted) { return term_of(wanted, n); };
         const std::string number = some(Type::integer);
         switch (type) {
             case Type::integer:
@@ -143,7 +145,7 @@ private:
     }
 
     std::string process(int n) {
-        const auto some = [&](Type wanted) { return of(wanted, n); };
+        const auto some = [&](Type wanted) { return term_of(wanted, n); };
         return "(" +
                choose({some(Type::event) + " -> " + some(Type::process), "c?z?w -> " + some(Type::process),
                        "d?A.z.w -> " + some(Type::process), "d?W.V.z -> " + some(Type::process),
@@ -157,7 +159,7 @@ private:
                ")";
     }
 
-    std::string choose(std::vector<std::string> choices) { return choices[pick(choices.size())]; }
+    std::string choose(std::vector<std::string> choices) { return choices[pick_number(choices.size())]; }
 
     std::mt19937 random_;
     bool mixed_;
@@ -165,7 +167,7 @@ private:
 
 std::string script_for(Type type, unsigned seed, bool mixed) {
     Terms terms(seed, mixed);
-    return std::string(declarations) + "x = 0\ny = true\nv = " + terms.of(type, 4) + "\n";
+    return std::string(declarations) + "x = 0\ny = true\nv = " + terms.term_of(type, 4) + "\n";
 }
 
 // Errors that the type checker should have found. Other errors (an infinite set, the head of an empty sequence) depend

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Types of names (FDR manual, chapter CSPM, "Type system"): the inferred types, in FDR's notation.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <string>
 #include <vector>
@@ -130,7 +131,7 @@ TEST(TypeCheck, LetsGeneraliseAnnotatedNamesOnly) {
 TEST(TypeCheck, OneFaultOneFinding) {
     Reading reading("x = 1 + true\ny = x + 1\nz = y + x\nw = nowhere + z\n");
     check_types(reading.script, reading.diagnostics);
-    EXPECT_EQ(reading.diagnostics.errors(), 2U) << reading.report();
+    EXPECT_EQ(reading.diagnostics.error_count(), 2U) << reading.report();
 }
 
 TEST(TypeCheck, NamesOfAScriptCanMeanDifferentThings) {

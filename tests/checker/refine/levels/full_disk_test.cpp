@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/files.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
-#include "base/diagnostics/files.hpp"
 #include "tests/small_disk.hpp"
 
 namespace robochart::refine {
@@ -35,7 +35,7 @@ void fill(RowStore& store, unsigned rows) {
     for (Word level = 0; level < 1500; ++level) {
         for (unsigned i = 0; i < rows; ++i) {
             const Word row[] = {level, static_cast<Word>(random())};
-            store.enter(row, lts::StateStore::hash(row));
+            store.enter_row(row, lts::StateStore::hash(row));
         }
         store.record().expanded.resize(level);
         store.close_level();

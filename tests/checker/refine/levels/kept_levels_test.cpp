@@ -32,7 +32,7 @@ std::string gone_on_from(const std::vector<Word>& first, const std::vector<Word>
     KeptLevels levels(where);
     SearchRecord record(1);
     try {
-        levels.load(record, [](Level, lts::StateView) {});
+        levels.load_checkpoint(record, [](Level, lts::StateView) {});
     } catch (const storage::BadFile& refused) {
         return refused.what();
     }

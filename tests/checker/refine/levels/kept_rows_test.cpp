@@ -17,6 +17,7 @@
 #include <random>
 #include <string>
 
+#include "base/diagnostics/files.hpp"
 #include "checker/lts/graph.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/levels/level_search.hpp"
@@ -24,7 +25,6 @@
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/thread_team.hpp"
 #include "checker/refine/verdict/monitors.hpp"
-#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 
 namespace robochart::refine {
@@ -113,7 +113,7 @@ Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const Ma
 class KeptRows : public testing::Test {
 protected:
     /// A separate folder for each search.
-    [[nodiscard]] KeptWhere where(const Exchange& exchange, std::uint8_t search) const {
+    [[nodiscard]] KeptWhere folder_for(const Exchange& exchange, std::uint8_t search) const {
         KeptWhere where;
         where.folder = folder_.path();
         where.kind = {1, {}};
@@ -127,9 +127,9 @@ protected:
         return where;
     }
     /// The newest complete checkpoint in the folder.
-    [[nodiscard]] std::vector<storage::Checkpoint> newest() const {
+    [[nodiscard]] std::vector<storage::Checkpoint> newest_checkpoints() const {
         const LoneExchange alone;
-        const KeptWhere all = where(alone, 1);
+        const KeptWhere all = folder_for(alone, 1);
         return storage::read(all.folder, all.kind, all.from);
     }
     void clear() const {
@@ -156,7 +156,7 @@ TEST_F(KeptRows, OnDiskAreThoseInMemory) {
         bounds.filter_bits = round % 5 == 1 ? 24 : 1;
         bounds.reads_a_step = round % 5 == 2 ? 8 : 0;
         const Answer found = answer(graph, ranks, {}, [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-            return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
+            return std::make_unique<DiskRowStore>(folder_for(exchange, 1), bounds);
         });
         ASSERT_EQ(found, expected) << round;
         if (found.kind == ViolationKind::deadlock) ++violated;
@@ -169,7 +169,7 @@ TEST_F(KeptRows, OnDiskAreThoseInMemory) {
         const Limits limits;
         Budget budget(limits);
         StateMonitor monitor(false);
-        DiskRowStore store(where(alone, 1), bounds);
+        DiskRowStore store(folder_for(alone, 1), bounds);
         MemoryRowStore memory(1);
         LevelSearch(system, monitor, store, alone, budget, false).first_violation();
         LevelSearch(system, monitor, memory, alone, budget, false).first_violation();
@@ -221,7 +221,7 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
                 const Answer found = answer(
                     graph, ranks, limits,
                     [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-                        KeptWhere place = where(exchange, 1);
+                        KeptWhere place = folder_for(exchange, 1);
                         if (every == 0) place.every = std::chrono::milliseconds(0);
                         if (disk) return std::make_unique<DiskRowStore>(std::move(place), bounds);
                         return std::make_unique<SavedRowStore>(std::move(place));
@@ -281,7 +281,7 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
             if (++passed == last.number) throw LimitReached("no time");
         };
         const auto stopping = [&](const Exchange& exchange) {
-            KeptWhere kept = where(exchange, 1);
+            KeptWhere kept = folder_for(exchange, 1);
             if (!last.closing && last.number % 6 == 0) kept.every = std::chrono::milliseconds(0);
             if (exchange.rank() == 0 && !last.closing) kept.poll = pass;
             return std::make_unique<DiskRowStore>(std::move(kept), bounds);
@@ -300,8 +300,8 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
         }
         if (before.differ) ++differed;
         const auto going_on = [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-            if (last.number % 5 != 0) return std::make_unique<DiskRowStore>(where(exchange, 1), bounds);
-            return std::make_unique<SavedRowStore>(where(exchange, 1));
+            if (last.number % 5 != 0) return std::make_unique<DiskRowStore>(folder_for(exchange, 1), bounds);
+            return std::make_unique<SavedRowStore>(folder_for(exchange, 1));
         };
         const Answer found = answer(graph, last.number % 4 == 0 ? 5 - ranks : ranks, {}, going_on, &after);
         ASSERT_EQ(found, expected);
@@ -349,7 +349,7 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
                 const Answer found = answer(
                     graph, ranks, {},
                     [&](const Exchange& exchange) -> std::unique_ptr<RowStore> {
-                        KeptWhere place = where(exchange, 1);
+                        KeptWhere place = folder_for(exchange, 1);
                         if (every == 0) place.every = std::chrono::milliseconds(0);
                         if (disk) return std::make_unique<DiskRowStore>(std::move(place), bounds);
                         return std::make_unique<SavedRowStore>(std::move(place));
@@ -362,7 +362,7 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
                 ++stops;
             }
             ASSERT_GE(levels.begun, kept) << round;
-            const std::vector<storage::Checkpoint> found = newest();
+            const std::vector<storage::Checkpoint> found = newest_checkpoints();
             ASSERT_FALSE(found.empty()) << "the first level needs less";
             kept = std::ranges::min_element(found, [](const auto& a, const auto& b) {
                        return a.levels < b.levels;
@@ -400,9 +400,9 @@ TEST_F(KeptRows, HaveNoCheckpointBeforeTheFirstLevel) {
         clear();
         std::unique_ptr<RowStore> store;
         if (disk)
-            store = std::make_unique<DiskRowStore>(where(alone, 1), DiskRowStore::Bounds{});
+            store = std::make_unique<DiskRowStore>(folder_for(alone, 1), DiskRowStore::Bounds{});
         else
-            store = std::make_unique<SavedRowStore>(where(alone, 1));
+            store = std::make_unique<SavedRowStore>(folder_for(alone, 1));
         EXPECT_THROW(LevelSearch(system, monitor, *store, alone, budget, false).first_violation(), LimitReached);
         EXPECT_EQ(storage::newest_in(folder_.path()).greatest, 0U);
     }
@@ -418,12 +418,12 @@ TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
     const Limits limits;
     Budget budget(limits);
     StateMonitor monitor(true);
-    SavedRowStore store(where(alone, 1));
+    SavedRowStore store(folder_for(alone, 1));
     LevelSearch search(system, monitor, store, alone, budget, true);
     ASSERT_FALSE(search.first_violation());
-    EXPECT_TRUE(newest().empty());
+    EXPECT_TRUE(newest_checkpoints().empty());
     (void)search.first_divergence();
-    const auto found = newest();
+    const auto found = newest_checkpoints();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].levels, store.levels());
 }
@@ -431,7 +431,7 @@ TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
 // During a rollback, the levels that are rolled back exist only in files. They are not lost if it is stopped.
 TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     LoneExchange alone;
-    KeptWhere where = this->where(alone, 1);
+    KeptWhere where = this->folder_for(alone, 1);
     storage::LevelFiles files({where.folder, where.kind, where.place});
     for (const std::vector<lts::Word>& rows : {std::vector<lts::Word>{0}, {1, 2}, {5}}) files.add_level(rows);
     files.checkpoint({{}, [](const storage::TakeRows& take) { take(std::vector<lts::Word>{3, 1}); }, {{3, 0}, {4, 0}}});
@@ -441,22 +441,22 @@ TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
         if (--left == 0) throw LimitReached("no time");
     };
     SavedRowStore store(where);
-    ASSERT_EQ(store.settle(), 1U);
+    ASSERT_EQ(store.settle_unsure_rows(), 1U);
     left = 1;
     EXPECT_THROW(store.roll_back_to(1), LimitReached);
     EXPECT_EQ(store.levels(), 3U);
     store.checkpoint();
-    const std::vector<storage::Checkpoint> found = newest();
+    const std::vector<storage::Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].number, 2U);
     EXPECT_EQ(found[0].levels, 3U);
     where.from = storage::newest_in(where.folder);
     SavedRowStore again(where);
-    ASSERT_EQ(again.settle(), 1U);
+    ASSERT_EQ(again.settle_unsure_rows(), 1U);
     again.roll_back_to(1);
     EXPECT_EQ(again.levels(), 1U);
     EXPECT_EQ(again.rows(1), 3U);
-    EXPECT_FALSE(again.settle());
+    EXPECT_FALSE(again.settle_unsure_rows());
 }
 
 /// The reason why the checkpoint in the folder is rejected.
@@ -472,12 +472,12 @@ std::string refusal(KeptWhere where) {
 
 TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
     LoneExchange alone;
-    const KeptWhere where = this->where(alone, 1);
+    const KeptWhere where = this->folder_for(alone, 1);
     storage::LevelFiles files({where.folder, where.kind, where.place});
     files.add_level(std::vector<lts::Word>{0});
     files.checkpoint({});
     EXPECT_EQ(refusal(where), "");
-    storage::Checkpoint made = newest().at(0);
+    storage::Checkpoint made = newest_checkpoints().at(0);
     made.levels = 4'000'000'000;
     storage::write(where.folder, where.kind, made);
     EXPECT_NE(refusal(where).find("it has 4000000000 levels, and figures of 0"), std::string::npos);
@@ -491,7 +491,7 @@ TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
 // The next checkpoint does not reuse a number that only one rank has used, and incomplete checkpoints are skipped.
 TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
     LoneExchange alone;
-    KeptWhere where = this->where(alone, 1);
+    KeptWhere where = this->folder_for(alone, 1);
     storage::LevelFiles files({where.folder, where.kind, {1, 2}});
     files.number_from(6);
     files.add_level(std::vector<lts::Word>{0});
@@ -500,17 +500,17 @@ TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
     SavedRowStore store(where);
     EXPECT_EQ(store.levels(), 0U);
     const lts::Word row = 3;
-    store.enter({&row, 1}, lts::StateStore::hash({&row, 1}));
+    store.enter_row({&row, 1}, lts::StateStore::hash({&row, 1}));
     store.close_level();
     store.checkpoint();
-    EXPECT_EQ(newest().at(0).number, 8U);
+    EXPECT_EQ(newest_checkpoints().at(0).number, 8U);
 }
 
 // The reported error is that of the rank in which it occurred, independently of the reports of other ranks.
 TEST(Ranks, ThrowTheErrorOfTheRankThatHasMetIt) {
     const auto work = [](Exchange& exchange) {
         SharedWork shared(exchange);
-        shared.attempt([&] {
+        shared.execute_part([&] {
             if (exchange.rank() == 1) throw storage::BadFile("damaged");
         });
         EXPECT_FALSE(exchange.left_together());

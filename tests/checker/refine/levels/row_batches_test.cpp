@@ -3,6 +3,7 @@
 #include "checker/refine/levels/row_batches.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "checker/refine/levels/sent_rows.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
@@ -30,10 +31,10 @@ TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
             for (unsigned to = 0; to < 3; ++to)
                 if (to != rank) batches.add(to, Words{10 * rank + to, i}, i % 3 == 0);
         EXPECT_EQ(batches.rows(), 2 * count);
-        EXPECT_TRUE(batches.full(2 * count * 8));
-        EXPECT_FALSE(batches.full(2 * count * 8 + 1));
+        EXPECT_TRUE(batches.is_full(2 * count * 8));
+        EXPECT_FALSE(batches.is_full(2 * count * 8 + 1));
         batches.exchange(exchange);
-        EXPECT_FALSE(batches.full(1));
+        EXPECT_FALSE(batches.is_full(1));
         std::vector<std::array<lts::Word, 3>> wanted;
         for (lts::Word from = 0; from < 3; ++from)
             for (lts::Word i = 0; i < count; ++i)
@@ -49,18 +50,18 @@ TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
 TEST(SentRows, CompareRowsAsAWhole) {
     SentRows sent(2);
     constexpr std::uint64_t hash = 12345;
-    EXPECT_FALSE(sent.again(Words{1, 2}, hash));
-    EXPECT_FALSE(sent.again(Words{1, 2}, hash)) << "it has no memory yet";
-    sent.fit(1000);
+    EXPECT_FALSE(sent.sent_recently(Words{1, 2}, hash));
+    EXPECT_FALSE(sent.sent_recently(Words{1, 2}, hash)) << "it has no memory yet";
+    sent.resize_to_fit(1000);
     EXPECT_LE(sent.bytes(), 1000U);
-    EXPECT_FALSE(sent.again(Words{0, 0}, 0)) << "an empty place is no row";
-    EXPECT_FALSE(sent.again(Words{1, 2}, hash));
-    EXPECT_TRUE(sent.again(Words{1, 2}, hash));
-    EXPECT_FALSE(sent.again(Words{1, 3}, hash));
-    EXPECT_TRUE(sent.again(Words{1, 3}, hash));
-    EXPECT_FALSE(sent.again(Words{1, 2}, hash)) << "another has taken its place";
+    EXPECT_FALSE(sent.sent_recently(Words{0, 0}, 0)) << "an empty place is no row";
+    EXPECT_FALSE(sent.sent_recently(Words{1, 2}, hash));
+    EXPECT_TRUE(sent.sent_recently(Words{1, 2}, hash));
+    EXPECT_FALSE(sent.sent_recently(Words{1, 3}, hash));
+    EXPECT_TRUE(sent.sent_recently(Words{1, 3}, hash));
+    EXPECT_FALSE(sent.sent_recently(Words{1, 2}, hash)) << "another has taken its place";
     sent.clear();
-    EXPECT_FALSE(sent.again(Words{1, 2}, hash));
+    EXPECT_FALSE(sent.sent_recently(Words{1, 2}, hash));
 }
 
 }  // namespace

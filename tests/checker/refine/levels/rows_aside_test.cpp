@@ -27,7 +27,7 @@ protected:
         added_.emplace(row, level);
     }
     /// The rows that the pieces return, in the order of each piece.
-    [[nodiscard]] std::map<Row, Level> given() const {
+    [[nodiscard]] std::map<Row, Level> rows_of_pieces() const {
         std::map<Row, Level> all;
         aside_.each_piece([&](const std::vector<Word>& rows) {
             EXPECT_EQ(rows.size() % 3, 0U);
@@ -52,16 +52,16 @@ protected:
 TEST_F(AsideRows, AreGivenWithTheLeastOfTheirLevels) {
     for (Level level = 0; level < 30; ++level) {
         for (std::size_t i = 0, count = random_() % 100; i < count; ++i) add(level);
-        ASSERT_EQ(given(), added_) << level;
+        ASSERT_EQ(rows_of_pieces(), added_) << level;
     }
     EXPECT_TRUE(aside_.on_disk());
     EXPECT_GE(aside_.rows(), added_.size());
     aside_.clear();
     EXPECT_TRUE(aside_.empty());
-    EXPECT_TRUE(given().empty());
+    EXPECT_TRUE(rows_of_pieces().empty());
     added_.clear();
     add(7);
-    EXPECT_EQ(given(), added_);
+    EXPECT_EQ(rows_of_pieces(), added_);
 }
 
 TEST_F(AsideRows, AreAllThereWhereTheDiskIsFull) {
@@ -73,7 +73,7 @@ TEST_F(AsideRows, AreAllThereWhereTheDiskIsFull) {
             } catch (const storage::CannotWrite&) {
                 ++full;
             }
-        ASSERT_EQ(given(), added_) << level;
+        ASSERT_EQ(rows_of_pieces(), added_) << level;
     }
     EXPECT_GT(full, 5);
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "checker/refine/levels/disk_row_store.hpp"
 #include "base/diagnostics/files.hpp"
+#include "checker/refine/levels/disk_row_store.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -15,7 +15,7 @@ using lts::Word;
 using Row = std::vector<Word>;
 
 void enter(RowStore& store, const Row& row) {
-    store.enter(row, lts::StateStore::hash(row));
+    store.enter_row(row, lts::StateStore::hash(row));
 }
 
 // Many rows of a level are reached again in the next level, from all its blocks. None of them is new, and none causes a
@@ -47,7 +47,7 @@ TEST(WideLevels, HaveRowsInAllTheirBlocks) {
                 store.close_level();
             }
             for (Word i = 0; i < rows; i += 7) enter(store, row_of(i % 2, i));
-            EXPECT_FALSE(store.settle());
+            EXPECT_FALSE(store.settle_unsure_rows());
             EXPECT_EQ(store.rows(2), 0U);
             EXPECT_EQ(store.size(), 2 * rows);
             std::vector<Word> read;

@@ -111,7 +111,7 @@ TEST(NormalForms, RefuseANodeBeyondTheLimitEachTime) {
     constexpr Event a = process::first_visible;
     const auto refused = [&](Event event) {
         try {
-            node = normal.after(node, event).value();
+            node = normal.node_after(node, event).value();
         } catch (const LimitReached&) {
             return true;
         }

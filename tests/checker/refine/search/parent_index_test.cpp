@@ -18,7 +18,7 @@ TEST(ParentIndex, RemembersTheParentOfEveryState) {
         // expand.
         std::uint32_t found = state % 1000 < 700 ? 0 : static_cast<std::uint32_t>(random() % 8);
         if (state + 1 == parents.size()) found += 150;
-        index.expanded(found);
+        index.add_expanded_state(found);
         parents.insert(parents.end(), found, state);
     }
     ASSERT_GT(parents.size(), 40000U);
@@ -34,8 +34,8 @@ TEST(ParentIndex, IsTheSameNotedInStretches) {
     for (int i = 0; i < 3000; ++i) {
         const auto found = static_cast<std::uint32_t>(random() % 10 == 0 ? random() % 100 : random() % 3);
         states += found;
-        whole.expanded(found);
-        stretch.expanded(found);
+        whole.add_expanded_state(found);
+        stretch.add_expanded_state(found);
         if (random() % 20 != 0 && i + 1 != 3000) continue;
         together.append(stretch);
         stretch.clear();

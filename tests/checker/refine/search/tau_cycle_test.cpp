@@ -13,20 +13,20 @@ namespace {
 using lts::StateIndex;
 using Edges = std::vector<std::vector<StateIndex>>;
 
-GraphView view(const Edges& edges) {
+GraphView view_of(const Edges& edges) {
     return {edges.size(), [&edges](StateIndex vertex, std::vector<StateIndex>& targets) {
                 targets.insert(targets.end(), edges[vertex].begin(), edges[vertex].end());
             }};
 }
 
-std::vector<StateIndex> entrances(const Edges& edges) {
+std::vector<StateIndex> back_targets(const Edges& edges) {
     BackTargets back;
     for (StateIndex vertex = 0; vertex < edges.size(); ++vertex)
-        for (const StateIndex target : edges[vertex]) back.note(vertex, target);
+        for (const StateIndex target : edges[vertex]) back.note_tau(vertex, target);
     return back.list();
 }
 
-std::vector<StateIndex> all(const Edges& edges) {
+std::vector<StateIndex> all_vertices(const Edges& edges) {
     std::vector<StateIndex> vertices(edges.size());
     std::iota(vertices.begin(), vertices.end(), 0);
     return vertices;
@@ -51,12 +51,12 @@ std::size_t way_back(const Edges& edges, StateIndex vertex) {
 
 TEST(TauCycle, FindsTheLeastVertexOnACycle) {
     const Edges edges{{1, 2}, {3}, {4}, {}, {5, 3}, {6}, {4}, {7}};
-    EXPECT_EQ(entrances(edges), (std::vector<StateIndex>{3, 4, 7}));
-    EXPECT_EQ(least_on_cycle(view(edges), entrances(edges)), 4U);
-    EXPECT_EQ(shortest_cycle(view(edges), 4), (std::vector<StateIndex>{5, 6, 4}));
-    EXPECT_EQ(shortest_cycle(view(edges), 7), (std::vector<StateIndex>{7}));
-    EXPECT_TRUE(shortest_cycle(view(edges), 0).empty());
-    EXPECT_EQ(least_on_cycle(view(Edges(2)), {}), std::nullopt);
+    EXPECT_EQ(back_targets(edges), (std::vector<StateIndex>{3, 4, 7}));
+    EXPECT_EQ(least_on_cycle(view_of(edges), back_targets(edges)), 4U);
+    EXPECT_EQ(shortest_cycle(view_of(edges), 4), (std::vector<StateIndex>{5, 6, 4}));
+    EXPECT_EQ(shortest_cycle(view_of(edges), 7), (std::vector<StateIndex>{7}));
+    EXPECT_TRUE(shortest_cycle(view_of(edges), 0).empty());
+    EXPECT_EQ(least_on_cycle(view_of(Edges(2)), {}), std::nullopt);
 }
 
 TEST(TauCycle, AgreesWithReachability) {
@@ -74,10 +74,10 @@ TEST(TauCycle, AgreesWithReachability) {
         std::optional<StateIndex> expected;
         for (StateIndex vertex = 0; vertex < edges.size() && !expected; ++vertex)
             if (way_back(edges, vertex) != 0) expected = vertex;
-        ASSERT_EQ(least_on_cycle(view(edges), entrances(edges)), expected);
-        ASSERT_EQ(least_on_cycle(view(edges), all(edges)), expected);
+        ASSERT_EQ(least_on_cycle(view_of(edges), back_targets(edges)), expected);
+        ASSERT_EQ(least_on_cycle(view_of(edges), all_vertices(edges)), expected);
         if (expected) {
-            ASSERT_EQ(shortest_cycle(view(edges), *expected).size(), way_back(edges, *expected));
+            ASSERT_EQ(shortest_cycle(view_of(edges), *expected).size(), way_back(edges, *expected));
         }
         ++(expected ? with : without);
     }

@@ -36,7 +36,7 @@ Graph random_graph(std::mt19937& random, std::size_t states, unsigned taus, unsi
     return graph;
 }
 
-std::string reported(const Verdict& verdict) {
+std::string report_text(const Verdict& verdict) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + " states " +
                        std::to_string(verdict.statistics.states) + " transitions " +
                        std::to_string(verdict.statistics.transitions) + " depth " +
@@ -64,10 +64,10 @@ protected:
             limits.wide_level = 1;
             std::vector<std::string> answers;
             for (const Model model : {Model::traces, Model::failures, Model::failures_divergences})
-                answers.push_back(reported(refines(first, second, model, limits)));
-            answers.push_back(reported(deadlock_free(second, Model::failures, limits)));
-            answers.push_back(reported(divergence_free(second, limits)));
-            answers.push_back(reported(deterministic(second, Model::failures_divergences, limits)));
+                answers.push_back(report_text(refines(first, second, model, limits)));
+            answers.push_back(report_text(deadlock_free(second, Model::failures, limits)));
+            answers.push_back(report_text(divergence_free(second, limits)));
+            answers.push_back(report_text(deterministic(second, Model::failures_divergences, limits)));
             if (expected.empty()) expected = answers;
             ASSERT_EQ(answers, expected) << threads << " threads";
         }

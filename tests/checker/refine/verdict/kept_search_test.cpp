@@ -19,10 +19,10 @@
 #include <random>
 #include <thread>
 
+#include "base/diagnostics/files.hpp"
 #include "checker/lts/graph.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "checker/storage/file_lock.hpp"
-#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 
 namespace {
@@ -88,7 +88,7 @@ protected:
 
     [[nodiscard]] KeptSettings settings(bool resume, bool disk) const {
         KeptSettings settings;
-        settings.folder = kept();
+        settings.folder = checkpoint_folder();
         settings.resume = resume;
         settings.disk = disk;
         settings.every = std::chrono::milliseconds(0);
@@ -98,8 +98,8 @@ protected:
         settings.reads_a_step = 0;
         return settings;
     }
-    [[nodiscard]] std::string kept() const { return folder_.path() + "/kept"; }
-    [[nodiscard]] bool there() const { return fs::exists(kept() + "/questions"); }
+    [[nodiscard]] std::string checkpoint_folder() const { return folder_.path() + "/kept"; }
+    [[nodiscard]] bool checkpoint_exists() const { return fs::exists(checkpoint_folder() + "/questions"); }
 
     static diagnostics::Digest digest(const std::string& text) {
         diagnostics::Hasher hasher;
@@ -155,7 +155,7 @@ TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
             EXPECT_EQ(decide(search), expected);
         }
         EXPECT_EQ(rolled_back_ > 0, disk);
-        EXPECT_FALSE(fs::exists(kept())) << "all is decided";
+        EXPECT_FALSE(fs::exists(checkpoint_folder())) << "all is decided";
     }
 }
 
@@ -172,7 +172,7 @@ TEST_F(KeptSearches, GoOnAfterKillsAtAnyMoment) {
             if (child == 0) {
                 try {
                     ThreadRanks threads(ranks);
-                    KeptSearch search(settings(there(), disk), threads);
+                    KeptSearch search(settings(checkpoint_exists(), disk), threads);
                     (void)decide(search);
                 } catch (const std::exception& wrong) {
                     std::fprintf(stderr, "%s\n", wrong.what());
@@ -187,7 +187,7 @@ TEST_F(KeptSearches, GoOnAfterKillsAtAnyMoment) {
             ASSERT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) != 0);
             if (WIFSIGNALED(status)) ++killed;
         }
-        KeptSearch search(settings(there(), false), threads_);
+        KeptSearch search(settings(checkpoint_exists(), false), threads_);
         ASSERT_EQ(decide(search), expected);
     }
     EXPECT_GE(killed, 5);
@@ -199,7 +199,7 @@ TEST_F(KeptSearches, GoOnAfterALimit) {
         KeptSearch search(settings(false, true), threads_);
         EXPECT_THAT(decide(search, 2000), HasSubstr("the limit of 2000 states was reached"));
     }
-    ASSERT_TRUE(there());
+    ASSERT_TRUE(checkpoint_exists());
     KeptSearch search(settings(true, false), threads_);
     EXPECT_EQ(decide(search), expected);
 }
@@ -250,7 +250,7 @@ TEST_F(KeptSearches, RefuseTheFolderOfAnother) {
         EXPECT_THAT(why([&] { search.identify_question(digest("otherwise")); }),
                     HasSubstr("written for question 1, `holds`, about other processes or with other options"));
     }
-    std::ofstream(kept() + "/questions") << "x";
+    std::ofstream(checkpoint_folder() + "/questions") << "x";
     EXPECT_THAT(why([&] { KeptSearch other(settings(true, false), threads_); }), HasSubstr("questions: line 1"));
 }
 
@@ -267,48 +267,48 @@ TEST_F(KeptSearches, NeedTheIdentityOfTheProgram) {
     KeptSettings own = settings(false, false);
     own.program.clear();
     EXPECT_THAT(refusal([&] { KeptSearch search(own, threads_); }), HasSubstr("without a build ID"));
-    EXPECT_FALSE(fs::exists(kept()));
+    EXPECT_FALSE(fs::exists(checkpoint_folder()));
 }
 
 TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
-    fs::create_directories(kept() + "/finished-work");
-    std::ofstream(kept() + "/finished-work/notes") << "mine";
+    fs::create_directories(checkpoint_folder() + "/finished-work");
+    std::ofstream(checkpoint_folder() + "/finished-work/notes") << "mine";
     EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false), threads_); }),
                 HasSubstr("there are other files"));
-    EXPECT_TRUE(fs::exists(kept() + "/finished-work/notes"));
-    EXPECT_FALSE(there());
-    fs::remove_all(kept());
+    EXPECT_TRUE(fs::exists(checkpoint_folder() + "/finished-work/notes"));
+    EXPECT_FALSE(checkpoint_exists());
+    fs::remove_all(checkpoint_folder());
     {
         KeptSearch search(settings(false, false), threads_);
         search.begin_question("holds");
     }
     const std::vector<std::string> others{"finished-work", "finished-search-", "finished-search-0123456789abcdeg",
                                           "finished-search-0123456789abcdef0"};
-    for (const std::string& each : others) fs::create_directory(kept() + "/" + each);
-    fs::create_directory(kept() + "/finished-search-0123456789abcdef");
+    for (const std::string& each : others) fs::create_directory(checkpoint_folder() + "/" + each);
+    fs::create_directory(checkpoint_folder() + "/finished-search-0123456789abcdef");
     KeptSearch search(settings(true, false), threads_);
-    for (const std::string& each : others) EXPECT_TRUE(fs::exists(kept() + "/" + each)) << each;
-    EXPECT_FALSE(fs::exists(kept() + "/finished-search-0123456789abcdef"));
+    for (const std::string& each : others) EXPECT_TRUE(fs::exists(checkpoint_folder() + "/" + each)) << each;
+    EXPECT_FALSE(fs::exists(checkpoint_folder() + "/finished-search-0123456789abcdef"));
 }
 
 // If a run is killed before it has renamed the first file of the folder, this file still has its temporary name.
 TEST_F(KeptSearches, TakeAFolderThatAKilledRunHasBegun) {
-    const std::string left = kept() + "/.robochart-0123456789abcdef";
-    fs::create_directories(kept());
+    const std::string left = checkpoint_folder() + "/.robochart-0123456789abcdef";
+    fs::create_directories(checkpoint_folder());
     std::ofstream(left) << "half";
-    std::ofstream(kept() + "/.robochart-notes") << "mine";
+    std::ofstream(checkpoint_folder() + "/.robochart-notes") << "mine";
     EXPECT_THAT(refusal([&] { KeptSearch search(settings(false, false), threads_); }),
                 HasSubstr("there are other files"));
     EXPECT_TRUE(fs::exists(left)) << "nothing is removed from a folder of others";
-    fs::remove(kept() + "/.robochart-notes");
+    fs::remove(checkpoint_folder() + "/.robochart-notes");
     KeptSearch search(settings(false, false), threads_);
-    EXPECT_TRUE(there());
+    EXPECT_TRUE(checkpoint_exists());
     EXPECT_FALSE(fs::exists(left));
 }
 
 TEST_F(KeptSearches, LeaveNothingWhereNothingWasAsked) {
     { KeptSearch search(settings(false, false), threads_); }
-    EXPECT_FALSE(fs::exists(kept()));
+    EXPECT_FALSE(fs::exists(checkpoint_folder()));
 }
 
 // Answers are needed until the verb reports that all questions are decided.
@@ -316,7 +316,7 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
     const auto decided = [&](KeptSearch& search) {
         search.begin_question("holds");
         search.identify_question(digest("holds"));
-        search.answers()->keep(digest("holds"), "yes");
+        search.answers()->store_entry(digest("holds"), "yes");
         search.end_question(true);
     };
     {
@@ -335,19 +335,19 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
     EXPECT_THAT(refusal([&] { search.begin_question("other"); }), HasSubstr("written for question 1, `holds`"));
     decided(search);
     search.all_asked();
-    EXPECT_TRUE(there()) << "one more was asked before";
+    EXPECT_TRUE(checkpoint_exists()) << "one more was asked before";
     search.begin_question("other");
     search.identify_question(digest("other"));
     search.end_question(true);
     search.all_asked();
-    EXPECT_FALSE(fs::exists(kept()));
+    EXPECT_FALSE(fs::exists(checkpoint_folder()));
 }
 
 // If an answer was not saved, only its search remains.
 TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
     const auto searches = [&] {
         std::size_t count = 0;
-        for (const auto& each : fs::directory_iterator(kept()))
+        for (const auto& each : fs::directory_iterator(checkpoint_folder()))
             if (each.path().filename().string().starts_with("search-")) ++count;
         return count;
     };
@@ -361,11 +361,11 @@ TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
         search.identify_question(digest("holds"));
         EXPECT_EQ(deadlock_free(system, Model::failures, limits).outcome, Outcome::holds);
         EXPECT_EQ(searches(), 1U);
-        if (answered) search.answers()->keep(digest("holds"), "yes");
+        if (answered) search.answers()->store_entry(digest("holds"), "yes");
         search.end_question(true);
         EXPECT_EQ(searches(), answered ? 0U : 1U);
         search.all_asked();
-        EXPECT_FALSE(fs::exists(kept()));
+        EXPECT_FALSE(fs::exists(checkpoint_folder()));
     }
 }
 
@@ -376,13 +376,13 @@ TEST_F(KeptSearches, RefuseQuestionsThatAreNoList) {
     }
     const auto why = [&] { return refusal([&] { KeptSearch search(settings(true, false), threads_); }); };
     EXPECT_EQ(why(), "");
-    std::ofstream(kept() + "/questions", std::ios::app) << digest("x").size() << std::string(10'000, 'a');
+    std::ofstream(checkpoint_folder() + "/questions", std::ios::app) << digest("x").size() << std::string(10'000, 'a');
     EXPECT_THAT(why(), HasSubstr("questions: line 4: it cannot be read, or is too long"));
-    fs::remove(kept() + "/questions");
-    fs::create_directory(kept() + "/questions");
+    fs::remove(checkpoint_folder() + "/questions");
+    fs::create_directory(checkpoint_folder() + "/questions");
     EXPECT_THAT(why(), HasSubstr("questions: this is no file"));
-    fs::remove(kept() + "/questions");
-    fs::create_symlink("/dev/zero", kept() + "/questions");
+    fs::remove(checkpoint_folder() + "/questions");
+    fs::create_symlink("/dev/zero", checkpoint_folder() + "/questions");
     EXPECT_THAT(why(), HasSubstr("questions: this is no file"));
 }
 
@@ -403,7 +403,7 @@ TEST_F(KeptSearches, SayWhereTheFileSystemHasNoLocks) {
 TEST_F(KeptSearches, LockTheFileThatIsThere) {
     const std::string path = folder_.path() + "/lock";
     const diagnostics::Descriptor before = storage::open_to_lock(path, true);
-    ASSERT_TRUE(before.open());
+    ASSERT_TRUE(before.is_open());
     fs::remove(path);
     EXPECT_EQ(storage::lock(before, path, storage::Lock::exclusive, "in use"), "in use");
     const diagnostics::Descriptor after = storage::open_to_lock(path, true);
@@ -412,7 +412,7 @@ TEST_F(KeptSearches, LockTheFileThatIsThere) {
     EXPECT_EQ(storage::lock(after, path, storage::Lock::exclusive, "in use"), "");
     fs::remove(path);
     fs::create_symlink("elsewhere", path);
-    EXPECT_FALSE(storage::open_to_lock(path, true).open());
+    EXPECT_FALSE(storage::open_to_lock(path, true).is_open());
 }
 
 }  // namespace

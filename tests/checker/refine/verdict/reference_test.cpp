@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
+#include <algorithm>
 
 #include "checker/lts/graph.hpp"
 #include "checker/process/derivation.hpp"

@@ -30,40 +30,45 @@ protected:
             result.steps.push_back({s.event(name), s.event(name), {static_cast<lts::Word>(target)}});
         return result;
     }
-    void judge(TermId specification, TermId implementation, Model model, const Violation& violation) {
+    void confirm_replay(TermId specification, TermId implementation, Model model, const Violation& violation) {
         process::TermSystem left(semantics, specification);
         process::TermSystem right(semantics, implementation);
         confirm_refinement_violation(left, right, model, violation, budget);
     }
-    void judge(TermId process, const Violation& violation) {
+    void confirm_replay(TermId process, const Violation& violation) {
         process::TermSystem system(semantics, process);
         confirm_property_violation(system, violation, budget);
     }
 };
 
 TEST_F(Replay, AcceptsWhatIsTrue) {
-    EXPECT_NO_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}));
-    EXPECT_NO_THROW(judge(ab, a, Model::failures, {ViolationKind::refusal, run(a, {}), {}, {}}));
-    EXPECT_NO_THROW(judge(a, {ViolationKind::deadlock, run(a, {{"a", stop}}), {}, {}}));
+    EXPECT_NO_THROW(confirm_replay(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}));
+    EXPECT_NO_THROW(confirm_replay(ab, a, Model::failures, {ViolationKind::refusal, run(a, {}), {}, {}}));
+    EXPECT_NO_THROW(confirm_replay(a, {ViolationKind::deadlock, run(a, {{"a", stop}}), {}, {}}));
 }
 
 TEST_F(Replay, RejectsRunsThatDoNotExist) {
-    EXPECT_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(a, {{"a", stop}}), {}, {}}), std::logic_error);
-    EXPECT_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"c", stop}}), {}, {}}), std::logic_error);
-    EXPECT_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", a}}), {}, {}}), std::logic_error);
+    EXPECT_THROW(confirm_replay(a, ab, Model::traces, {ViolationKind::trace, run(a, {{"a", stop}}), {}, {}}),
+                 std::logic_error);
+    EXPECT_THROW(confirm_replay(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"c", stop}}), {}, {}}),
+                 std::logic_error);
+    EXPECT_THROW(confirm_replay(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", a}}), {}, {}}),
+                 std::logic_error);
 }
 
 TEST_F(Replay, RejectsViolationsThatAreNone) {
-    EXPECT_THROW(judge(ab, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}),
+    EXPECT_THROW(confirm_replay(ab, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}),
                  std::logic_error);
-    EXPECT_THROW(judge(a, ab, Model::failures, {ViolationKind::refusal, run(ab, {}), {}, {}}), std::logic_error);
-    EXPECT_THROW(judge(ab, a, Model::traces, {ViolationKind::refusal, run(a, {}), {}, {}}), std::logic_error);
-    EXPECT_THROW(judge(a, {ViolationKind::deadlock, run(a, {}), {}, {}}), std::logic_error);
-    EXPECT_THROW(judge(a, {ViolationKind::divergence, run(a, {}), {}, {}}), std::logic_error);
-    EXPECT_THROW(judge(a, {ViolationKind::nondeterminism, run(a, {}), {}, s.event("a")}), std::logic_error);
+    EXPECT_THROW(confirm_replay(a, ab, Model::failures, {ViolationKind::refusal, run(ab, {}), {}, {}}),
+                 std::logic_error);
+    EXPECT_THROW(confirm_replay(ab, a, Model::traces, {ViolationKind::refusal, run(a, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(confirm_replay(a, {ViolationKind::deadlock, run(a, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(confirm_replay(a, {ViolationKind::divergence, run(a, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(confirm_replay(a, {ViolationKind::nondeterminism, run(a, {}), {}, s.event("a")}), std::logic_error);
     const TermId div = s.op(Op::div);
-    EXPECT_THROW(judge(div, ab, Model::failures_divergences, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}),
-                 std::logic_error);
+    EXPECT_THROW(
+        confirm_replay(div, ab, Model::failures_divergences, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}),
+        std::logic_error);
     process::TermSystem system(semantics, ab);
     EXPECT_THROW(confirm_missing_trace(system, {s.event("a")}, run(ab, {}), budget), std::logic_error);
     EXPECT_THROW(confirm_trace(system, {s.event("b")}, run(ab, {{"a", stop}}), budget), std::logic_error);

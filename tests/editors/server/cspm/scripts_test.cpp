@@ -410,16 +410,16 @@ TEST(Scripts, AnAnalysisEndsWhenTheTextChanges) {
                       {"params", Json::object({{"textDocument", document}, {"contentChanges", Json::array()}})}});
     client.change(script_uri, large + "Q = Lost\n");
     ASSERT_EQ(client.codes(script_uri), "CSPM-T01@20001");
-    client.server().receive(json_text(Json::object(
+    client.server().receive_message(json_text(Json::object(
         {{"jsonrpc", "2.0"},
          {"method", "textDocument/didChange"},
          {"params",
           Json::object({{"textDocument", document},
                         {"contentChanges", Json::array({Json::object({{"text", large + "Q = Gone\n\n"}})})}})}})));
-    client.server().step();
-    client.server().interruption().arrived(change);  // received, not yet handled
+    client.server().handle_next();
+    client.server().interruption().note_arrival(change);  // received, not yet handled
     const std::size_t before = client.messages.size();
-    client.server().idle();
+    client.server().use_idle_time();
     EXPECT_EQ(client.messages.size(), before) << "an old text is not diagnosed";
     client.raw(json_text(change));
     EXPECT_NE(client.diagnostics(script_uri)[0]["message"].text().find("Gone"), std::string::npos);

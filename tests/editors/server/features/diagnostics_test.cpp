@@ -98,7 +98,7 @@ TEST(Published, WaitUntilTheEditorIsSilent) {
             {{"textDocument", Json::object({{"uri", uri}, {"version", i + 2}})},
              {"contentChanges",
               Json::array({Json::object({{"text", "interface I { var x : lost" + std::to_string(i) + " }\n"}})})}});
-        client.server().receive(
+        client.server().receive_message(
             json_text(Json::object({{"jsonrpc", "2.0"}, {"method", "textDocument/didChange"}, {"params", params}})));
     }
     client.work();

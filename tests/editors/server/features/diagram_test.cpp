@@ -61,10 +61,11 @@ std::string text_with(std::string text, const std::string& old, const std::strin
 /// The picture of a component, drawn with the functions that `draw` uses.
 std::string drawn_apart(const std::string& name, diagrams::Theme theme) {
     Workspace workspace;
-    Project& project = *workspace.open(diagram_uri, diagram_text).project;
-    const diagrams::Elements elements(project.model());
-    for (const diagrams::Subject& each : diagrams::subjects(project.model(), project.sources()))
-        if (each.name == name) return diagrams::svg(diagrams::draw(each, {elements}), elements, {theme, ""});
+    Project& project = *workspace.open_document(diagram_uri, diagram_text).project;
+    const diagrams::Elements elements(project.current_model());
+    for (const diagrams::Subject& each : diagrams::find_subjects(project.current_model(), project.sources()))
+        if (each.name == name)
+            return diagrams::render_svg(diagrams::draw_subject(each, {elements}), elements, {theme, ""});
     return "";
 }
 

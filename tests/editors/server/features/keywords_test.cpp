@@ -2,8 +2,8 @@
 // What an editor shows about a reserved word.
 #include <gtest/gtest.h>
 
-#include "frontend/syntax/lexer.hpp"
 #include "editors/server/features/keywords.hpp"
+#include "frontend/syntax/lexer.hpp"
 #include "tests/editors/server/client.hpp"
 
 namespace robochart::lsp {

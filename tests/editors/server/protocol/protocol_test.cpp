@@ -23,8 +23,8 @@ struct Bare {
     }};
 
     Answer say(const std::string& text) {
-        server.receive(text);
-        while (server.has_work()) server.step();
+        server.receive_message(text);
+        while (server.has_work()) server.handle_next();
         return messages.empty() ? Json() : messages.back();
     }
 };
@@ -100,9 +100,9 @@ TEST(Messages, WithWrongParametersAreRefused) {
 // LSP 3.17, $/cancelRequest: a cancelled request is still answered, with RequestCancelled.
 TEST(Messages, ThatAreCancelledInTime) {
     Client client;
-    client.server().receive(R"({"jsonrpc":"2.0","id":71,"method":"workspace/symbol","params":{"query":""}})");
-    client.server().receive(R"({"jsonrpc":"2.0","id":72,"method":"workspace/symbol","params":{"query":""}})");
-    client.server().receive(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":71}})");
+    client.server().receive_message(R"({"jsonrpc":"2.0","id":71,"method":"workspace/symbol","params":{"query":""}})");
+    client.server().receive_message(R"({"jsonrpc":"2.0","id":72,"method":"workspace/symbol","params":{"query":""}})");
+    client.server().receive_message(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":71}})");
     client.work();
     ASSERT_GE(client.messages.size(), 2U);
     const Answer& cancelled = client.messages[client.messages.size() - 2];

@@ -26,7 +26,7 @@ std::vector<std::string> frames(const std::string& bytes) {
     FrameReader reader(in);
     std::vector<std::string> result;
     while (true) {
-        const Frame frame = reader.next();
+        const Frame frame = reader.next_frame();
         if (frame.kind == Frame::Kind::end) return result;
         result.push_back((frame.kind == Frame::Kind::message ? "M:" : "F:") + frame.text);
     }
@@ -114,7 +114,7 @@ TEST(Positions, CountCodeUnits) {
     SourceManager sources;
     const SourceId id = sources.add("t", "ab\r\nä😀z\rx\n");
     const auto at = [&](std::uint32_t offset, Encoding encoding) {
-        const Answer place = position(sources, id, offset, encoding);
+        const Answer place = lsp_position(sources, id, offset, encoding);
         return std::to_string(place["line"].number()) + ":" + std::to_string(place["character"].number());
     };
     EXPECT_EQ(at(1, Encoding::utf16), "0:1");
@@ -137,10 +137,10 @@ TEST(Positions, AndOffsetsAreInverse) {
         const SourceId id = sources.add("t", text);
         for (const Encoding encoding : {Encoding::utf8, Encoding::utf16, Encoding::utf32})
             for (std::uint32_t offset = 0; offset <= text.size(); ++offset) {
-                const Answer place = position(sources, id, offset, encoding);
+                const Answer place = lsp_position(sources, id, offset, encoding);
                 const std::uint32_t back = offset_of(sources, id, place.json(), encoding);
                 EXPECT_LE(back, offset);
-                EXPECT_EQ(position(sources, id, back, encoding), place);
+                EXPECT_EQ(lsp_position(sources, id, back, encoding), place);
             }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // After any edits, the state of the server equals that of a newly loaded project.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <iterator>
@@ -17,7 +18,7 @@
 namespace robochart::lsp {
 namespace {
 
-using tests::contents;
+using tests::read_contents;
 
 using testing::Answer;
 using testing::Client;
@@ -120,8 +121,8 @@ private:
 std::vector<std::string> corpus_texts() {
     const std::filesystem::path corpus = tests::source_folder().string() + "/corpus";
     return {
-        contents(corpus / "aggregation/aggregation.assertions"), contents(corpus / "aggregation/aggregation.rct"),
-        contents(corpus / "swarm_taxis/swarm_taxis.rct"),
+        read_contents(corpus / "aggregation/aggregation.assertions"),
+        read_contents(corpus / "aggregation/aggregation.rct"), read_contents(corpus / "swarm_taxis/swarm_taxis.rct"),
         "import set_toolkit::*\ninterface I { var speed : nat var s : Set(nat) }\n"
         "stm S { requires I initial i state A { entry speed = size(union(s, {1})) } transition t { from i to A } }\n"};
 }
@@ -152,7 +153,8 @@ TEST(Incremental, NothingFailsInTextsHoweverBroken) {
 std::vector<std::string> scripts_of_tests() {
     const std::filesystem::path tests = tests::source_folder().string() + "/tests";
     return {
-        contents(tests / "app/phases/timed_script.csp"), contents(tests / "fuzz/regressions/script/while_typed.csp"),
+        read_contents(tests / "app/phases/timed_script.csp"),
+        read_contents(tests / "fuzz/regressions/script/while_typed.csp"),
         "include \"0.csp\"\nchannel c_ : {0..2}.Bool\nmodule M_(p)\n  q = p + 1\nexports\n  R_(x) = c_!x?b -> R_(q)\n"
         "endmodule\ninstance I_ = M_(1)\nfold_(f, <>) = 0\nfold_(f, <x>^s) = f(x, fold_(f, s))\n"
         "assert I_::R_(1) :[deadlock free]\n"};
@@ -187,12 +189,12 @@ TEST(Incremental, AgreesWithTheCommandLine) {
         SourceManager sources;
         diagnostics::Diagnostics findings;
         auto model = std::make_unique<frontend::Model>();
-        const std::string text = contents(entry.path());
+        const std::string text = read_contents(entry.path());
         model->files.push_back(frontend::parse(sources, sources.add("a.rct", text), false, findings));
         frontend::update_toolkits(sources, *model, findings);
         frontend::resolve(*model, findings);
         std::string expected;
-        for (const auto& finding : findings.sorted())
+        for (const auto& finding : findings.sorted_findings())
             expected += (expected.empty() ? "" : " ") + std::string(finding.rule->code) + "@" +
                         std::to_string(sources.position(finding.span.source, finding.span.begin).line);
         Client client;

@@ -47,13 +47,13 @@ Json change_to(const std::string& text) {
 class Busy : public Client {
 public:
     Busy() {
-        server().receive(
+        server().receive_message(
             message("textDocument/didOpen", Json::object({{"textDocument", Json::object({{"uri", large_uri},
                                                                                          {"languageId", "robochart"},
                                                                                          {"version", 1},
                                                                                          {"text", large_text()}})}})),
             "");
-        server().step();
+        server().handle_next();
     }
     void hover(std::int64_t id) { begin(id, "textDocument/hover"); }
     void begin(std::int64_t id, const std::string& method) {
@@ -61,14 +61,14 @@ public:
         Json request =
             message(method, Json::object({{"textDocument", Json::object({{"uri", large_uri}})}, {"position", at}}));
         request["id"] = id;
-        server().receive(std::move(request), "");
+        server().receive_message(std::move(request), "");
     }
     /// Lets the server work, and delivers the message meanwhile.
     template <class Work>
     void interrupted_by(const Json& arrival, Work work) {
         std::thread working(work);
         std::this_thread::sleep_for(milliseconds(150));
-        server().interruption().arrived(arrival);
+        server().interruption().note_arrival(arrival);
         working.join();
     }
     [[nodiscard]] std::int64_t code_of(std::int64_t id) const {
@@ -81,11 +81,12 @@ public:
 TEST(Interruption, ARunningRequestIsCancelledAndTheServerGoesOn) {
     Busy busy;
     busy.hover(501);
-    busy.interrupted_by(cancellation(501), [&] { busy.server().step(); });
+    busy.interrupted_by(cancellation(501), [&] { busy.server().handle_next(); });
     EXPECT_EQ(busy.code_of(501), -32800);
-    busy.server().receive(cancellation(501), "");
+    busy.server().receive_message(cancellation(501), "");
     // The next request is answered as usual.
-    busy.server().receive(change_to("stm S { var x : lost initial i state A { } transition t { from i to A } }\n"), "");
+    busy.server().receive_message(
+        change_to("stm S { var x : lost initial i state A { } transition t { from i to A } }\n"), "");
     busy.hover(502);
     busy.work();
     EXPECT_EQ(busy.code_of(502), 0);
@@ -95,14 +96,14 @@ TEST(Interruption, ARunningRequestIsCancelledAndTheServerGoesOn) {
 TEST(Interruption, ADiagramIsCancelled) {
     Busy busy;
     busy.begin(511, "robochart/diagram");
-    busy.interrupted_by(cancellation(511), [&] { busy.server().step(); });
+    busy.interrupted_by(cancellation(511), [&] { busy.server().handle_next(); });
     EXPECT_EQ(busy.code_of(511), -32800);
 }
 
 TEST(Interruption, OtherRequestsAreNotCancelled) {
     Busy busy;
-    busy.server().interruption().arrived(cancellation(77));
-    busy.server().receive(change_to("stm S { initial i state A { } transition t { from i to A } }\n"), "");
+    busy.server().interruption().note_arrival(cancellation(77));
+    busy.server().receive_message(change_to("stm S { initial i state A { } transition t { from i to A } }\n"), "");
     busy.hover(503);
     busy.work();
     EXPECT_EQ(busy.code_of(503), 0);
@@ -116,9 +117,9 @@ TEST(Interruption, ANewerTextEndsTheRequestThatIsWorkedOn) {
     Busy busy;
     const Json change = change_to("stm S { initial i state A { } transition t { from i to A } }\n");
     busy.hover(504);
-    busy.interrupted_by(change, [&] { busy.server().step(); });
+    busy.interrupted_by(change, [&] { busy.server().handle_next(); });
     EXPECT_EQ(busy.code_of(504), -32801) << "ContentModified";
-    busy.server().receive(change, "");
+    busy.server().receive_message(change, "");
     busy.hover(505);
     busy.work();
     EXPECT_EQ(busy.code_of(505), 0);
@@ -128,9 +129,9 @@ TEST(Interruption, ANewerTextEndsAnOutdatedAnalysis) {
     Busy busy;
     const Json change = change_to("stm S { var x : lost initial i state A { } transition t { from i to A } }\n");
     const std::size_t before = busy.messages.size();
-    busy.interrupted_by(change, [&] { busy.server().idle(); });
+    busy.interrupted_by(change, [&] { busy.server().use_idle_time(); });
     EXPECT_EQ(busy.messages.size(), before) << "findings about a text that is old";
-    busy.server().receive(change, "");
+    busy.server().receive_message(change, "");
     busy.work();
     EXPECT_EQ(busy.codes(large_uri), "RC-N01@1");
 }
@@ -141,7 +142,7 @@ TEST(Interruption, AnEditorThatLeavesIsNotKeptWaiting) {
     busy.hover(507);
     Json shutdown = message("shutdown", nullptr);
     shutdown["id"] = 508;
-    busy.server().receive(shutdown, "");
+    busy.server().receive_message(shutdown, "");
     busy.interrupted_by(shutdown, [&] { busy.work(); });
     EXPECT_EQ(busy.code_of(506), -32800);
     EXPECT_EQ(busy.code_of(507), -32800);

@@ -32,7 +32,7 @@ std::string exported(std::string (*format)(const Picture&), const std::string& t
 }
 
 TEST(Mermaid, SaysWhatIsDrawn) {
-    EXPECT_EQ(exported(mermaid),
+    EXPECT_EQ(exported(render_mermaid),
               "stateDiagram-v2\n"
               "  %% state machine M\n"
               "  %% not shown: interfaces, variables, constants and clocks of the component\n"
@@ -51,7 +51,7 @@ TEST(Mermaid, SaysWhatIsDrawn) {
 /// `;` would end a statement, Mermaid rejects `::`, and `\n` would be a line end.
 TEST(Mermaid, TextIsEscaped) {
     const std::string text = exported(
-        mermaid,
+        render_mermaid,
         "stm M { var v : string initial i state s { entry v = \"a;b::c\\n%%{}<x>\" } transition t { from i to s } }\n");
     const std::size_t begin = text.find("entry v");
     ASSERT_NE(begin, std::string::npos);
@@ -63,7 +63,7 @@ TEST(Mermaid, TextIsEscaped) {
 /// If a nested composite state has a note, Mermaid 12 draws the state outside its parent.
 TEST(Mermaid, ActionsOfNestedCompositesAreInTheirTitles) {
     const std::string text =
-        exported(mermaid,
+        exported(render_mermaid,
                  "stm M { initial i state Outer { initial j state Inner { during wait(1) exit wait(2) initial k state "
                  "Deep { entry wait(3) } transition c { from k to Deep } } transition b { from j to Inner } }\n"
                  " transition a { from i to Outer } }\n");
@@ -73,7 +73,7 @@ TEST(Mermaid, ActionsOfNestedCompositesAreInTheirTitles) {
 }
 
 TEST(Mermaid, ComponentsAreFlowcharts) {
-    const std::string text = exported(mermaid,
+    const std::string text = exported(render_mermaid,
                                       "stm S { event e initial i }\nstm T { event e initial i }\n"
                                       "controller C { sref a = S sref b = T connection a on e to b on e }\n");
     EXPECT_THAT(text, StartsWith("flowchart LR\n  %% controller C\n  %% not shown: that events are on the borders of "
@@ -83,7 +83,7 @@ TEST(Mermaid, ComponentsAreFlowcharts) {
 }
 
 TEST(Dot, SaysWhatIsDrawn) {
-    const std::string text = exported(dot);
+    const std::string text = exported(render_dot);
     EXPECT_THAT(text, StartsWith("digraph \"state machine M\" {\n"));
     EXPECT_THAT(text, HasSubstr("n6 -> n4 [label=\"f?x[x > 1]\", ltail=cluster_n6];"));
     EXPECT_THAT(text, HasSubstr("subgraph cluster_n6 {\n      label=\"s\\nentry x = 1; wait(2)\";"));
@@ -96,7 +96,8 @@ TEST(Dot, IsReadByGraphviz) {
     ASSERT_EQ(error, "");
     std::size_t count = 0;
     draw_own_models([&](const DrawnModel& drawn) {
-        ASSERT_EQ(diagnostics::write_below(folder.path(), fmt::format("{}.dot", count++), dot(drawn.picture)), "");
+        ASSERT_EQ(diagnostics::write_below(folder.path(), fmt::format("{}.dot", count++), render_dot(drawn.picture)),
+                  "");
     });
     EXPECT_EQ(std::system(("nop -p '" + folder.path() + "'/*.dot").c_str()), 0) << "of " << count;
 }

@@ -17,7 +17,7 @@
 namespace robochart::diagrams {
 namespace {
 
-using layout::arrange;
+using layout::arrange_level;
 using layout::Direction;
 using layout::Level;
 using layout::Placement;
@@ -27,14 +27,14 @@ TEST(Arrange, RandomMachinesMeetTheCriteria) {
         for (const Direction direction : {Direction::down, Direction::right}) {
             Level level = random_machine(seed, 12);
             level.direction = direction;
-            EXPECT_THAT(faults_of(scene_of(level, arrange(level))), ::testing::IsEmpty()) << "seed " << seed;
+            EXPECT_THAT(faults_of(scene_of(level, arrange_level(level))), ::testing::IsEmpty()) << "seed " << seed;
         }
 }
 
 TEST(Arrange, RandomComponentsMeetTheCriteria) {
     for (std::uint64_t seed = 0; seed < tests::rounds(600); ++seed) {
         const Level level = random_components(seed, 6);
-        EXPECT_THAT(faults_of(scene_of(level, arrange(level))), ::testing::IsEmpty()) << "seed " << seed;
+        EXPECT_THAT(faults_of(scene_of(level, arrange_level(level))), ::testing::IsEmpty()) << "seed " << seed;
     }
 }
 
@@ -48,8 +48,8 @@ bool same(const Placement& a, const Placement& b) {
 
 TEST(Arrange, TheSameLevelIsPlacedTheSame) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
-        EXPECT_TRUE(same(arrange(random_machine(seed, 12)), arrange(random_machine(seed, 12)))) << seed;
-        EXPECT_TRUE(same(arrange(random_components(seed, 6)), arrange(random_components(seed, 6)))) << seed;
+        EXPECT_TRUE(same(arrange_level(random_machine(seed, 12)), arrange_level(random_machine(seed, 12)))) << seed;
+        EXPECT_TRUE(same(arrange_level(random_components(seed, 6)), arrange_level(random_components(seed, 6)))) << seed;
     }
 }
 
@@ -66,11 +66,11 @@ Flips flips_after(void (*change)(Level&, std::uint64_t), bool kept) {
     Flips all;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         Level level = random_machine(seed, 12);
-        const Placement before = arrange(level);
+        const Placement before = arrange_level(level);
         const Scene drawn = scene_of(level, before);
         if (kept) level = remembering(level, before);
         change(level, seed);
-        const Flips flips = flips_between(drawn, scene_of(level, arrange(level)));
+        const Flips flips = flips_between(drawn, scene_of(level, arrange_level(level)));
         all.pairs += flips.pairs;
         all.flipped += flips.flipped;
     }
@@ -114,8 +114,8 @@ TEST(Arrange, SmallEditsMoveLittle) {
 TEST(Arrange, WhatIsUnchangedStaysWhereItWas) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const Level level = random_machine(seed, 12);
-        const Placement before = arrange(level);
-        EXPECT_TRUE(same(before, arrange(remembering(level, before)))) << seed;
+        const Placement before = arrange_level(level);
+        EXPECT_TRUE(same(before, arrange_level(remembering(level, before)))) << seed;
     }
 }
 
@@ -131,7 +131,7 @@ TEST(Arrange, AChainIsStraight) {
         edge.to = static_cast<std::size_t>(to);
         edge.label = {50, 14};
     }
-    const Placement placed = arrange(level);
+    const Placement placed = arrange_level(level);
     EXPECT_EQ(placed.edges[0].points.size(), 2U);
     EXPECT_EQ(placed.edges[1].points.size(), 2U);
     EXPECT_EQ(placed.edges[2].points.size(), 4U);
@@ -155,11 +155,11 @@ TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
     }
     for (const Direction direction : {Direction::down, Direction::right}) {
         level.direction = direction;
-        const Placement placed = arrange(level);
+        const Placement placed = arrange_level(level);
         const Scene scene = scene_of(level, placed);
         EXPECT_THAT(faults_of(scene), ::testing::IsEmpty());
         EXPECT_EQ(crossings_of(scene), 0U);
-        EXPECT_TRUE(same(placed, arrange(remembering(level, placed))));
+        EXPECT_TRUE(same(placed, arrange_level(remembering(level, placed))));
     }
 }
 
@@ -189,19 +189,19 @@ TEST(Arrange, WhatIsAddedTurnsItsLineRoundWhereTheRestWouldChangeItsOrder) {
         edge.to = static_cast<std::size_t>(to);
         edge.label = {40, 14};
     }
-    const Placement placed = arrange(level);
+    const Placement placed = arrange_level(level);
     const Scene before = scene_of(level, placed);
     EXPECT_EQ(crossings_of(before), 0U);
     Level edited = remembering(level, placed);
     add_a_state(edited, 4);
-    const Scene after = scene_of(edited, arrange(edited));
+    const Scene after = scene_of(edited, arrange_level(edited));
     EXPECT_THAT(faults_of(after), ::testing::IsEmpty());
     EXPECT_EQ(crossings_of(after), 0U);
     EXPECT_EQ(flips_between(before, after).flipped, 0U);
 }
 
 TEST(Arrange, NoBoxesNeedNoSpace) {
-    EXPECT_EQ(arrange(Level()).size, (layout::Size{0, 0}));
+    EXPECT_EQ(arrange_level(Level()).size, (layout::Size{0, 0}));
 }
 
 TEST(Arrange, WhatIsTooLargeIsRefused) {
@@ -213,7 +213,7 @@ TEST(Arrange, WhatIsTooLargeIsRefused) {
             edge.from = from;
             edge.to = b;
         }
-    EXPECT_THROW((void)arrange(level), layout::TooLarge);
+    EXPECT_THROW((void)arrange_level(level), layout::TooLarge);
 }
 
 /// Random levels, including larger ones; ROBOCHART_LEVELS is their number. To be run by hand.
@@ -223,11 +223,11 @@ TEST(Arrange, ManyRandomLevelsMeetTheCriteria) {
     std::size_t crossings = 0;
     for (std::uint64_t seed = 1'000'000; seed < 1'000'000 + count; ++seed) {
         const Level machine = random_machine(seed, 30);
-        const Scene drawn = scene_of(machine, arrange(machine));
+        const Scene drawn = scene_of(machine, arrange_level(machine));
         crossings += crossings_of(drawn);
         EXPECT_THAT(faults_of(drawn), ::testing::IsEmpty()) << "machine, seed " << seed;
         const Level components = random_components(seed, 20);
-        EXPECT_THAT(faults_of(scene_of(components, arrange(components))), ::testing::IsEmpty())
+        EXPECT_THAT(faults_of(scene_of(components, arrange_level(components))), ::testing::IsEmpty())
             << "components, seed " << seed;
     }
     std::cout << crossings << " crossings in " << count << " machines\n";

@@ -103,9 +103,9 @@ TEST(FreeSpace, TakesTheFirstPlaceWithNothingOnIt) {
     const Point line[] = {{20, 0}, {20, 100}};
     space.add(line);
     const Rectangle places[] = {{5, 5, 10, 10}, {15, 5, 10, 10}, {30, 5, 10, 10}, {50, 5, 10, 10}};
-    EXPECT_EQ(space.best(places), places[2]);
-    EXPECT_EQ(space.taken(places[0]), 25);
-    EXPECT_EQ(space.best(std::span(places).first(2)), places[0]) << "least of all: 25 of a box, 40 of a line";
+    EXPECT_EQ(space.choose_place(places), places[2]);
+    EXPECT_EQ(space.occupied_area(places[0]), 25);
+    EXPECT_EQ(space.choose_place(std::span(places).first(2)), places[0]) << "least of all: 25 of a box, 40 of a line";
 }
 
 /// If a box now blocks a route, the route changes; other boxes and routes stay.

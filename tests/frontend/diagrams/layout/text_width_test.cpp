@@ -24,24 +24,24 @@ TEST(TextWidth, UnknownCharactersAreAnEmWide) {
 }
 
 TEST(Broken, PiecesStayTogetherWhereTheyFit) {
-    EXPECT_THAT(broken({"e?x", "[x > 1]", "/stop()"}, {34, 6}).lines, ElementsAre("e?x[x > 1]/stop()"));
-    EXPECT_THAT(broken({"e?x", "[x > 1]", "/stop()"}, {12, 6}).lines, ElementsAre("e?x[x > 1]", "/stop()"));
+    EXPECT_THAT(break_lines({"e?x", "[x > 1]", "/stop()"}, {34, 6}).lines, ElementsAre("e?x[x > 1]/stop()"));
+    EXPECT_THAT(break_lines({"e?x", "[x > 1]", "/stop()"}, {12, 6}).lines, ElementsAre("e?x[x > 1]", "/stop()"));
 }
 
 TEST(Broken, LinesEndAtBlanksOrAnywhere) {
-    EXPECT_THAT(broken({"one two three"}, {8, 6}).lines, ElementsAre("one two", "three"));
-    EXPECT_THAT(broken({"abcdefghij"}, {4, 6}).lines, ElementsAre("abcd", "efgh", "ij"));
-    EXPECT_THAT(broken({"event!value_of_it"}, {12, 6}).lines, ElementsAre("event!value_", "of_it"));
-    EXPECT_THAT(broken({"a!bcdefghijkl"}, {6, 6}).lines, ElementsAre("a!bcde", "fghijk", "l"));
-    EXPECT_THAT(broken({""}, {4, 6}).lines, ElementsAre());
+    EXPECT_THAT(break_lines({"one two three"}, {8, 6}).lines, ElementsAre("one two", "three"));
+    EXPECT_THAT(break_lines({"abcdefghij"}, {4, 6}).lines, ElementsAre("abcd", "efgh", "ij"));
+    EXPECT_THAT(break_lines({"event!value_of_it"}, {12, 6}).lines, ElementsAre("event!value_", "of_it"));
+    EXPECT_THAT(break_lines({"a!bcdefghijkl"}, {6, 6}).lines, ElementsAre("a!bcde", "fghijk", "l"));
+    EXPECT_THAT(break_lines({""}, {4, 6}).lines, ElementsAre());
 }
 
 TEST(Broken, WhatIsTooLongIsElided) {
-    const Lines lines = broken({"aa bb cc dd ee"}, {5, 2});
+    const Lines lines = break_lines({"aa bb cc dd ee"}, {5, 2});
     EXPECT_TRUE(lines.elided);
     EXPECT_THAT(lines.lines, ElementsAre("aa bb", "cc \xE2\x80\xA6"));
-    EXPECT_EQ(elided("abcdef", 4), "abc\xE2\x80\xA6");
-    EXPECT_EQ(elided("abcd", 4), "abcd");
+    EXPECT_EQ(elide_text("abcdef", 4), "abc\xE2\x80\xA6");
+    EXPECT_EQ(elide_text("abcd", 4), "abcd");
 }
 
 }  // namespace

@@ -51,21 +51,21 @@ void delete_a_transition(Machine& machine) {
 
 Scene drawn(const frontend::Model& model, const Subject& subject, Memory& memory) {
     const Elements elements(model);
-    const Picture picture = draw(subject, {elements, &memory, nullptr});
+    const Picture picture = draw_subject(subject, {elements, &memory, nullptr});
     Scene scene = scene_of(picture);
     // Names that stay the same if boxes are added: those of the elements, qualified by their parents.
     for (std::size_t b = 0; b < scene.boxes.size(); ++b) {
         const std::size_t element = picture.boxes[b].element;
         const std::size_t parent = scene.boxes[b].parent;
         scene.boxes[b].name = (parent == no_box ? "" : scene.boxes[parent].name + "/") +
-                              (element == none ? "" : elements.all()[element].name);
+                              (element == none ? "" : elements.all_elements()[element].name);
     }
     return scene;
 }
 
 void edit_machines_of(const fs::path& file, Edit edit, Flips& all) {
-    const auto loaded = random_models::load({{file.string(), tests::contents(file)}});
-    for (const Subject& subject : subjects(loaded->model, loaded->sources)) {
+    const auto loaded = random_models::load({{file.string(), tests::read_contents(file)}});
+    for (const Subject& subject : find_subjects(loaded->model, loaded->sources)) {
         auto* machine = const_cast<Machine*>(dynamic_cast<const Machine*>(subject.component));
         if (machine == nullptr || machine->nodes.size() < 4 || machine->transitions.empty()) continue;
         Memory memory;

@@ -95,18 +95,18 @@ TEST(Pictures, OfBrokenTextMeetTheCriteria) {
 TEST(Pictures, ElementsLeadToTheText) {
     draw_own_models([](const DrawnModel& drawn) {
         std::set<std::string> ids;
-        for (const Element& element : drawn.elements.all()) {
+        for (const Element& element : drawn.elements.all_elements()) {
             EXPECT_TRUE(ids.insert(element.id).second) << element.id;
-            if (!element.span.known()) continue;
+            if (!element.span.is_known()) continue;
             EXPECT_LE(element.span.begin, element.span.end);
-            EXPECT_LE(element.span.end, drawn.model.sources.text(element.span.source).size());
+            EXPECT_LE(element.span.end, drawn.model.sources.source_text(element.span.source).size());
         }
         for (const PictureBox& box : drawn.picture.boxes)
             if (box.element != none) {
-                const Element& element = drawn.elements.all()[box.element];
-                ASSERT_TRUE(element.span.known()) << element.id;
-                if (!element.name_span.known()) continue;
-                const auto text = drawn.model.sources.text(element.name_span.source);
+                const Element& element = drawn.elements.all_elements()[box.element];
+                ASSERT_TRUE(element.span.is_known()) << element.id;
+                if (!element.name_span.is_known()) continue;
+                const auto text = drawn.model.sources.source_text(element.name_span.source);
                 const auto written =
                     text.substr(element.name_span.begin, element.name_span.end - element.name_span.begin);
                 EXPECT_TRUE(written.find(element.name) != std::string_view::npos || element.name.empty())

@@ -18,7 +18,7 @@ using ::testing::Pair;
 std::vector<std::pair<std::string, std::string>> names_of(const random_models::Project& project) {
     const auto loaded = random_models::load(project);
     std::vector<std::pair<std::string, std::string>> names;
-    for (const Subject& subject : subjects(loaded->model, loaded->sources))
+    for (const Subject& subject : find_subjects(loaded->model, loaded->sources))
         names.emplace_back(subject.name, subject.file);
     return names;
 }
@@ -48,10 +48,11 @@ TEST(Elements, HaveOneIdInTheOrderOfTheText) {
         random_models::load({{"a.rct", "stm S { initial i state s { entry skip } transition t { from i to s } }\n"}});
     const Elements elements(loaded->model);
     std::vector<std::pair<std::string, std::string>> found;
-    for (const Element& element : elements.all()) found.emplace_back(element.id, element.kind + " " + element.name);
+    for (const Element& element : elements.all_elements())
+        found.emplace_back(element.id, element.kind + " " + element.name);
     EXPECT_THAT(found, ElementsAre(Pair("e1", "state machine S"), Pair("e2", "initial junction i"),
                                    Pair("e3", "state s"), Pair("e4", "entry action "), Pair("e5", "transition t")));
-    EXPECT_EQ(Elements(loaded->model, 10).all().front().id, "e10");
+    EXPECT_EQ(Elements(loaded->model, 10).all_elements().front().id, "e10");
 }
 
 }  // namespace

@@ -47,39 +47,40 @@ public:
     }
 
     [[nodiscard]] const frontend::Declaration* component(const std::string& name) const {
-        for (const Subject& subject : subjects(loaded_->model, loaded_->sources))
+        for (const Subject& subject : find_subjects(loaded_->model, loaded_->sources))
             if (subject.name == name) return subject.component;
         ADD_FAILURE() << "no component " << name;
         return nullptr;
     }
     [[nodiscard]] const StoredDiagram* diagram(const std::string& name) const {
-        return diagrams_.diagram(component(name));
+        return diagrams_.diagram_of(component(name));
     }
     [[nodiscard]] Picture draw(const std::string& name) const {
-        for (const Subject& subject : subjects(loaded_->model, loaded_->sources))
+        for (const Subject& subject : find_subjects(loaded_->model, loaded_->sources))
             if (subject.name == name)
-                return diagrams::draw(subject, {elements_, nullptr, nullptr, diagrams_.find(subject.component)});
+                return diagrams::draw_subject(subject,
+                                              {elements_, nullptr, nullptr, diagrams_.find(subject.component)});
         ADD_FAILURE() << "no component " << name;
         return {};
     }
     /// The codes and messages of the findings about a component.
     [[nodiscard]] std::vector<std::string> said(const std::string& name) const {
         diagnostics::Diagnostics out;
-        diagrams_.explain(component(name), out);
+        diagrams_.explain_mismatch(component(name), out);
         std::vector<std::string> result;
-        for (const diagnostics::Diagnostic& each : out.sorted())
+        for (const diagnostics::Diagnostic& each : out.sorted_findings())
             result.push_back(std::string(each.rule->code) + " " + each.message());
         return result;
     }
     /// The box of an element, by its name in the model.
     [[nodiscard]] const PictureBox& box(const Picture& picture, const std::string& name) const {
         for (const PictureBox& box : picture.boxes)
-            if (box.element != none && elements_.all()[box.element].name == name) return box;
+            if (box.element != none && elements_.all_elements()[box.element].name == name) return box;
         throw std::runtime_error("no box " + name);
     }
     [[nodiscard]] const PictureLine& line(const Picture& picture, const std::string& name) const {
         for (const PictureLine& line : picture.lines)
-            if (line.element != none && elements_.all()[line.element].name == name) return line;
+            if (line.element != none && elements_.all_elements()[line.element].name == name) return line;
         throw std::runtime_error("no line " + name);
     }
 
@@ -177,7 +178,7 @@ TEST(StoredDiagrams, AreResolved) {
     ASSERT_NE(diagram, nullptr);
     EXPECT_EQ(diagram->elements, 10U) << "a square, five nodes, four transitions";
     EXPECT_EQ(diagram->found, 10U);
-    EXPECT_TRUE(diagram->fits());
+    EXPECT_TRUE(diagram->fits_model());
     EXPECT_THAT(model.said("Patrol"), IsEmpty());
 }
 
@@ -306,12 +307,12 @@ std::string row_aird(int count, int renamed) {
 TEST(StoredDiagrams, AreUsedFromNinetyFivePercentOn) {
     const Stored enough(row_of_states(20), row_aird(20, 1));
     EXPECT_EQ(enough.diagram("S")->found, 19U);
-    EXPECT_TRUE(enough.diagram("S")->fits()) << "19 of 20 are 95 %";
+    EXPECT_TRUE(enough.diagram("S")->fits_model()) << "19 of 20 are 95 %";
     EXPECT_THAT(enough.said("S"),
                 ElementsAre("RC-D03 state machine S is drawn as in p/representations.aird, which does "
                             "not have initial junction A0, transition t"));
     const Stored little(row_of_states(19), row_aird(19, 1));
-    EXPECT_FALSE(little.diagram("S")->fits()) << "18 of 19 are less";
+    EXPECT_FALSE(little.diagram("S")->fits_model()) << "18 of 19 are less";
     EXPECT_THAT(little.said("S"),
                 ElementsAre("RC-D02 the diagram of state machine S in p/representations.aird is not used: of its 19 "
                             "elements 18 are in the model"));
@@ -327,7 +328,7 @@ TEST(StoredDiagrams, CompareTheEndsOfLines) {
          {"sourceNode=\"start\" targetNode=\"avoiding\"", "sourceNode=\"going\" targetNode=\"going\""}) {
         const Stored model(patrol, without(patrol_aird(), "sourceNode=\"going\" targetNode=\"avoiding\"", other));
         EXPECT_EQ(model.diagram("Patrol")->found, 9U) << other;
-        EXPECT_FALSE(model.diagram("Patrol")->fits());
+        EXPECT_FALSE(model.diagram("Patrol")->fits_model());
     }
 }
 
@@ -360,7 +361,7 @@ TEST(StoredDiagrams, ThatNobodyDrewAreNotUsed) {
     aird = without(aird, "x=\"0\" y=\"9\"");
     const Stored model(row_of_states(20), aird);
     EXPECT_FALSE(model.diagram("S")->is_drawn());
-    EXPECT_FALSE(model.diagram("S")->fits());
+    EXPECT_FALSE(model.diagram("S")->fits_model());
     EXPECT_THAT(model.said("S"), IsEmpty());
 }
 
@@ -571,14 +572,14 @@ protected:
         diagrams_.read(loaded_->model, loaded_->sources, out);
         diagrams_.read(loaded_->model, loaded_->sources, out);  // no finding is repeated
         std::vector<std::string> result;
-        for (const diagnostics::Diagnostic& each : out.sorted())
+        for (const diagnostics::Diagnostic& each : out.sorted_findings())
             result.push_back(
-                fmt::format("{} {} {}", each.rule->code, loaded_->sources.place(each.span), each.message()));
+                fmt::format("{} {} {}", each.rule->code, loaded_->sources.path_and_line(each.span), each.message()));
         return result;
     }
     [[nodiscard]] std::size_t found() const {
-        for (const Subject& subject : subjects(loaded_->model, loaded_->sources))
-            if (const StoredDiagram* diagram = diagrams_.diagram(subject.component)) return diagram->found;
+        for (const Subject& subject : find_subjects(loaded_->model, loaded_->sources))
+            if (const StoredDiagram* diagram = diagrams_.diagram_of(subject.component)) return diagram->found;
         return 0;
     }
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }

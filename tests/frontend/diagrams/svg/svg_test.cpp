@@ -41,13 +41,13 @@ bool python_is_there() {
 TEST(Svg, OfOurModelsIsWellFormed) {
     ROBOCHART_NEEDS(python_is_there(), "python3");
     std::vector<std::string> texts;
-    draw_own_models([&](const DrawnModel& drawn) { texts.push_back(svg(drawn.picture, drawn.elements)); });
+    draw_own_models([&](const DrawnModel& drawn) { texts.push_back(render_svg(drawn.picture, drawn.elements)); });
     expect_well_formed(texts);
 }
 
 TEST(Svg, IdsAreUnique) {
     draw_own_models([](const DrawnModel& drawn) {
-        const std::string text = svg(drawn.picture, drawn.elements, {Theme::light, "p-"});
+        const std::string text = render_svg(drawn.picture, drawn.elements, {Theme::light, "p-"});
         const std::regex id("[ <]id=\"p-([^\"]*)\"");
         std::set<std::string> seen;
         for (auto at = std::sregex_iterator(text.begin(), text.end(), id); at != std::sregex_iterator(); ++at)
@@ -58,9 +58,10 @@ TEST(Svg, IdsAreUnique) {
 
 TEST(Svg, TheSamePictureIsTheSameText) {
     std::vector<std::string> first;
-    draw_own_models([&](const DrawnModel& drawn) { first.push_back(svg(drawn.picture, drawn.elements)); });
+    draw_own_models([&](const DrawnModel& drawn) { first.push_back(render_svg(drawn.picture, drawn.elements)); });
     std::size_t next = 0;
-    draw_own_models([&](const DrawnModel& drawn) { EXPECT_EQ(svg(drawn.picture, drawn.elements), first[next++]); });
+    draw_own_models(
+        [&](const DrawnModel& drawn) { EXPECT_EQ(render_svg(drawn.picture, drawn.elements), first[next++]); });
 }
 
 /// The picture of a model with this string as an action.
@@ -68,7 +69,7 @@ std::string svg_with(const std::string& string) {
     std::string text;
     draw_each({{"m.rct", "stm M { var v : string initial i state s { entry v = \"" + string +
                              "\" } transition t { from i to s condition v == \"" + string + "\" } }\n"}},
-              [&](const DrawnModel& drawn) { text = svg(drawn.picture, drawn.elements); });
+              [&](const DrawnModel& drawn) { text = render_svg(drawn.picture, drawn.elements); });
     return text;
 }
 
@@ -99,7 +100,7 @@ TEST(Svg, NamesAreHostileToo) {
     box.whole = "'</title><script>";
     picture.boxes.push_back(box);
     const auto loaded = random_models::load({{"m.rct", "stm M { }\n"}});
-    const std::string text = svg(picture, Elements(loaded->model));
+    const std::string text = render_svg(picture, Elements(loaded->model));
     EXPECT_THAT(text, Not(HasSubstr("<img")));
     EXPECT_THAT(text, Not(HasSubstr("<script")));
     if (python_is_there()) expect_well_formed({text});
@@ -112,7 +113,7 @@ TEST(Svg, LongNamesAreElidedAndKeptWhole) {
     draw_each({{"m.rct",
                 "stm " + name + " { initial i state s" + name + " { } transition t { from i to s" + name + " } }\n"}},
               [&](const DrawnModel& drawn) {
-                  text = svg(drawn.picture, drawn.elements);
+                  text = render_svg(drawn.picture, drawn.elements);
                   width = drawn.picture.size.width;
               });
     EXPECT_LT(width, 1'000);
@@ -123,11 +124,11 @@ TEST(Svg, LongNamesAreElidedAndKeptWhole) {
 TEST(Svg, ThemesHaveTheirColours) {
     const auto loaded = random_models::load({{"m.rct", "stm M { }\n"}});
     const Elements elements(loaded->model);
-    const std::string automatic = svg({}, elements);
+    const std::string automatic = render_svg({}, elements);
     EXPECT_THAT(automatic, HasSubstr("@media screen and (prefers-color-scheme:dark)"));
     EXPECT_THAT(automatic, HasSubstr("role=\"img\""));
-    EXPECT_THAT(svg({}, elements, {Theme::light, ""}), Not(HasSubstr("#1e1e1e")));
-    EXPECT_THAT(svg({}, elements, {Theme::dark, ""}), HasSubstr(".page{fill:#1e1e1e}"));
+    EXPECT_THAT(render_svg({}, elements, {Theme::light, ""}), Not(HasSubstr("#1e1e1e")));
+    EXPECT_THAT(render_svg({}, elements, {Theme::dark, ""}), HasSubstr(".page{fill:#1e1e1e}"));
 }
 
 }  // namespace

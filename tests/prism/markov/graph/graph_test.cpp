@@ -20,7 +20,7 @@ bool has(const States& states, State state) {
 }
 
 /// The choices of these states, by their numbers in the model, that stay within the set.
-std::vector<std::uint32_t> staying(const Description& description, const States& states) {
+std::vector<std::uint32_t> choices_within_states(const Description& description, const States& states) {
     std::vector<std::uint32_t> found;
     std::uint32_t number = 0;
     for (State state = 0; state < description.states.size(); ++state)
@@ -70,7 +70,7 @@ std::optional<std::string> end_component_fault(const Description& description) {
     if (found.size() != maximal.size()) return "number of end components";
     for (std::size_t index = 0; index < found.size(); ++index) {
         if (found[index].states != maximal[index]) return "states";
-        if (found[index].choices != staying(description, maximal[index])) return "choices";
+        if (found[index].choices != choices_within_states(description, maximal[index])) return "choices";
     }
     return std::nullopt;
 }

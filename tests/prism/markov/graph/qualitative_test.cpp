@@ -13,7 +13,7 @@
 namespace robochart::markov {
 namespace {
 
-StateSet where(const naive::Values& values, int value) {
+StateSet states_with(const naive::Values& values, int value) {
     StateSet set;
     for (const auto& number : values) set.push_back(*number == value);
     return set;
@@ -24,10 +24,10 @@ std::optional<std::string> qualitative_fault(const Description& description) {
     const Graph graph(model);
     const naive::Values least = naive::until(description, Direction::minimum);
     const naive::Values greatest = naive::until(description, Direction::maximum);
-    if (prob0a(graph, description.left, description.right) != where(greatest, 0)) return "prob0a";
-    if (prob0e(graph, description.left, description.right) != where(least, 0)) return "prob0e";
-    if (prob1e(graph, description.left, description.right) != where(greatest, 1)) return "prob1e";
-    if (prob1a(graph, description.left, description.right) != where(least, 1)) return "prob1a";
+    if (prob0a(graph, description.left, description.right) != states_with(greatest, 0)) return "prob0a";
+    if (prob0e(graph, description.left, description.right) != states_with(least, 0)) return "prob0e";
+    if (prob1e(graph, description.left, description.right) != states_with(greatest, 1)) return "prob1e";
+    if (prob1a(graph, description.left, description.right) != states_with(least, 1)) return "prob1a";
     return std::nullopt;
 }
 

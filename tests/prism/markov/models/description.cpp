@@ -88,7 +88,7 @@ Rewards rewards_of(const Description& description) {
     return rewards;
 }
 
-std::string text(const Description& description) {
+std::string description_text(const Description& description) {
     std::string result = description.kind == Kind::dtmc ? "dtmc\n" : "mdp\n";
     for (State state = 0; state < description.states.size(); ++state) {
         result += fmt::format("{}{}{}{}:", state, description.left[state] ? " left" : "",

@@ -40,6 +40,6 @@ struct Description {
 [[nodiscard]] Model model_of(const Description& description);
 [[nodiscard]] Rewards rewards_of(const Description& description);
 
-[[nodiscard]] std::string text(const Description& description);
+[[nodiscard]] std::string description_text(const Description& description);
 
 }  // namespace robochart::markov

@@ -76,11 +76,11 @@ std::vector<Rational> reached_with(const Matrix& matrix, const StateSet& left, c
     return expectations(matrix, std::vector<Rational>(matrix.size(), 0), unknown, std::move(values));
 }
 
-StateSet everywhere(const Description& description) {
+StateSet all_states(const Description& description) {
     return StateSet(description.states.size(), true);
 }
 
-bool greater(const std::optional<Rational>& left, const std::optional<Rational>& right) {
+bool is_greater(const std::optional<Rational>& left, const std::optional<Rational>& right) {
     return right && (!left || *left > *right);
 }
 
@@ -122,8 +122,8 @@ Values best(const Description& description, Direction direction,
         const Values found = values(scheduler);
         if (number == 0) result = found;
         for (State state = 0; state < found.size(); ++state)
-            if (direction == Direction::maximum ? greater(found[state], result[state])
-                                                : greater(result[state], found[state]))
+            if (direction == Direction::maximum ? is_greater(found[state], result[state])
+                                                : is_greater(result[state], found[state]))
                 result[state] = found[state];
     }
     return result;
@@ -162,7 +162,7 @@ Values until(const Description& description, Direction direction) {
 
 Values reachability_reward(const Description& description, const Scheduler& scheduler) {
     const Matrix chain = matrix(description, scheduler);
-    const std::vector<Rational> reached = reached_with(chain, everywhere(description), description.right);
+    const std::vector<Rational> reached = reached_with(chain, all_states(description), description.right);
     StateSet unknown(chain.size());
     for (State state = 0; state < chain.size(); ++state)
         unknown[state] = reached[state] == 1 && !description.right[state];

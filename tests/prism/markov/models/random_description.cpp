@@ -95,7 +95,7 @@ std::string smallest(Description description, const Fault& fault) {
             break;
         }
     }
-    return text(description) + fault(description).value_or("");
+    return description_text(description) + fault(description).value_or("");
 }
 
 }  // namespace robochart::markov

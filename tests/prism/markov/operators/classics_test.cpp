@@ -17,7 +17,7 @@ void expect_encloses(const Enclosure& found, const Rational& value, double width
     EXPECT_LE(found.relative_width(), width) << found.low << " .. " << found.high;
 }
 
-StateSet all(const Model& model) {
+StateSet all_states(const Model& model) {
     return StateSet(model.states(), true);
 }
 
@@ -39,7 +39,8 @@ Description slow_chain(State length) {
 TEST(Classics, ASlowChainIsSolvedToTheLastDigits) {
     for (const State length : {10U, 20U, 60U, 300U}) {
         const Model model = model_of(slow_chain(length));
-        const Solution solution = until(model, all(model), set_of(model.states(), {2 * length}), Direction::minimum);
+        const Solution solution =
+            until(model, all_states(model), set_of(model.states(), {2 * length}), Direction::minimum);
         expect_encloses(solution.values[length], Rational(1, 2));
         EXPECT_EQ(solution.shortfall, "");
         // From the first state on the right, the end is reached directly with probability 2^(1-length), otherwise with
@@ -58,11 +59,11 @@ TEST(Classics, ASlowMdpWithLoops) {
         for (State state = 1; state < 2 * length; ++state) description.states[state].push_back({{{state, 1}}});
         const Model model = model_of(description);
         const StateSet end = set_of(model.states(), {2 * length});
-        const Solution most = until(model, all(model), end, Direction::maximum);
+        const Solution most = until(model, all_states(model), end, Direction::maximum);
         expect_encloses(most.values[length], Rational(1, 2), 1e-6);
         EXPECT_EQ(most.shortfall, "");
-        EXPECT_EQ(until(model, all(model), end, Direction::minimum).values[length], (Enclosure{0, 0}));
-        const ExactSolution exact = exact_until(model, all(model), end, Direction::maximum);
+        EXPECT_EQ(until(model, all_states(model), end, Direction::minimum).values[length], (Enclosure{0, 0}));
+        const ExactSolution exact = exact_until(model, all_states(model), end, Direction::maximum);
         EXPECT_EQ(*exact.values[length], Rational(1, 2));
     }
 }
@@ -78,7 +79,7 @@ TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
     states.push_back({{{{0, 3}, {length, 1}}}});
     const Model model = model_of(mdp(states));
     for (const Direction direction : {Direction::minimum, Direction::maximum}) {
-        const Solution solution = until(model, all(model), set_of(model.states(), {length}), direction);
+        const Solution solution = until(model, all_states(model), set_of(model.states(), {length}), direction);
         expect_encloses(solution.values[0], 1);
     }
     Description earning = mdp(states);
@@ -111,10 +112,10 @@ TEST(Classics, ALoopIsNoWayToWin) {
     // State 0 leads to 1. State 1 leads back to 0, or to 2 or 3 with probability 1/2 each.
     const Model model = model_of(mdp({{{{{1, 1}}}}, {{{{0, 1}}}, {{{2, 1}, {3, 1}}}}, {{{{2, 1}}}}, {{{{3, 1}}}}}));
     const StateSet end = set_of(4, {2});
-    EXPECT_EQ(until(model, all(model), end, Direction::maximum).values[0], (Enclosure{0.5, 0.5}));
-    EXPECT_EQ(until(model, all(model), end, Direction::minimum).values[0], (Enclosure{0, 0}));
-    EXPECT_EQ(bounded_until(model, all(model), end, 0, 1, Direction::maximum).values[0], (Enclosure{0, 0}));
-    EXPECT_EQ(bounded_until(model, all(model), end, 0, 2, Direction::maximum).values[0], (Enclosure{0.5, 0.5}));
+    EXPECT_EQ(until(model, all_states(model), end, Direction::maximum).values[0], (Enclosure{0.5, 0.5}));
+    EXPECT_EQ(until(model, all_states(model), end, Direction::minimum).values[0], (Enclosure{0, 0}));
+    EXPECT_EQ(bounded_until(model, all_states(model), end, 0, 1, Direction::maximum).values[0], (Enclosure{0, 0}));
+    EXPECT_EQ(bounded_until(model, all_states(model), end, 0, 2, Direction::maximum).values[0], (Enclosure{0.5, 0.5}));
 }
 
 TEST(Classics, LongRunsByTheirShares) {
@@ -143,7 +144,7 @@ TEST(Classics, NegativeRewardsNeedABound) {
 TEST(Classics, ExactNeedsExactNumbers) {
     Model model = model_of(dtmc({{{0, 1}, {1, 2}}, {{1, 1}}}));
     model.exact.clear();
-    EXPECT_THROW((void)exact_until(model, all(model), set_of(2, {1}), Direction::minimum), Unsupported);
+    EXPECT_THROW((void)exact_until(model, all_states(model), set_of(2, {1}), Direction::minimum), Unsupported);
 }
 
 TEST(Classics, TheBudgetEndsAnyOfThem) {
@@ -151,10 +152,11 @@ TEST(Classics, TheBudgetEndsAnyOfThem) {
     budget.interrupt();
     const Model model = model_of(slow_chain(10));
     const StateSet end = set_of(model.states(), {20});
-    EXPECT_THROW((void)until(model, all(model), end, Direction::maximum, {.budget = &budget}),
+    EXPECT_THROW((void)until(model, all_states(model), end, Direction::maximum, {.budget = &budget}),
                  diagnostics::LimitReached);
-    EXPECT_THROW((void)exact_until(model, all(model), end, Direction::maximum, &budget), diagnostics::LimitReached);
-    EXPECT_THROW((void)bounded_until(model, all(model), end, 0, 5, Direction::maximum, {.budget = &budget}),
+    EXPECT_THROW((void)exact_until(model, all_states(model), end, Direction::maximum, &budget),
+                 diagnostics::LimitReached);
+    EXPECT_THROW((void)bounded_until(model, all_states(model), end, 0, 5, Direction::maximum, {.budget = &budget}),
                  diagnostics::LimitReached);
 }
 

@@ -3,6 +3,7 @@
 // it, and strategies attain it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <limits>
 
@@ -19,7 +20,7 @@ namespace {
 
 using Faults = std::optional<std::string>;
 
-std::string shown(const std::optional<Rational>& value) {
+std::string value_text(const std::optional<Rational>& value) {
     return value ? value->str() : "infinity";
 }
 
@@ -34,7 +35,7 @@ Faults enclosure_fault(const std::string& what, const std::vector<Enclosure>& fo
     for (State state = 0; state < expected.size(); ++state) {
         const auto& [low, high] = found[state];
         if (!holds(found[state], expected[state]))
-            return fmt::format("{} of {}: {} .. {} without {}", what, state, low, high, shown(expected[state]));
+            return fmt::format("{} of {}: {} .. {} without {}", what, state, low, high, value_text(expected[state]));
         if (found[state].relative_width() > width)
             return fmt::format("{} of {}: {} .. {} is wide", what, state, low, high);
     }
@@ -44,8 +45,8 @@ Faults enclosure_fault(const std::string& what, const std::vector<Enclosure>& fo
 Faults exact_fault(const std::string& what, const ExactSolution& found, const naive::Values& expected) {
     for (State state = 0; state < expected.size(); ++state)
         if (found.values.at(state) != expected[state])
-            return fmt::format("{} of {}: {} instead of {}", what, state, shown(found.values[state]),
-                               shown(expected[state]));
+            return fmt::format("{} of {}: {} instead of {}", what, state, value_text(found.values[state]),
+                               value_text(expected[state]));
     return std::nullopt;
 }
 
@@ -72,8 +73,8 @@ Faults strategy_fault(const std::string& what, const naive::Values& found, const
     for (State state = 0; state < expected.size(); ++state) {
         if (!expected[state] && !found[state]) continue;
         if (!expected[state] || !found[state] || abs(*found[state] - *expected[state]) > share * *expected[state])
-            return fmt::format("strategy of {} from {}: {} instead of {}", what, state, shown(found[state]),
-                               shown(expected[state]));
+            return fmt::format("strategy of {} from {}: {} instead of {}", what, state, value_text(found[state]),
+                               value_text(expected[state]));
     }
     return std::nullopt;
 }

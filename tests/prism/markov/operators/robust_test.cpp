@@ -185,7 +185,7 @@ constexpr double finds = 0.15;
 constexpr double drops = 0.25;
 constexpr std::size_t horizon = 12;
 
-std::size_t carrying(unsigned swarm) {
+std::size_t carrying_count(unsigned swarm) {
     return static_cast<std::size_t>(__builtin_popcount(swarm));
 }
 
@@ -199,7 +199,7 @@ statistics::StateSequence run(std::mt19937_64& random) {
             const double chance = (swarm & bit) != 0 ? drops : finds;
             if (draw(random) < chance) swarm ^= bit;
         }
-        seen.push_back(carrying(swarm));
+        seen.push_back(carrying_count(swarm));
     }
     return seen;
 }
@@ -227,7 +227,7 @@ std::array<double, horizon + 1> truth() {
     return result;
 }
 
-UncertainChain of(const std::vector<std::vector<statistics::Interval>>& intervals) {
+UncertainChain chain_of_intervals(const std::vector<std::vector<statistics::Interval>>& intervals) {
     UncertainChain chain;
     for (const auto& row : intervals) {
         UncertainRow& added = chain.emplace_back();
@@ -237,20 +237,20 @@ UncertainChain of(const std::vector<std::vector<statistics::Interval>>& interval
 }
 
 /// The same with balls around the frequencies; the error is divided among the states.
-UncertainChain balls(const statistics::TransitionCounts& counts, double error) {
+UncertainChain chain_of_balls(const statistics::TransitionCounts& counts, double error) {
     UncertainChain chain;
-    for (std::size_t from = 0; from < counts.states(); ++from) {
+    for (std::size_t from = 0; from < counts.state_count(); ++from) {
         UncertainRow& added = chain.emplace_back();
-        const std::uint64_t visits = counts.looked(from);
-        for (State to = 0; to < counts.states(); ++to) {
+        const std::uint64_t visits = counts.count_at_last_look(from);
+        for (State to = 0; to < counts.state_count(); ++to) {
             added.branches.push_back({to, 0, 1});
-            added.centre.push_back(visits > 0
-                                       ? static_cast<double>(counts.looked(from, to)) / static_cast<double>(visits)
-                                       : 1 / static_cast<double>(counts.states()));
+            added.centre.push_back(visits > 0 ? static_cast<double>(counts.count_at_last_look(from, to)) /
+                                                    static_cast<double>(visits)
+                                              : 1 / static_cast<double>(counts.state_count()));
         }
-        const double share = visits > 0 ? statistics::TransitionCounts::looks(1).share(visits) : 1;
-        added.radius =
-            statistics::weissman_radius(counts.states(), visits, error * share / static_cast<double>(counts.states()));
+        const double share = visits > 0 ? statistics::TransitionCounts::looks_for_error(1).error_share(visits) : 1;
+        added.radius = statistics::weissman_radius(counts.state_count(), visits,
+                                                   error * share / static_cast<double>(counts.state_count()));
     }
     return chain;
 }
@@ -277,9 +277,9 @@ TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
         statistics::TransitionCounts counts(robots + 1);
         for (int trial = 0; trial < 500; ++trial) counts.add(run(random));
         const UncertainChain chain =
-            of(statistics::transition_intervals(counts, statistics::all_permitted(robots + 1), 0.05));
+            chain_of_intervals(statistics::transition_intervals(counts, statistics::all_permitted(robots + 1), 0.05));
         if (covers(chain)) ++intervals;
-        if (covers(balls(counts, 0.05))) ++with_balls;
+        if (covers(chain_of_balls(counts, 0.05))) ++with_balls;
         const StateSet goal{false, false, false, true};
         widest = std::max(widest, reach_bounds(chain, goal, horizon, Direction::maximum)[horizon][0] -
                                       reach_bounds(chain, goal, horizon, Direction::minimum)[horizon][0]);
@@ -304,7 +304,8 @@ TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
     };
     statistics::TransitionCounts counts(2);
     for (int i = 0; i < 400; ++i) counts.add(trial());
-    const UncertainChain chain = of(statistics::transition_intervals(counts, {{true, true}, {false, true}}, 0.01));
+    const UncertainChain chain =
+        chain_of_intervals(statistics::transition_intervals(counts, {{true, true}, {false, true}}, 0.01));
     const auto least = reach_bounds(chain, {false, true}, horizon, Direction::minimum);
     const auto greatest = reach_bounds(chain, {false, true}, horizon, Direction::maximum);
     std::array<std::uint64_t, horizon + 1> left{};
@@ -314,7 +315,8 @@ TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
         for (std::size_t step = 0; step <= horizon; ++step) left[step] += seen[step];
     }
     const auto refuted = [&](std::size_t step) {
-        return statistics::contradicts(left[step], fresh, 0.01 / horizon, {least[step][0], greatest[step][0]});
+        return statistics::contradicts_prediction(left[step], fresh, 0.01 / horizon,
+                                                  {least[step][0], greatest[step][0]});
     };
     // One swarm in five leaves in the first step. Only one visit in twenty is the last one, because most visits are
     // those of locked swarms.

@@ -79,9 +79,9 @@ TEST(ProbablePaths, AllPathsTogetherHaveTheProbability) {
         const PathSet found = paths(description, 6, 2);
         EXPECT_FALSE(found.enough);
         const Rational exact = naive::bounded_until(description, 0, 0, 6, Direction::maximum);
-        EXPECT_LE(Rational(found.total.low), exact) << text(description);
+        EXPECT_LE(Rational(found.total.low), exact) << description_text(description);
         // Paths with a probability below 1e-9 are omitted if a thousand million of them could not reach the bound.
-        EXPECT_GE(Rational(found.total.high + 1e-6), exact) << text(description);
+        EXPECT_GE(Rational(found.total.high + 1e-6), exact) << description_text(description);
         EXPECT_LE(found.total.high - found.total.low, 1e-12);
         std::set<std::vector<State>> different;
         for (std::size_t j = 0; j < found.paths.size(); ++j) {

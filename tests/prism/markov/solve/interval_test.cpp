@@ -3,6 +3,7 @@
 #include "prism/markov/solve/interval.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <bit>
 #include <cfenv>
@@ -104,8 +105,8 @@ TEST(Intervals, TheModeEndsWithItsScope) {
 TEST(Intervals, BestIsByBothBounds) {
     const Interval one(1, 4);
     const Interval other(2, 3);
-    EXPECT_EQ(best(one, other, Direction::maximum), Interval(2, 4));
-    EXPECT_EQ(best(one, other, Direction::minimum), Interval(1, 3));
+    EXPECT_EQ(best_of(one, other, Direction::maximum), Interval(2, 4));
+    EXPECT_EQ(best_of(one, other, Direction::minimum), Interval(1, 3));
 }
 
 TEST(Enclosures, RoundOutward) {

@@ -67,7 +67,7 @@ TEST(Reconstruction, Fractions) {
         const Integer denominator = 1 + numbers() % (1ULL << 40U);
         Integer numerator = numbers() % (1ULL << 40U);
         if (round % 2 == 0) numerator = -numerator;
-        const auto found = reconstructed(quotient(numerator, denominator, modulus, prime), modulus);
+        const auto found = reconstruct_fraction(quotient(numerator, denominator, modulus, prime), modulus);
         ASSERT_TRUE(found);
         EXPECT_EQ(Rational(found->numerator, found->denominator), Rational(numerator, denominator));
     }
@@ -76,7 +76,7 @@ TEST(Reconstruction, Fractions) {
     for (int round = 0; round < 200; ++round) {
         const Integer denominator = 1 + (numbers() >> 4U);
         const Integer numerator = numbers() >> 4U;
-        const auto found = reconstructed(quotient(numerator, denominator, modulus, prime), modulus);
+        const auto found = reconstruct_fraction(quotient(numerator, denominator, modulus, prime), modulus);
         EXPECT_TRUE(!found || Rational(found->numerator, found->denominator) == Rational(numerator, denominator));
     }
 }
@@ -171,7 +171,7 @@ void expect_as_by_elimination(std::uint32_t unknowns, const Integer& unit, std::
     std::mt19937_64 random(seed);
     Chain chain;
     fill(random, unknowns, unit, chain);
-    const auto lifted = lift(chain.system, chain.policy, {});
+    const auto lifted = lift_solution(chain.system, chain.policy, {});
     ASSERT_TRUE(lifted);
     EXPECT_EQ(*lifted, dense_solution(chain.system)) << unknowns << " unknowns, seed " << seed;
 }
@@ -204,7 +204,7 @@ TEST(Lifting, KeepsLongConstants) {
          {Rational(0), Rational(pow(Integer(10), 300) + 1), Rational(1, pow(Integer(first_prime), 9)),
           Rational(pow(Integer(first_prime), 9)), Rational(pow(Integer(7), 200), pow(Integer(3), 300))}) {
         system.constant = {constant};
-        const auto solved = lift(system, {0}, {});
+        const auto solved = lift_solution(system, {0}, {});
         ASSERT_TRUE(solved);
         EXPECT_EQ(solved->front(), constant * 2);
     }
@@ -220,11 +220,11 @@ TEST(Lifting, HasNoAnswerWhereAPolicyStays) {
     system.outside = {Rational(0), Rational(0), Rational(1, 2)};
     system.constant = {Rational(0), Rational(0), Rational(1, 2)};
     system.numbers = numbers;
-    EXPECT_FALSE(lift(system, {0, 1}, {}));
-    const auto solved = lift(system, {0, 2}, {});
+    EXPECT_FALSE(lift_solution(system, {0, 1}, {}));
+    const auto solved = lift_solution(system, {0, 2}, {});
     ASSERT_TRUE(solved);
     EXPECT_EQ(*solved, (std::vector<Rational>{1, 1}));
-    EXPECT_FALSE(lift(system, {0, 2}, {.operations = 1}));
+    EXPECT_FALSE(lift_solution(system, {0, 2}, {.operations = 1}));
 }
 
 }  // namespace
