@@ -163,10 +163,10 @@ std::string program_identity() {
                 ElfW(Nhdr) note;
                 std::memcpy(&note, at, sizeof note);
                 const char* const name = at + sizeof note;
-                const char* const content = name + (note.n_namesz + 3) / 4 * 4;
+                const char* const content = name + (std::size_t{note.n_namesz} + 3) / 4 * 4;
                 if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0)
                     static_cast<std::string*>(result)->assign(content, note.n_descsz);
-                at = content + (note.n_descsz + 3) / 4 * 4;
+                at = content + (std::size_t{note.n_descsz} + 3) / 4 * 4;
             }
         }
         return 1;

@@ -6,6 +6,7 @@
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <deque>
 #include <limits>
 #include <map>
@@ -40,7 +41,7 @@ private:
     void reverse_edges();
     void mark_dirty(StateIndex state);
     void refine(Block block);
-    Signature signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const;
+    [[nodiscard]] Signature signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const;
     void split(Block block, std::map<Signature, States>& groups, bool clean_states);
     void move_states(const States& states, Block to);
     void leave_block(StateIndex state);
@@ -66,6 +67,7 @@ void Refinement::reverse_edges() {
         for (const Edge& edge : graph_.edges(state)) ++first_source_[edge.target + 1U];
     for (std::size_t i = 1; i < first_source_.size(); ++i) first_source_[i] += first_source_[i - 1];
     sources_.resize(graph_.edge_count());
+    assert(first_source_.back() == sources_.size());
     std::vector<std::uint64_t> next(first_source_.begin(), first_source_.end() - 1);
     for (StateIndex state = 0; state < graph_.size(); ++state)
         for (const Edge& edge : graph_.edges(state)) sources_[next[edge.target]++] = {state, edge.event};
@@ -115,6 +117,7 @@ Refinement::States Refinement::take_dirty(Block block) {
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
     std::ranges::sort(states);
     for (StateIndex state : states) is_dirty_[state] = false;
+    assert(std::ranges::adjacent_find(states) == states.end());  // marked states are listed once
     return states;
 }
 
@@ -142,6 +145,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
         } else if (edge.target == state) {
             result.push_back({tau, endless});
         } else {
+            assert(edge.target < state);  // its signature has been computed, or has not changed
             const auto known = fresh.find(edge.target);
             const Signature& through = known != fresh.end() ? *known->second : signatures_[own];
             result.insert(result.end(), through.begin(), through.end());
@@ -157,6 +161,7 @@ void Refinement::split(Block block, std::map<Signature, States>& groups, bool cl
     States* with_clean = nullptr;
     std::size_t clean = members_[block].size();
     for (const auto& [signature, states] : groups) clean -= states.size();
+    assert(clean_states == (clean > 0));
     if (clean_states) with_clean = &groups[signatures_[block]];
     const auto weight = [&](const States& states) { return states.size() + (&states == with_clean ? clean : 0); };
     auto largest = groups.begin();
@@ -171,6 +176,7 @@ void Refinement::split(Block block, std::map<Signature, States>& groups, bool cl
             if (!computed[i]) with_clean->push_back(all[i]);
         std::ranges::sort(*with_clean);
     }
+    assert(largest != groups.end() && weight(largest->second) > 0);
     signatures_[block] = largest->first;
     std::vector<const States*> moved;
     for (auto group = groups.begin(); group != groups.end(); ++group) {
@@ -182,6 +188,7 @@ void Refinement::split(Block block, std::map<Signature, States>& groups, bool cl
         move_states(group->second, to);
         moved.push_back(&group->second);
     }
+    assert(dirty_.size() == members_.size() && signatures_.size() == members_.size());
     for (const States* states : moved)
         for (StateIndex state : *states) {
             if (branching_) mark_dirty(state);
@@ -192,6 +199,7 @@ void Refinement::split(Block block, std::map<Signature, States>& groups, bool cl
 
 void Refinement::leave_block(StateIndex state) {
     States& from = members_[block_[state]];
+    assert(from[place_[state]] == state);
     const StateIndex last = from.back();
     from[place_[state]] = last;
     place_[last] = place_[state];
@@ -200,6 +208,7 @@ void Refinement::leave_block(StateIndex state) {
 
 void Refinement::move_states(const States& states, Block to) {
     for (StateIndex state : states) {
+        assert(block_[state] != to);
         leave_block(state);
         block_[state] = to;
         place_[state] = members_[to].size();
@@ -245,6 +254,7 @@ private:
 Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll) {
     // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau loop. The
     // others keep their taus and are numbered so that a tau leads to a lower number.
+    assert(graph.size() > 0);
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
     const Graph contracted = branching ? contract_components(graph, components) : graph;

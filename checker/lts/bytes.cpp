@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/lts/bytes.hpp"
 
+#include <cassert>
+
 namespace robochart::lts {
 
 void ByteWriter::write_number(std::uint64_t value) {
@@ -13,6 +15,7 @@ std::uint64_t ByteReader::read_number() {
     for (unsigned shift = 0; !bytes_.empty(); shift += 7) {
         const auto byte = static_cast<std::uint8_t>(bytes_.front());
         bytes_.remove_prefix(1);
+        assert(shift <= 63);  // ten bytes at most: the tenth is 0 or 1, or the number is too large
         if (shift == 63 && byte > 1) break;
         value |= std::uint64_t{byte & 0x7FU} << shift;
         if (byte < 0x80) return value;
@@ -21,6 +24,7 @@ std::uint64_t ByteReader::read_number() {
 }
 
 std::uint32_t ByteReader::read_below(std::uint64_t end) {
+    assert(end <= std::uint64_t{1} << 32U);
     const std::uint64_t value = read_number();
     if (value >= end) throw BadBytes("a number is out of its range");
     return static_cast<std::uint32_t>(value);

@@ -2,6 +2,7 @@
 // A vector that grows in chunks: elements never move, and growing never needs twice the memory.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -16,8 +17,14 @@ public:
         chunks_[size_ / chunk_size][size_ % chunk_size] = value;
         ++size_;
     }
-    [[nodiscard]] T operator[](std::size_t index) const { return chunks_[index / chunk_size][index % chunk_size]; }
-    [[nodiscard]] T& operator[](std::size_t index) { return chunks_[index / chunk_size][index % chunk_size]; }
+    [[nodiscard]] T operator[](std::size_t index) const {
+        assert(index < size_);
+        return chunks_[index / chunk_size][index % chunk_size];
+    }
+    [[nodiscard]] T& operator[](std::size_t index) {
+        assert(index < size_);
+        return chunks_[index / chunk_size][index % chunk_size];
+    }
     [[nodiscard]] std::size_t size() const { return size_; }
 
 private:

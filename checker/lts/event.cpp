@@ -2,6 +2,8 @@
 // The table of events: interning of names, with tau and tick first.
 #include "checker/lts/event.hpp"
 
+#include <cassert>
+
 namespace robochart::lts {
 
 EventTable::EventTable() {
@@ -12,6 +14,7 @@ EventTable::EventTable() {
 Event EventTable::intern(std::string_view name) {
     const auto [entry, fresh] = ids_.emplace(std::string(name), static_cast<Event>(names_.size()));
     if (fresh) names_.push_back(entry->first);
+    assert(entry->second < names_.size() && ids_.size() == names_.size());
     return entry->second;
 }
 

@@ -2,6 +2,7 @@
 // Values packed next to each other in the words of a state.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 
@@ -11,9 +12,12 @@ namespace robochart::lts {
 struct Field {
     std::uint32_t word, shift, mask;
     [[nodiscard]] std::uint32_t get(std::span<const std::uint32_t> state) const {
+        assert(word < state.size() && shift < 32);
         return (state[word] >> shift) & mask;
     }
     void put(std::span<std::uint32_t> state, std::uint32_t value) const {
+        assert(word < state.size() && shift < 32);
+        assert((value & ~mask) == 0);  // otherwise it would change the values beside it
         state[word] = (state[word] & ~(mask << shift)) | (value << shift);
     }
 };

@@ -2,6 +2,8 @@
 // Exploration of any transition system into a graph.
 #include "checker/lts/graph.hpp"
 
+#include <cassert>
+
 namespace robochart::lts {
 namespace {
 
@@ -33,6 +35,7 @@ Exploration explore(TransitionSystem& system, const std::function<void(std::size
 }
 
 void GraphSystem::successors(StateView state, SuccessorSink& sink) {
+    assert(state.size() == 1);
     for (const Edge& edge : graph_.edges(state[0])) sink.add(edge.event, StateView(&edge.target, 1), edge.event);
 }
 

@@ -2,6 +2,7 @@
 // Explicit transition systems: compressed rows of edges. State 0 is the initial state.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -27,11 +28,15 @@ public:
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
     [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
     [[nodiscard]] std::span<const Edge> edges(StateIndex state) const {
+        assert(state + std::size_t{1} < first_.size());
         return std::span(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
     /// States are added in order, each with all its edges; targets may be later states.
     void add_edge(Edge edge) { edges_.push_back(edge); }
-    void finish_state() { first_.push_back(edges_.size()); }
+    void finish_state() {
+        assert(first_.back() <= edges_.size());
+        first_.push_back(edges_.size());
+    }
 
     friend bool operator==(const Graph&, const Graph&) = default;
 

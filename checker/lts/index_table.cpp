@@ -2,6 +2,7 @@
 #include "checker/lts/index_table.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace robochart::lts {
@@ -15,9 +16,11 @@ void IndexTable::reset_for_capacity(std::uint64_t numbers) {
 
 /// Frees the old memory before it allocates the new one, so that they never coexist.
 void IndexTable::reset(std::uint32_t bucket_count) {
+    assert(bucket_count > 0);
     bucket_count_ = bucket_count;
     memory_.reset();
     memory_ = zeroed_pages(std::size_t{bucket_count_} * sizeof(Bucket));
+    assert(reinterpret_cast<std::uintptr_t>(memory_.get()) % alignof(Bucket) == 0);
 }
 
 }  // namespace robochart::lts

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 
@@ -35,7 +36,10 @@ public:
 
     private:
         friend class IndexTable;
-        [[nodiscard]] std::atomic_ref<StateIndex> index() const { return std::atomic_ref(bucket_->index[place_]); }
+        [[nodiscard]] std::atomic_ref<StateIndex> index() const {
+            assert(bucket_ != nullptr && place_ < bucket_size);
+            return std::atomic_ref(bucket_->index[place_]);
+        }
         Bucket* bucket_ = nullptr;
         std::uint32_t place_ = 0;
         std::uint8_t tag_ = 0;
@@ -67,6 +71,7 @@ public:
     [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
     /// Stores a number in a free slot. No other number may be added between finding the slot and this call.
     static void put_number(const Slot& slot, StateIndex index) {
+        assert(!slot.taken_ && slot.place_ == slot.bucket_->used);
         slot.set(index);
         slot.bucket_->set_tag(slot.place_, slot.tag_);
         ++slot.bucket_->used;
@@ -78,6 +83,7 @@ public:
             Bucket& bucket = buckets()[home];
             if (bucket.used < bucket_size) {
                 bucket.index[bucket.used] = index;
+                assert((bucket.used & locked) == 0);  // no other thread adds numbers
                 bucket.set_tag(bucket.used++, static_cast<std::uint8_t>(hash));
                 return true;
             }
@@ -101,6 +107,7 @@ public:
                 if (used == bucket_size) break;
                 known = used;
                 if (!bucket.lock(used)) continue;
+                assert(used < bucket_size && !slot.taken_);
                 slot.bucket_ = &bucket;
                 slot.place_ = used;
                 slot.set(own());
@@ -135,6 +142,7 @@ private:
         /// Returns one bit for each matching tag in the places from `first` on.
         [[nodiscard]] std::uint64_t matching_tags(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
         [[nodiscard]] static std::uint32_t lowest_match(std::uint64_t matches) {
+            assert(matches != 0 && matches >> bucket_size == 0);
             return static_cast<std::uint32_t>(std::countr_zero(matches));
         }
         /// The caller must have exclusive access.
@@ -150,7 +158,10 @@ private:
             return std::atomic_ref(used).compare_exchange_strong(expected, expected | locked,
                                                                  std::memory_order_acquire);
         }
-        void unlock(std::uint32_t now) { std::atomic_ref(used).store(now, std::memory_order_release); }
+        void unlock(std::uint32_t now) {
+            assert(now > 0 && now <= bucket_size);
+            std::atomic_ref(used).store(now, std::memory_order_release);
+        }
     };
 
     /// Searches the places [first, end) of a bucket for the number.
@@ -171,6 +182,7 @@ private:
     void reset(std::uint32_t bucket_count);
     [[nodiscard]] Bucket* buckets() const { return static_cast<Bucket*>(memory_.get()); }
     [[nodiscard]] std::uint32_t home_of(std::uint64_t hash) const {
+        assert(bucket_count_ > 0);
         return static_cast<std::uint32_t>(((hash >> 32U) * bucket_count_) >> 32U);
     }
 
@@ -180,6 +192,9 @@ private:
 
 inline void IndexTable::Bucket::set_tag(std::uint32_t place, std::uint8_t tag) {
     constexpr std::uint32_t first_places = sizeof first_tags;
+    assert(place < bucket_size);
+    // A place is used once, so its bits are still 0 and `or` sets them.
+    assert((place < first_places ? first_tags >> (8 * place) : last_tags >> (8 * (place - first_places))) % 256 == 0);
     if (place < first_places)
         std::atomic_ref(first_tags).store(first_tags | std::uint64_t{tag} << (8 * place), std::memory_order_relaxed);
     else
@@ -188,6 +203,7 @@ inline void IndexTable::Bucket::set_tag(std::uint32_t place, std::uint8_t tag) {
 }
 
 inline std::uint64_t IndexTable::Bucket::matching_tags(std::uint8_t wanted, std::uint32_t first, std::uint32_t end) {
+    assert(first <= end && end <= bucket_size);
     constexpr std::uint64_t ones = 0x0101010101010101ULL;
     constexpr std::uint64_t tops = ones << 7U;
     const auto agreeing = [wanted](std::uint64_t tags) {

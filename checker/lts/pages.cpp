@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -19,6 +20,7 @@ constexpr std::size_t large = std::size_t{1} << 17U;
 /// The page size depends on the machine.
 std::size_t round_to_pages(std::size_t bytes) {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    assert(page > 0 && (page & (page - 1)) == 0 && huge_page % page == 0);
     return (bytes + page - 1) & ~(page - 1);
 }
 
@@ -31,6 +33,7 @@ void* map(std::size_t bytes) {
     if (mapped == MAP_FAILED) throw std::bad_alloc();
     char* const begin = static_cast<char*>(mapped);
     const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(begin) % huge_page) % huge_page;
+    assert(before < huge_page && reinterpret_cast<std::uintptr_t>(begin + before) % huge_page == 0);
     if (before != 0) munmap(begin, before);
     munmap(begin + before + length, huge_page - before);
 #ifdef MADV_HUGEPAGE

@@ -2,6 +2,8 @@
 // A helper for systems that pass on the successors of another system.
 #pragma once
 
+#include <cassert>
+
 #include "checker/lts/transition_system.hpp"
 
 namespace robochart::lts {
@@ -9,7 +11,10 @@ namespace robochart::lts {
 /// During its lifetime, the variable points to the sink that receives successors; afterwards it is null.
 class SinkInUse {
 public:
-    SinkInUse(SuccessorSink*& place, SuccessorSink& sink) : place_(place) { place_ = &sink; }
+    SinkInUse(SuccessorSink*& place, SuccessorSink& sink) : place_(place) {
+        assert(place_ == nullptr);
+        place_ = &sink;
+    }
     SinkInUse(const SinkInUse&) = delete;
     SinkInUse& operator=(const SinkInUse&) = delete;
     ~SinkInUse() { place_ = nullptr; }

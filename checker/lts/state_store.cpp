@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <new>
 #include <stdexcept>
 
@@ -69,12 +70,14 @@ void StateStore::make_chunks(std::uint64_t states) {
     if (states > no_state) throw std::length_error("more than 2^32 states");
     while ((first_chunk << chunk_count_) - first_chunk < states) {
         const std::size_t words = (first_chunk << chunk_count_) * width_;
+        assert(chunk_count_ < most_chunks);
         chunks_[chunk_count_] = zeroed_pages(std::max<std::size_t>(words, 1) * sizeof(Word));
         ++chunk_count_;
     }
 }
 
 StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
+    assert(state.size() == width_);
     const auto same = [&](StateIndex index) { return equals_state(index, state); };
     IndexTable::Slot slot = table_.find(hash, same);
     if (slot.is_taken()) return {slot.get(), false};
@@ -84,6 +87,7 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
         if (!IndexTable::has_space(slot)) throw std::bad_alloc();
     }
     make_chunks(size_ + 1);
+    assert(size_ < no_state);
     const auto index = static_cast<StateIndex>(size_);
     std::ranges::copy(state, row(index));
     IndexTable::put_number(slot, index);
@@ -93,15 +97,18 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
 
 void StateStore::make_space(std::uint64_t states) {
     make_chunks(states);
+    assert(states >= size_);
     size_ = states;
 }
 
 void StateStore::publish_state(const IndexTable::Slot& slot, StateIndex index, StateView state) {
+    assert(index < size_ && state.size() == width_);
     slot.set(index);
     std::ranges::copy(state, row(index));
 }
 
 StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
+    assert(state.size() == width_);
     const IndexTable::Slot slot = table_.find(hash, [&](StateIndex index) { return equals_state(index, state); });
     return slot.is_taken() ? slot.get() : no_state;
 }

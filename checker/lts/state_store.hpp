@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <functional>
 
@@ -26,7 +27,10 @@ public:
     /// The number, or no_state.
     [[nodiscard]] StateIndex find(StateView state) const { return find(state, hash(state)); }
     /// The view stays valid while states are added.
-    [[nodiscard]] StateView operator[](StateIndex index) const { return {row(index), width_}; }
+    [[nodiscard]] StateView operator[](StateIndex index) const {
+        assert(index < size_);
+        return {row(index), width_};
+    }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t width() const { return width_; }
 
@@ -58,6 +62,9 @@ public:
     /// before the claim is made, and `claims.lose_claim(number)` reports that another claim has replaced it.
     template <class Claims>
     Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
+        assert(state.size() == width_);
+        // A claim must differ from the numbers of states and from that of a dropped one.
+        assert(number >= first_claim && number != no_state && size_ <= first_claim);
         const auto same = [&](StateIndex index) {
             if (index < size_) return equals_state(row(index), state);
             return index != no_state && equals_state(claims.row(index), state);
@@ -101,6 +108,7 @@ private:
     [[nodiscard]] Word* row(StateIndex index) const {
         const std::uint64_t place = index + first_chunk;
         const auto chunk = static_cast<std::size_t>(std::bit_width(place) - std::bit_width(first_chunk));
+        assert(chunk < chunk_count_);
         return static_cast<Word*>(chunks_[chunk].get()) + (place - (first_chunk << chunk)) * width_;
     }
     void make_chunks(std::uint64_t states);

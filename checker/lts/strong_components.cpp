@@ -2,6 +2,7 @@
 #include "checker/lts/strong_components.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::lts {
 namespace {
@@ -13,6 +14,7 @@ public:
         : graph_(graph), report_(report), number_(graph.size, 0), low_(graph.size, 0) {}
 
     void explore(StateIndex root) {
+        assert(path_.empty() && ahead_.empty() && open_.empty());
         if (number_[root] != 0) return;
         enter_vertex(root);
         while (!path_.empty()) {
@@ -34,6 +36,7 @@ private:
     };
 
     void enter_vertex(StateIndex vertex) {
+        assert(number_[vertex] == 0);
         number_[vertex] = low_[vertex] = ++count_;
         path_.push_back({vertex, false, ahead_.size()});
         open_.push_back(vertex);
@@ -47,6 +50,7 @@ private:
     /// If the target of an edge of the path's last vertex has been entered before, processes the edge and returns true.
     bool process_if_entered(StateIndex to) {
         if (number_[to] == 0) return false;
+        assert(!path_.empty());
         Frame& from = path_.back();
         if (low_[to] != closed) low_[from.vertex] = std::min(low_[from.vertex], number_[to]);
         from.loops |= from.vertex == to;
@@ -57,11 +61,13 @@ private:
         const Frame left = path_.back();
         path_.pop_back();
         const std::uint32_t low = low_[left.vertex];
+        assert(low != closed && low <= number_[left.vertex]);
         if (!path_.empty()) low_[path_.back().vertex] = std::min(low_[path_.back().vertex], low);
         if (low == number_[left.vertex]) close_component(left);
     }
 
     void close_component(const Frame& root) {
+        assert(!open_.empty() && low_[root.vertex] == number_[root.vertex]);
         std::size_t begin = open_.size();
         do low_[open_[--begin]] = closed;
         while (open_[begin] != root.vertex);

@@ -2,6 +2,7 @@
 #include "checker/lts/symmetric_system.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "checker/lts/sink_in_use.hpp"
 
@@ -37,6 +38,7 @@ void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
 }
 
 void SymmetricSystem::add(Event event, StateView target, Event revealed) {
+    assert(sink_ != nullptr && target.size() == target_.size());
     std::ranges::copy(target, target_.begin());
     symmetry_.replace_by_representative(target_);
     sink_->add(event, target_, revealed);

@@ -4,6 +4,7 @@
 #include "checker/lts/symmetry.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -22,6 +23,7 @@ Symmetry::Symmetry(std::vector<ReplicaSet> sets) : sets_(std::move(sets)) {
                 const Event second = least(image);
                 orbits_[first] = orbits_[second] = std::min(first, second);
             }
+    assert(std::ranges::all_of(sets_, [](const ReplicaSet& set) { return set.size() >= 2; }));
     for (auto& [event, into] : orbits_) into = least(event);
 }
 
@@ -47,7 +49,9 @@ void Symmetry::read(const ReplicaSet& set, std::span<const std::uint32_t> state,
 void Symmetry::write(const ReplicaSet& set, const Numbers& numbers, const std::vector<std::size_t>& places,
                      std::span<std::uint32_t> state) {
     for (std::size_t i = 0; i < set.size(); ++i) {
+        assert(places[i] < set.size());
         std::size_t at = places[i] * set[i].parts.size();
+        assert(at + set[i].parts.size() <= numbers.size());  // all replicas have equally many parts
         for (const ReplicaPart& part : set[i].parts) part.field.put(state, (*part.value)[numbers[at++]]);
     }
 }
@@ -72,6 +76,7 @@ void Symmetry::replace_by_representative(std::span<std::uint32_t> state) {
 Symmetry::Permutation Symmetry::find_permutation(std::span<const std::uint32_t> from,
                                                  std::span<const std::uint32_t> to) const {
     Permutation result;
+    assert(from.size() == to.size());
     Numbers before;
     Numbers after;
     for (const ReplicaSet& set : sets_) {
@@ -103,6 +108,7 @@ Symmetry::Permutation Symmetry::find_permutation(std::span<const std::uint32_t> 
 }
 
 void Symmetry::apply(const Permutation& permutation, std::span<std::uint32_t> state) const {
+    assert(permutation.size() == sets_.size());
     Numbers numbers;
     for (std::size_t i = 0; i < sets_.size(); ++i) {
         read(sets_[i], state, numbers);

@@ -2,6 +2,7 @@
 #include "checker/lts/tau_components.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "checker/lts/strong_components.hpp"
@@ -31,6 +32,7 @@ TauComponents every_state_alone(const Graph& graph) {
 }
 
 Graph contract_components(const Graph& graph, const TauComponents& components) {
+    assert(components.component.size() == graph.size());
     std::vector<std::vector<StateIndex>> members(components.cyclic.size());
     for (StateIndex state = 0; state < graph.size(); ++state) members[components.component[state]].push_back(state);
     Graph result;
@@ -40,6 +42,7 @@ Graph contract_components(const Graph& graph, const TauComponents& components) {
         for (StateIndex state : members[component])
             for (const Edge& edge : graph.edges(state)) {
                 const StateIndex target = components.component[edge.target];
+                assert(edge.event != tau || target <= component);  // see strong_components for their order
                 if (edge.event != tau || target != component) edges.push_back({edge.event, target});
             }
         std::ranges::sort(edges);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/machine/answer_table.hpp"
 
+#include <cassert>
 #include <utility>
 
 namespace robochart::machine {
@@ -11,6 +12,7 @@ void AnswerTable::store_answer(std::uint32_t asked, std::uint64_t key, std::uint
     entry = {key, asked, answer};
     if (!fresh || ++size_ <= entries_.size() / 4 * 3) return;
     std::vector<Entry> before(entries_.size() * 2);
+    assert(size_ <= before.size() / 4 * 3);
     std::swap(before, entries_);
     for (const Entry& each : before)
         if (each.asked != none) entries_[entry_index(each.asked, each.key)] = each;

@@ -4,6 +4,7 @@
 // queries for each state, and one look-up usually reads one line of memory.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -38,6 +39,7 @@ private:
     /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
     [[nodiscard]] std::size_t entry_index(std::uint32_t asked, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
+        assert(asked != none && (entries_.size() & mask) == 0 && size_ < entries_.size());
         std::size_t at = hash(asked, key) & mask;
         while (entries_[at].asked != none && (entries_[at].key != key || entries_[at].asked != asked))
             at = (at + 1) & mask;

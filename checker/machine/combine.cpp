@@ -4,6 +4,7 @@
 // function. The firing rules are stated in process/firing_rules.cpp and composition_rules.cpp.
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <map>
 #include <tuple>
 
@@ -47,6 +48,7 @@ public:
     }
 
     Supercombinator combine() {
+        assert(result_.components.size() == skeleton_.slots.size());
         const Node& root = skeleton_.nodes.front();
         const bool priorities = root.op == Op::prioritise;
         region(priorities ? root.children.front() : 0,
@@ -125,6 +127,7 @@ std::uint32_t Combiner::region(NodeId top, const std::vector<std::uint32_t>& lev
 }
 
 Vectors Combiner::add_participant(Region& region, Participant who, const EventSet& alphabet) {
+    assert(region.participants.size() == region.alphabets.size());
     const auto number = static_cast<std::uint32_t>(region.participants.size());
     region.participants.push_back(who);
     region.alphabets.push_back(alphabet);
@@ -179,6 +182,7 @@ Vectors Combiner::operator_vectors(const Node& node, Region& region) {
 
 /// Adds all combinations of vectors with this event, one vector of each operand.
 void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event, Vectors& out) {
+    assert(!who.empty());
     Vectors open{Vector{event, event, {}, {}}};
     for (const Vectors* each : who) {
         Vectors longer;
@@ -285,6 +289,7 @@ Vectors Combiner::apply_renaming(const Node& node, const Vectors& operand) {
 
 // P ; Q: P's tick becomes a tau that starts Q.   P [|A|> Q: an event of A starts Q.
 Vectors Combiner::combine_sequence(const Node& node, std::vector<Vectors> operands) {
+    assert(operands.size() == 2);
     const bool sequence = node.op == Op::sequential;
     const process::SetId set{terms_[node.term].payload};
     for (Vector& each : operands[0]) {
@@ -321,6 +326,8 @@ Vectors Combiner::combine_interruptible(const Node& node, std::vector<Vectors> o
 //   P |~| Q: one tau for each operand, which starts it.      e -> P: each event starts its continuation.
 Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
+    // A gate has one state. For a choice its only event is tau; for a prefix, each branch has an operand.
+    assert(operands.size() == node.children.size() && (node.op == Op::prefix || operands.front().size() == 1));
     const NodeId gate = node.children.front();
     const auto open = [&](Vector by, NodeId starts) {
         by.actions.push_back({gate, false});
@@ -336,6 +343,7 @@ Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands)
         for (std::size_t i = 1; i < node.children.size(); ++i) open(operands[0].front(), node.children[i]);
     } else {
         const std::vector<process::Branch>& branches = *terms_.known_branches(terms_[node.term].payload);
+        assert(operands.size() == branches.size() + 1);
         for (std::size_t i = 0; i < branches.size(); ++i)
             for (const Vector& each : operands[0])
                 if (each.event == branches[i].event) open(each, node.children[i + 1]);
@@ -369,6 +377,7 @@ void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
     if (node.op == Op::sequential || node.op == Op::exception) running = 1;
     if (node.op == Op::internal_choice || node.op == Op::prefix) running = 1;
     if (node.op == Op::sliding) running = 2;
+    assert(running <= node.children.size());
     for (std::size_t i = 0; i < node.children.size(); ++i)
         i < running ? start_operands(node.children[i], made) : turn_off(node.children[i], made);
 }
@@ -381,6 +390,7 @@ std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     std::ranges::stable_sort(made, [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
     const auto same = [](const Assignment& a, const Assignment& b) { return a.slot == b.slot; };
     made.erase(std::unique(made.begin(), made.end(), same), made.end());
+    assert(std::ranges::adjacent_find(made, std::ranges::greater_equal(), &Assignment::slot) == made.end());
     return made;
 }
 
@@ -413,7 +423,9 @@ void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<
     rule.revealed = vector.revealed;
     rule.place =
         static_cast<std::uint32_t>(std::ranges::lower_bound(region.alphabet, vector.event) - region.alphabet.begin());
+    assert(rule.place < region.alphabet.size() && region.alphabet[rule.place] == vector.event);
     rule.level = vector.event < level.size() ? level[vector.event] : no_level;
+    assert(!vector.parts.empty());
     rule.lead = vector.parts.front();
     rule.first_requirement = static_cast<std::uint32_t>(region.requirements.size());
     region.requirements.insert(region.requirements.end(), vector.parts.begin() + 1, vector.parts.end());
@@ -455,6 +467,7 @@ void Combiner::finish_region(Region& region, Vectors vectors, const std::vector<
                 region.chance[region.rules.back().place] += together;
             }
         }
+    assert(next == vectors.end());  // each vector has become a rule
 }
 
 /// Large ones first.
@@ -473,6 +486,7 @@ void Combiner::list_operands() {
 void Combiner::pack_components() {
     std::vector<bool> may_be_off(result_.components.size(), false);
     const auto note = [&](std::uint32_t slot, Local value) {
+        assert(value <= result_.components[slot]->size());
         if (value == result_.components[slot]->size()) may_be_off[slot] = true;
     };
     for (std::uint32_t slot = 0; slot < result_.initial.size(); ++slot) note(slot, result_.initial[slot]);
@@ -482,6 +496,7 @@ void Combiner::pack_components() {
     std::uint32_t used = 0;
     for (std::uint32_t slot = 0; slot < result_.components.size(); ++slot) {
         const std::size_t values = result_.components[slot]->size() + (may_be_off[slot] ? 1U : 0U);
+        assert(values > 0);
         const auto bits = static_cast<std::uint32_t>(std::bit_width(values - 1));
         if (used + bits > 32) {
             ++word;
@@ -490,6 +505,7 @@ void Combiner::pack_components() {
         const std::uint32_t mask = bits == 32 ? 0xffffffffU : (1U << bits) - 1U;
         result_.fields.push_back({word, used % 32U, mask});
         used += bits;
+        assert(bits <= 32 && used <= 32);
     }
     result_.words = word + 1;
 }

@@ -2,6 +2,7 @@
 #include "checker/machine/component.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::machine {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 constexpr std::size_t largest_index = std::size_t{1} << 24U;
 
 std::uint32_t place_of(const EventSet& alphabet, Event event) {
+    assert(std::ranges::binary_search(alphabet, event));
     return static_cast<std::uint32_t>(std::ranges::lower_bound(alphabet, event) - alphabet.begin());
 }
 
@@ -16,6 +18,7 @@ std::uint32_t place_of(const EventSet& alphabet, Event event) {
 
 Component::Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<TermId> meaning)
     : meaning_(std::move(meaning)) {
+    assert(rows.size() == meaning_.size());
     for (const auto& row : rows)
         for (const RawEdge& edge : row) alphabet_.push_back(edge.event);
     std::ranges::sort(alphabet_);
@@ -42,6 +45,7 @@ void Component::index() {
 }
 
 Component::Edges Component::edges(Local state, std::uint32_t event) const {
+    assert(event < alphabet_.size());
     if (state >= size()) return {};
     if (!by_event_.empty()) {
         const std::size_t row = state * (alphabet_.size() + 1) + event;

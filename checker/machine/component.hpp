@@ -3,6 +3,7 @@
 // "FDR3: a parallel refinement checker for CSP", STTT 2016, section 3).
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -42,7 +43,10 @@ public:
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }
     /// All events on edges, ascending, including tau and tick.
     [[nodiscard]] const EventSet& alphabet() const { return alphabet_; }
-    [[nodiscard]] TermId term_of(Local state) const { return meaning_[state]; }
+    [[nodiscard]] TermId term_of(Local state) const {
+        assert(state < meaning_.size());
+        return meaning_[state];
+    }
     /// All edges of a state, ordered by event. Empty if the component is off.
     [[nodiscard]] Edges edges(Local state) const {
         if (state >= meaning_.size()) return {};

@@ -2,6 +2,7 @@
 #include "checker/machine/component_shape.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "base/diagnostics/splitmix64.hpp"
@@ -110,6 +111,7 @@ ComponentShape shape_of(const Component& component, const std::vector<std::uint6
     Refinement refinement(component, role, poll);
     refinement.run();
     const EventSet& alphabet = component.alphabet();
+    assert(role.size() == alphabet.size());
     ComponentShape shape;
     shape.event.resize(alphabet.size());
     std::iota(shape.event.begin(), shape.event.end(), 0U);

@@ -2,6 +2,7 @@
 #include "checker/machine/confluence.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace robochart::machine {
@@ -33,6 +34,7 @@ Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::sha
       rules_(std::move(rules)),
       plan_(std::move(plan)),
       first_(rules_->rules.size(), no) {
+    assert(rules_->asking.size() == combined_->components.size() && !combined_->regions.empty());
     leading_.resize(combined_->components.size());
     known_.resize(combined_->components.size());
     for (std::uint32_t slot = 0; slot < known_.size(); ++slot) {
@@ -68,6 +70,7 @@ void Confluence::list_tau_rules() {
 }
 
 bool Confluence::follow_tau(std::span<Local> state) {
+    assert(state.size() == known_.size());
     ++states_asked_;
     for (std::uint32_t slot = 0; slot < state.size(); ++slot) {
         if (state[slot] >= known_[slot].size()) continue;  // off
@@ -84,11 +87,13 @@ bool Confluence::follow_tau(std::span<Local> state) {
 }
 
 const std::vector<Confluence::RuleNumber>& Confluence::candidates(std::uint32_t slot, Local local) {
+    assert(slot < known_.size() && local < known_[slot].size());
     std::uint32_t& known = known_[slot][local];
     if (known == 0) {
         lists_.push_back(make_entry(slot, local));
         known = static_cast<std::uint32_t>(lists_.size());
     }
+    assert(known <= lists_.size());
     return lists_[known - 1U];
 }
 
@@ -119,6 +124,7 @@ bool Confluence::never_commutes(RuleNumber number, std::uint32_t slot, Local loc
 
 std::uint64_t Confluence::state_key(const Tracked& tracked, Locals state) {
     std::uint64_t result = 0;
+    assert(tracked.slots.size() == tracked.weights.size());
     for (std::size_t i = 0; i < tracked.slots.size(); ++i) result += tracked.weights[i] * state[tracked.slots[i]];
     return result;
 }
@@ -137,6 +143,7 @@ std::uint32_t Confluence::find_tracked_set(RuleNumber rule, Slots slots) {
 }
 
 std::uint32_t Confluence::make_entry(RuleNumber rule, Slots slots) {
+    assert(std::ranges::adjacent_find(slots, std::ranges::greater_equal()) == slots.end());
     std::vector<std::uint64_t> weights;
     std::uint64_t states = 1;
     for (const std::uint32_t slot : slots) {
@@ -147,6 +154,7 @@ std::uint32_t Confluence::make_entry(RuleNumber rule, Slots slots) {
     }
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
+    assert(tracked_.size() < yes);  // the numbers of queries differ from the other answers
     tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, 0, 0, 0, 0, {}});
     return static_cast<std::uint32_t>(tracked_.size() - 1);
 }
@@ -233,6 +241,7 @@ std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vec
         if (!part.event || has[part.slot] == 0) continue;
         if (rarest == nullptr || share_[part.slot][*part.event] < share_[rarest->slot][*rarest->event]) rarest = &part;
     }
+    assert(rarest != nullptr);  // a tracked component performs an event in the rule
     return rarest->slot;
 }
 
@@ -271,6 +280,7 @@ Confluence::Next Confluence::find_larger_tracked_set(std::uint32_t number, const
 }
 
 void Confluence::store_answer(std::uint32_t number, std::uint64_t key, std::uint32_t answer) {
+    assert(number < tracked_.size() && (answer >= yes || answer < tracked_.size()));
     if (answers_.size() >= most_answers) answers_.clear();
     answers_.store_answer(number, key, answer);
 }
@@ -286,6 +296,7 @@ public:
         add(from, 0, 0);
         std::optional<RuleNumber> disturbing;
         for (std::size_t i = 0; i < keys_.size(); ++i) {
+            assert(led_.size() == keys_.size() && found_.size() == keys_.size() * width_);
             next_.states.clear();
             next_.by.clear();
             const Locals found = Locals(found_).subspan(i * width_, width_);
@@ -338,6 +349,7 @@ private:
         led_on_.push_back(keys_[at]);
         if (disturbing) blamed_.push_back(*disturbing);
         for (; at != 0; at = led_[at].first) {
+            assert(led_[at].first < at);
             led_on_.push_back(keys_[led_[at].first]);
             if (disturbing) blamed_.push_back(led_[at].second);
         }
@@ -370,6 +382,7 @@ bool Confluence::is_confluent(RuleNumber rule, Locals state) {
 }
 
 std::uint32_t Confluence::find_answer(std::uint32_t number, Locals state) {
+    assert(number < tracked_.size());
     ++answers_asked_;
     const std::uint64_t here = state_key(tracked_[number], state);
     const std::optional<std::uint32_t> known = answers_.find(number, here);
@@ -393,6 +406,8 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
         return yes;
     }
     const Next next = find_larger_tracked_set(number, closure.blamed_rules());
+    // Each query tracks more components than the one before, so the proof comes to an end.
+    assert(next.number == no || tracked_[next.number].slots.size() > tracked_[number].slots.size());
     if (next.number != no) ++tracked_[number].next[next.number];
     for (std::size_t i = 0; i < closure.led_on().size(); ++i)
         store_answer(number, closure.led_on()[i], i + 1 < next.rules ? no : next.number);
@@ -407,6 +422,7 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
+    assert(tracked.asking != nullptr && tracked.asking->size() == tracked.slots.size());
     if (!is_deterministic(rule, state)) return false;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
         return std::ranges::all_of(others, [&](RuleNumber by) {
@@ -465,6 +481,7 @@ bool Confluence::commutes_with(const WholeRule& rule, const WholeRule& other, Lo
 }
 
 bool Confluence::commutes_with(const Part& part, const Part& other, Local local) const {
+    assert(part.slot == other.slot);
     if (part.assigned || other.assigned || !part.event || !other.event) return false;
     const Component& machine = component(part.slot);
     const Component::Edges first = machine.edges(local, *part.event);
@@ -502,6 +519,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
     }
     next.states.insert(next.states.end(), state.begin(), state.end());
     next.by.push_back(other);
+    assert(next.states.size() == next.by.size() * state.size());
 }
 
 /// Whether the component stays in this state in all ways to perform its part.

@@ -2,6 +2,7 @@
 #include "checker/machine/exchange.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace robochart::machine {
@@ -35,7 +36,9 @@ Exchange::Exchange(const Supercombinator& combined, const std::vector<ComponentS
       shapes_(shapes),
       first_(first),
       second_(second),
-      component_events_(combined.components.size()) {}
+      component_events_(combined.components.size()) {
+    assert(first_.end <= second_.first && first_.end - first_.first == second_.end - second_.first);
+}
 
 std::uint32_t Exchange::image_of_slot(std::uint32_t slot) const {
     if (slot >= first_.first && slot < first_.end) return slot - first_.first + second_.first;
@@ -217,9 +220,11 @@ std::optional<Exchange::Places> Exchange::event_images(const Region& from, const
         std::ranges::sort(expected);
         if (mapped != expected) return std::nullopt;
     }
-    for (std::uint32_t place = 0; place < image.size(); ++place)
+    for (std::uint32_t place = 0; place < image.size(); ++place) {
+        assert(image[place] != nowhere);  // each event has a rule, and so a body
         for (const Event fixed : {process::tau, process::tick})
             if ((from.alphabet[place] == fixed) != (to.alphabet[image[place]] == fixed)) return std::nullopt;
+    }
     return image;
 }
 

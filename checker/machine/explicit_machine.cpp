@@ -2,12 +2,14 @@
 #include "checker/machine/explicit_machine.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "checker/lts/bisimulation.hpp"
 
 namespace robochart::machine {
 
 void minimise(ExplicitMachine& machine, const std::function<void()>& poll) {
+    assert(machine.rows.size() == machine.meaning.size());
     lts::Graph graph;
     for (const auto& row : machine.rows) {
         for (const Component::RawEdge& edge : row) graph.add_edge({edge.event, edge.target});
@@ -19,7 +21,10 @@ void minimise(ExplicitMachine& machine, const std::function<void()>& poll) {
     for (const lts::StateIndex state : quotient.representative) {
         smaller.meaning.push_back(machine.meaning[state]);
         std::vector<Component::RawEdge> row = machine.rows[state];
-        for (Component::RawEdge& edge : row) edge.target = quotient.state_of[edge.target];
+        for (Component::RawEdge& edge : row) {
+            edge.target = quotient.state_of[edge.target];
+            assert(edge.target != lts::no_state);  // it is reachable, because its source is
+        }
         const auto key = [](const Component::RawEdge& edge) { return std::pair(edge.event, edge.target); };
         std::ranges::stable_sort(row, [&](const auto& a, const auto& b) { return key(a) < key(b); });
         const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };

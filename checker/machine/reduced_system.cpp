@@ -2,6 +2,7 @@
 #include "checker/machine/reduced_system.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "checker/lts/sink_in_use.hpp"
 #include "checker/lts/state_store.hpp"
@@ -131,10 +132,12 @@ void ReducedSystem::set_poll(const std::function<void()>& poll) {
 }
 
 void ReducedSystem::unpack_locals(lts::StateView state) {
+    assert(state.size() == combined_->words);
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = combined_->fields[slot].get(state);
 }
 
 void ReducedSystem::pack_locals(std::span<lts::Word> state) const {
+    assert(state.size() == combined_->words);
     std::ranges::fill(state, 0);
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) combined_->fields[slot].put(state, locals_[slot]);
 }
@@ -158,6 +161,7 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
 }
 
 void ReducedSystem::add(Event event, lts::StateView target, Event revealed) {
+    assert(sink_ != nullptr);
     unpack_locals(target);
     const std::size_t steps = follow_all_taus();
     if (steps == 0) return sink_->add(event, target, revealed);
@@ -197,9 +201,13 @@ std::size_t ReducedSystem::enter_cycle(std::size_t length) {
         follow_tau();
         least_ = std::min(least_, locals_);
     }
+    assert(locals_ == seen_);  // once around the cycle
     locals_ = begin_;
     std::size_t steps = 0;
-    for (; locals_ != least_; ++steps) follow_tau();
+    for (; locals_ != least_; ++steps) {
+        assert(steps < most_steps);  // run has passed the state
+        follow_tau();
+    }
     return steps;
 }
 

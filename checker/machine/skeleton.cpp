@@ -2,6 +2,7 @@
 #include "checker/machine/skeleton.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <stdexcept>
 
@@ -149,6 +150,7 @@ NodeId Builder::add_node(TermId term, NodeId region, const Tail& tail, int depth
     const NodeId id = add(taken_apart ? Node::Kind::operation : Node::Kind::leaf, term, region);
     if (taken_apart) {
         add_operands(id, tail, depth);
+        assert(!result_.nodes[id].children.empty());
         result_.nodes[id].end_slot = static_cast<std::uint32_t>(result_.slots.size());
     } else {
         add_leaf(id);
@@ -160,6 +162,7 @@ void Builder::add_child(NodeId id, TermId term, const Tail& tail, int depth) {
     const bool opens_region = result_.nodes[id].op == Op::prioritise;
     const NodeId region = opens_region ? id : result_.nodes[id].region;
     const NodeId made = add_node(term, region, tail, depth + 1);
+    assert(made > id);
     result_.nodes[id].children.push_back(made);
 }
 

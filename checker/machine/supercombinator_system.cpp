@@ -6,6 +6,7 @@
 #include "checker/machine/supercombinator_system.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::machine {
 
@@ -18,17 +19,21 @@ SupercombinatorSystem::SupercombinatorSystem(std::shared_ptr<const Supercombinat
       locals_(combined_->components.size()),
       moves_(combined_->regions.size()),
       target_(combined_->words) {
+    assert(!moves_.empty());
+    assert(combined_->fields.size() == locals_.size() && combined_->initial.size() == locals_.size());
     for (std::size_t region = 0; region < moves_.size(); ++region)
         moves_[region].by_event.resize(combined_->regions[region].alphabet.size());
 }
 
 void SupercombinatorSystem::initial(std::span<lts::Word> state) {
+    assert(state.size() == combined_->words);
     std::ranges::fill(state, 0);
     for (std::size_t slot = 0; slot < combined_->fields.size(); ++slot)
         combined_->fields[slot].put(state, combined_->initial[slot]);
 }
 
 void SupercombinatorSystem::unpack(lts::StateView state) {
+    assert(state.size() == combined_->words);
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = combined_->fields[slot].get(state);
 }
 
@@ -45,6 +50,7 @@ public:
     }
     /// The same for the rules with one event.
     void list_event(std::uint32_t event) {
+        assert(event < region_.by_event.size());
         for (const std::uint32_t rule : region_.by_event[event])
             try_participant(region_.rules[rule], region_.rules[rule].lead, region_.rules[rule].first_requirement, tau);
     }
@@ -65,6 +71,7 @@ private:
     void enumerate() {
         for (std::uint32_t who = 0; who < region_.participants.size(); ++who) {
             const Participant& participant = region_.participants[who];
+            assert(participant.is_region ? participant.index < number_ : participant.index < system_.locals_.size());
             const std::vector<std::uint32_t>& first = region_.first_rule[who];
             if (!participant.is_region) {
                 for (const Component::Edge& edge : region_.leading[who].edges_of(system_.locals_[participant.index]))
@@ -82,6 +89,7 @@ private:
     /// Tries the rules [rule, end) with this transition of their first participant.
     template <typename Way>
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
+        assert(rule <= end && end <= region_.rules.size());
         for (; rule < end; ++rule)
             if (is_relevant(region_.rules[rule]))
                 take_step(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
@@ -98,6 +106,7 @@ private:
     void take_step(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
         ++system_.work_;
+        assert(next <= rule.end_requirement);
         add_changes(who, way);
         const Event name = next == rule.first_requirement ? way.revealed : revealed;
         if (next == rule.end_requirement)
@@ -112,6 +121,7 @@ private:
     }
     void add_changes(std::uint32_t region, const Move& move) {
         const std::vector<Assignment>& inside = system_.moves_[region].changes;
+        assert(move.first_change <= move.end_change && move.end_change <= inside.size());
         system_.changes_.insert(system_.changes_.end(), inside.begin() + move.first_change,
                                 inside.begin() + move.end_change);
     }
@@ -137,6 +147,7 @@ private:
         constexpr std::uint32_t between_polls = 64;
         if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
         if (probing_) {
+            assert(rule.level <= best_);  // see wanted
             best_ = std::min(best_, rule.level);
             return;
         }
@@ -147,6 +158,7 @@ private:
 
     void to_list(const Rule& rule, Event revealed) {
         Moves& out = system_.moves_[number_];
+        assert(base_ <= system_.changes_.size());
         const auto from = static_cast<std::uint32_t>(out.changes.size());
         out.changes.insert(out.changes.end(), system_.changes_.begin() + static_cast<std::ptrdiff_t>(base_),
                            system_.changes_.end());
@@ -157,6 +169,7 @@ private:
 
     void to_sink(const Rule& rule, Event revealed) {
         std::vector<lts::Word>& target = system_.target_;
+        assert(state_.size() == target.size());
         std::ranges::copy(state_, target.begin());
         const std::vector<Field>& fields = system_.combined_->fields;
         for (const Assignment& change : system_.changes_) fields[change.slot].put(target, change.value);
@@ -233,6 +246,7 @@ void SupercombinatorSystem::pass_successors(lts::StateView state, lts::Successor
         moves.changes.clear();
     }
     Firing(*this, static_cast<std::uint32_t>(moves_.size() - 1)).pass_results(state, sink);
+    assert(changes_.empty());
 }
 
 std::string SupercombinatorSystem::describe(lts::StateView state) const {

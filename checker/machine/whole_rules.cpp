@@ -5,6 +5,7 @@
 #include "checker/machine/whole_rules.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 namespace robochart::machine {
@@ -112,7 +113,10 @@ private:
         }
         WholeRule rule;
         rule.event = changes.event;
-        for (const auto& [slot, part] : parts) rule.parts.push_back(part);
+        for (const auto& [slot, part] : parts) {
+            assert(part.event || part.assigned);
+            rule.parts.push_back(part);
+        }
         for (const Passage& each : changes.passages) {
             if (each.level == no_level) continue;
             if (each.level == 0)
@@ -136,6 +140,7 @@ private:
                 if (part.assigned) result_.assigning[part.slot].push_back(number);
             }
             for (const Passage& each : rule.prevented) {
+                assert(each.region < slots_.size());
                 charge(slots_[each.region].size());
                 for (const std::uint32_t slot : slots_[each.region]) result_.preventable[slot].push_back(number);
             }

@@ -4,6 +4,7 @@
 #include "checker/process/behaviour.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -105,6 +106,7 @@ private:
         return result;
     }
     static void record_step(Behaviour& behaviour, const Step& step) {
+        assert(step.index < behaviour.trace.size());
         behaviour.trace[step.index] = step.transition.event;
         behaviour.revealed[step.index] = step.transition.revealed;
         behaviour.reached[step.index] = step.transition.target;

@@ -3,6 +3,8 @@
 
 #include "checker/process/bisimulation_compressor.hpp"
 
+#include <cassert>
+
 namespace robochart::process {
 
 lts::Equivalence equivalence_of(Compression kind) {
@@ -14,6 +16,7 @@ lts::Equivalence equivalence_of(Compression kind) {
 namespace {
 
 lts::Graph graph_of(const Machine& machine) {
+    assert(machine.edges.size() == machine.meaning.size());
     lts::Graph graph;
     for (const auto& edges : machine.edges) {
         for (const Machine::Edge& edge : edges) graph.add_edge({edge.event, edge.target});

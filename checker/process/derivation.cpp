@@ -96,12 +96,12 @@ private:
         }
         return result;
     }
-    std::vector<std::size_t> all_operands() const {
+    [[nodiscard]] std::vector<std::size_t> all_operands() const {
         std::vector<std::size_t> all(term_.children.size());
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
         return all;
     }
-    std::vector<std::size_t> with_event_in_alphabet() const {
+    [[nodiscard]] std::vector<std::size_t> with_event_in_alphabet() const {
         std::vector<std::size_t> result;
         for (std::size_t i = 0; i < term_.children.size(); ++i)
             if (terms_.contains(term_.sets[i], step_.event)) result.push_back(i);
@@ -145,7 +145,7 @@ private:
                 if (Found found = move_alone(0, from)) return found;
         return std::nullopt;
     }
-    bool is_renamed(Event event) const {
+    [[nodiscard]] bool is_renamed(Event event) const {
         const Renaming& pairs = terms_[RenamingId{term_.payload}];
         const auto at = std::ranges::lower_bound(pairs, EventPair{event, 0});
         return event != tau && at != pairs.end() && at->first == event;

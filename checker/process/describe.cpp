@@ -95,7 +95,7 @@ private:
     }
 
     /// Lists the first events that a prefix offers, because the name of its definition is unknown here.
-    std::string prefix(const Term& term) const {
+    [[nodiscard]] std::string prefix(const Term& term) const {
         constexpr std::size_t shown = 3;
         const std::vector<Branch>* branches = terms_.known_branches(term.payload);
         if (branches == nullptr) return "… → …";

@@ -6,6 +6,7 @@
 #include "checker/process/firing_rules.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <unordered_set>
 
 namespace robochart::process {
@@ -23,6 +24,7 @@ void drop_repeated_targets_of_few(std::vector<Transition>& list) {
         const auto end = list.begin() + static_cast<std::ptrdiff_t>(kept);
         if (std::find_if(list.begin(), end, same) == end) list[kept++] = step;
     }
+    assert(kept > 0 && kept <= list.size());
     list.resize(kept, Transition{tau, tau, TermId{0}});
 }
 
@@ -100,6 +102,7 @@ std::vector<Transition> FiringRules::transitions(TermId id) {
     List list;
     fire(terms_[id], list);
     put_in_order(list);
+    assert(std::ranges::is_sorted(list, {}, &Transition::event));
     return list;
 }
 

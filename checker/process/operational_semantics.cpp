@@ -38,10 +38,10 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     std::vector<Progress> progress;
     std::deque<std::vector<Transition>> transitions;
 
-    std::span<const Transition> list_transitions(TermId term) const override {
+    [[nodiscard]] std::span<const Transition> list_transitions(TermId term) const override {
         return transitions[static_cast<std::uint32_t>(term)];
     }
-    bool is_known(TermId term) const override {
+    [[nodiscard]] bool is_known(TermId term) const override {
         const auto index = static_cast<std::uint32_t>(term);
         return index < progress.size() && progress[index] == Progress::known;
     }
@@ -55,7 +55,9 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     void set_transitions_of(TermId term);
     void compute(TermId root);
     void compute_on(std::vector<TermId>& stack);
-    bool is_compression(TermId term) const { return compressor != nullptr && terms[term].op == Op::compress; }
+    [[nodiscard]] bool is_compression(TermId term) const {
+        return compressor != nullptr && terms[term].op == Op::compress;
+    }
     std::optional<Machine> compress_operand(TermId term);
     std::vector<Transition> compressed_transitions(TermId term);
     Machine explore_operand(TermId operand);

@@ -4,6 +4,7 @@
 #include "checker/process/term.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <deque>
 #include <limits>
 #include <map>
@@ -64,8 +65,9 @@ struct TermStore::Impl {
     std::deque<std::optional<std::vector<Branch>>> branches;
 
     /// The slot that contains an equal term, or the free one where it belongs.
-    std::size_t find_slot(const Term& term, std::uint32_t hash) const {
+    [[nodiscard]] std::size_t find_slot(const Term& term, std::uint32_t hash) const {
         const std::size_t mask = slots.size() - 1;
+        assert((slots.size() & mask) == 0 && terms.size() < slots.size());
         std::size_t slot = hash & mask;
         while (slots[slot] != empty_slot && (hashes[slots[slot]] != hash || terms[slots[slot]] != term))
             slot = (slot + 1) & mask;
@@ -96,6 +98,7 @@ TermId TermStore::intern_term(const Term& term) {
         impl.grow_slots();
         slot = impl.find_slot(term, hash);
     }
+    assert(impl.slots[slot] == empty_slot && impl.hashes.size() == impl.terms.size());
     const auto id = static_cast<std::uint32_t>(impl.terms.size());
     impl.terms.push_back(term);
     impl.hashes.push_back(hash);
@@ -104,6 +107,7 @@ TermId TermStore::intern_term(const Term& term) {
 }
 
 const Term& TermStore::operator[](TermId id) const {
+    assert(static_cast<std::uint32_t>(id) < impl_->terms.size());
     return impl_->terms[static_cast<std::uint32_t>(id)];
 }
 

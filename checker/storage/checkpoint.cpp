@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -194,6 +195,9 @@ std::string name_of(std::uint64_t number, const Place& place) {
 }
 
 void write(const std::string& folder, const RowKind& kind, const Checkpoint& checkpoint) {
+    // Otherwise no run could read it (see parsed).
+    assert(checkpoint.levels > 0 && checkpoint.expanded.size() < checkpoint.levels);
+    assert(checkpoint.place.rank < checkpoint.place.ranks);
     const std::string path = folder + "/" + name_of(checkpoint.number, checkpoint.place);
     const std::string unfinished = path + ".unfinished";
     sync_folder(folder);  // makes the names of the files durable

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 #include "base/diagnostics/escape.hpp"
@@ -73,6 +74,7 @@ void LevelFiles::close_finished_files() {
 }
 
 const RowFile& LevelFiles::to_read(std::uint32_t file) {
+    assert(file < files_.size());
     if (file != open_file_) close_finished_files();
     open_file_ = file;
     return *files_[file].file;
@@ -137,10 +139,12 @@ void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
     for (std::size_t i = level; i < levels_.size(); ++i) {
         const Level& entry = levels_[i];
+        assert(rows_ >= entry.rows);
         rows_ -= entry.rows;
         if (entry.count > 0) files_[entry.file].used = std::min<std::uint64_t>(files_[entry.file].used, entry.first);
     }
     levels_.resize(level);
+    assert(level > 0 || rows_ == 0);
     cached_file_ = none;
     for (; !files_.empty() && files_.back().used == 0; files_.pop_back())
         if (!files_.back().named) ::unlink(files_.back().file->path().c_str());
@@ -150,6 +154,7 @@ void LevelFiles::forget_from(std::uint32_t level) {
 }
 
 std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows) {
+    assert(level < levels_.size());
     const Level& entry = levels_[level];
     const std::size_t width = where_.kind.width;
     std::size_t given = 0;
@@ -177,6 +182,7 @@ std::size_t LevelFiles::read(std::uint32_t level, std::uint64_t first, std::size
         }
         begin += count;
     }
+    assert(given <= most);
     return given;
 }
 
@@ -186,6 +192,7 @@ void LevelFiles::each_block(std::uint32_t level, const TakeRows& visit) {
 }
 
 void LevelFiles::each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit) {
+    assert(level < levels_.size());
     const Level& entry = levels_[level];
     if (entry.count == 0) return;
     const RowFile& file = to_read(entry.file);

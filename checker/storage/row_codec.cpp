@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/storage/row_codec.hpp"
 
+#include <cassert>
 #include <limits>
 #include <stdexcept>
 
@@ -44,6 +45,7 @@ private:
 
 void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out) {
     if (width == 0) return;
+    assert(rows.size() % width == 0);
     for (std::size_t i = 0; i < width && i < rows.size(); ++i) put_number(rows[i], out);
     for (std::size_t at = width; at < rows.size(); at += width) {
         const Word* const row = &rows[at];
@@ -51,6 +53,7 @@ void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out
         std::size_t k = 0;
         while (k < width && row[k] == before[k]) ++k;
         if (k == width) throw std::logic_error("a row is there twice");
+        assert(row[k] > before[k]);  // rows are ascending
         put_number(std::uint64_t{row[k] - before[k] - 1} * width + (width - 1 - k), out);
         for (std::size_t i = k + 1; i < width; ++i) put_number(row[i] ^ before[i], out);
     }
@@ -65,6 +68,7 @@ bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, s
 bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
     if (count > static_cast<std::size_t>(end_ - at_)) return false;  // each row has at least one byte
     if (count == 0) return true;
+    assert(width_ > 0 && (last_.empty() || last_.size() == width_));
     const std::size_t begin = rows.size();
     rows.resize(begin + count * width_);
     Word* row = &rows[begin];

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <functional>
@@ -31,6 +32,7 @@ void write_number(std::string& out, std::uint64_t number, int bytes) {
 }
 
 std::uint64_t read_number(std::string_view bytes, std::size_t at, int count) {
+    assert(at + static_cast<std::size_t>(count) <= bytes.size());
     std::uint64_t number = 0;
     for (int i = 0; i < count; ++i)
         number |= std::uint64_t{static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)])} << (8 * i);
@@ -117,6 +119,7 @@ RowFile::Check RowFile::check_of(std::size_t block, std::uint32_t level, std::ui
 
 void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     if (!lost_.empty()) throw CannotWrite(lost_);
+    assert(!finished_ && (kind_.width == 0 || rows.size() % kind_.width == 0));
     const std::size_t blocks = blocks_.size();
     try {
         if (kind_.width == 0) return write_block(level, rows);
@@ -132,6 +135,7 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
 /// Also removes data after the last block, such as an incomplete block or the end. A finished file may be closed, or
 /// open for reading.
 void RowFile::remove_blocks_from(std::size_t blocks) {
+    assert(blocks <= blocks_.size());
     if (finished_) {
         file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
         if (!file_.is_open()) lost_ = cause_of_failure(path_, std::strerror(errno));
@@ -146,6 +150,8 @@ void RowFile::remove_blocks_from(std::size_t blocks) {
 
 void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     const std::size_t count = kind_.width == 0 ? 1 : rows.size() / kind_.width;
+    assert(count > 0 && count <= rows_of_block);
+    assert(level != no_level && (blocks_.empty() || blocks_.back().level <= level));
     buffer_.assign(block_head, '\0');
     encode_rows(rows, kind_.width, buffer_);
     const std::string_view code = std::string_view(buffer_).substr(block_head);
@@ -159,6 +165,7 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     buffer_ += text_of(checks_.back());
     firsts_.insert(firsts_.end(), rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kind_.width));
     rows_ += count;
+    assert(checks_.size() == blocks_.size() && firsts_.size() == blocks_.size() * kind_.width);
     write(buffer_);
 }
 
@@ -232,6 +239,7 @@ void RowFile::read_bytes(std::uint64_t offset, std::size_t count, std::string& b
 }
 
 Check RowFile::read_code(std::size_t block, std::string& code) const {
+    assert(block < blocks_.size());
     const Block& at = blocks_[block];
     read_bytes(at.offset + block_head, at.bytes + check_size, code);
     const Check check = check_of(block, at.level, at.rows, std::string_view(code).substr(0, at.bytes));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <numeric>
 
 namespace robochart::storage {
@@ -30,6 +31,7 @@ void scatter_rows(const std::vector<Word>& from, std::vector<Word>& to, std::siz
     const std::size_t size = words == 0 ? width : words;
     for (std::size_t at = 0; at < from.size(); at += size) {
         const std::size_t target = place[(from[at + word] >> shift) & 0xFFU]++ * size;
+        assert(target + size <= to.size());
         for (std::size_t i = 0; i < size; ++i) to[target + i] = from[at + i];
     }
 }
@@ -38,6 +40,7 @@ void scatter_rows(const std::vector<Word>& from, std::vector<Word>& to, std::siz
 
 void sort_rows(std::vector<Word>& rows, std::size_t width) {
     const std::size_t count = width == 0 ? 0 : rows.size() / width;
+    assert(width == 0 || rows.size() % width == 0);
     constexpr std::size_t few = 300;
     if (count < few) return sort_few(rows, width, count);
     std::vector<Word> differing(width);
@@ -57,6 +60,7 @@ void sort_rows(std::vector<Word>& rows, std::size_t width) {
                 scatter_rows<3>(rows, other, width, word, shift, place);
             else
                 scatter_rows<0>(rows, other, width, word, shift, place);
+            assert(place.back() == count);  // each row has its place
             rows.swap(other);
         }
     }

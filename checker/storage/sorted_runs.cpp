@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/diagnostics/escape.hpp"
 
@@ -23,7 +24,10 @@ public:
         : file_(&file), next_(run.first), end_(run.end), width_(width), decoder_({}, width) {
         read();
     }
-    [[nodiscard]] const Word* row() const { return &rows_[at_]; }
+    [[nodiscard]] const Word* row() const {
+        assert(at_ + width_ <= rows_.size());
+        return &rows_[at_];
+    }
     [[nodiscard]] bool at_end() const { return at_ == rows_.size(); }
     void advance() {
         at_ += width_;
@@ -40,6 +44,7 @@ private:
         at_ = 0;
         if (left_ == 0) {
             if (next_ == end_) return;
+            assert(next_ < end_);
             left_ = file_->blocks()[next_].rows;
             file_->read_code(next_++, code_);
             decoder_ = RowDecoder(code_, width_);
@@ -82,6 +87,7 @@ void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
     }
     run.end = file_->blocks().size();
     run.rows = file_->rows() - before;
+    assert(run.first <= run.end && (run.rows == 0) == (run.first == run.end));
     if (run.rows > 0) runs_.push_back(run);
 }
 
@@ -105,6 +111,7 @@ std::uint64_t SortedRuns::rows() const {
 }
 
 void SortedRuns::merge(const TakeRows& take) const {
+    assert(runs_.empty() || file_.has_value());
     std::vector<Reader> readers;
     std::vector<Reader*> heap;  // a heap; the reader with the least row is first
     readers.reserve(runs_.size());
@@ -124,6 +131,9 @@ void SortedRuns::merge(const TakeRows& take) const {
                 take(rows);
                 rows.clear();
             }
+            // Each run is ascending, and the least row of all readers comes first.
+            assert(last.empty() ||
+                   std::lexicographical_compare(last.begin(), last.end(), first.row(), first.row() + width));
             last.assign(first.row(), first.row() + width);
             rows.insert(rows.end(), last.begin(), last.end());
         }

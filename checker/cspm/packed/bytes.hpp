@@ -3,6 +3,7 @@
 // byte follows.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,11 +32,18 @@ class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-    [[nodiscard]] std::uint8_t read_byte() { return bytes_[at_++]; }
-    [[nodiscard]] std::uint8_t peek() const { return bytes_[at_]; }
+    [[nodiscard]] std::uint8_t read_byte() {
+        assert(at_ < bytes_.size());
+        return bytes_[at_++];
+    }
+    [[nodiscard]] std::uint8_t peek() const {
+        assert(at_ < bytes_.size());
+        return bytes_[at_];
+    }
     [[nodiscard]] std::uint64_t read_number() {
         std::uint64_t result = 0;
         for (unsigned shift = 0;; shift += 7) {
+            assert(shift < 64);
             const std::uint8_t next = read_byte();
             result |= std::uint64_t{next & 0x7FU} << shift;
             if (next < 0x80U) return result;
@@ -47,6 +55,7 @@ public:
     }
     [[nodiscard]] std::size_t position() const { return at_; }
     [[nodiscard]] std::span<const std::uint8_t> bytes_since(std::size_t begin) const {
+        assert(begin <= at_);
         return bytes_.subspan(begin, at_ - begin);
     }
 

@@ -2,6 +2,7 @@
 #include "checker/cspm/packed/packed_system.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 
 #include "checker/cspm/packed/not_packed.hpp"
@@ -39,6 +40,7 @@ void PackedSystem::fill_row(std::span<const std::uint8_t> bytes, std::span<lts::
         needed_ = words;
         throw RowsTooNarrow{};
     }
+    assert(row.size() == width_ && bytes.size() <= row.size_bytes());
     std::ranges::fill(row.subspan(bytes.size() / sizeof(lts::Word)), 0);
     std::memcpy(row.data(), bytes.data(), bytes.size());
 }
@@ -50,6 +52,7 @@ void PackedSystem::initial(std::span<lts::Word> state) {
 void PackedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     const CallUnderWay call(calls_);
     if (workspaces_.size() < calls_) workspaces_.emplace_back();
+    assert(calls_ > 0 && calls_ <= workspaces_.size());
     Workspace& work = workspaces_[calls_ - 1];
     processes_->steps(bytes_of(state), span_, work.steps);
     work.row.resize(width_);

@@ -2,6 +2,7 @@
 #include "checker/refine/levels/disk_row_store.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "checker/refine/levels/hashed_rows.hpp"
@@ -71,6 +72,7 @@ RowStore::Found DiskRowStore::enter_row(StateView row, std::uint64_t hash) {
 void DiskRowStore::add_to_open(StateView row, std::uint64_t hash) {
     if (open_->size() >= most_open_) write_open();
     open_->insert(row, hash);
+    assert(open_->size() <= most_open_);
 }
 
 std::uint64_t DiskRowStore::rows_sorted_at_once() const {
@@ -193,10 +195,14 @@ public:
             const std::size_t middle = low + (high - low) / stride() / 2 * stride();
             (is_before(middle, wanted) ? low : high) = middle;
         }
+        assert(high > at_ && high % (width_ + 1) == 0);
         at_ = high;
         return at_ != end();
     }
-    [[nodiscard]] const Word* row() const { return &rows_[at_]; }
+    [[nodiscard]] const Word* row() const {
+        assert(at_ < rows_.size());
+        return &rows_[at_];
+    }
     [[nodiscard]] Level current_level() const { return rows_[at_ + width_]; }
     void mark_found() { rows_[at_ + width_] = no_level; }
 
@@ -208,6 +214,7 @@ public:
             if (to != from) std::copy_n(&rows_[from], stride(), &rows_[to]);
             to += stride();
         }
+        assert(to <= rows_.size());
         rows_.resize(to);
     }
 
@@ -302,6 +309,7 @@ void DiskRowStore::forget_aside() {
 
 /// The filter is refilled. Otherwise it would report the rows of later levels as duplicates when they are found again.
 void DiskRowStore::roll_back_to(Level level) {
+    assert(late_->size() == 0 || level <= late_level_);  // the least of all ranks
     forget_aside();
     if (level == levels()) return;  // the missing rows have joined it
     ++figures_.rolled_back;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "checker/lts/state_store.hpp"
 
@@ -13,6 +14,7 @@ namespace robochart::refine {
 /// `rows` is a multiple of `width` words, at least one row.
 template <class Prefetch, class Visit>
 void each_hashed(lts::StateView rows, std::size_t width, const Prefetch& prefetch, const Visit& visit) {
+    assert(rows.size() % width == 0);
     constexpr std::size_t ahead = 64;
     std::array<std::uint64_t, ahead> hashes{};
     const std::size_t count = rows.size() / width;

@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cassert>
 #include <new>
 #include <stdexcept>
 
@@ -169,6 +170,7 @@ void LevelSearch::begin() {
 /// Expands a level in rounds. At the end of each round all ranks know how much work remains. The statistics are added
 /// to those stored so far; the statistics of the initial state belong to its level.
 void LevelSearch::expand_level(Level level) {
+    assert(level + std::size_t{1} == store_.levels());
     fault_.reset();
     forbidden_.reset();
     level_seconds_.resize(level + std::size_t{1});
@@ -193,6 +195,7 @@ void LevelSearch::expand_level(Level level) {
                 budget_.states(store_.size());
             });
         }
+        assert(next <= store_.rows(level));
         agree_on_totals(store_.rows(level) - next);
         const std::uint64_t most = budget_.limits().max_states;
         if (agreed_.known > most) {
@@ -213,6 +216,7 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
         block_.clear();
         const std::size_t count = store_.read(level, next, rows_a_block, block_);
         if (count == 0) return;
+        assert(block_.size() == count * width);
         expansion_.clear(width);
         for (std::size_t i = 0; i < count; ++i) {
             if (expansion_.size() >= rows_at_once) distribute_rows();
@@ -259,6 +263,7 @@ void LevelSearch::distribute_rows() {
     for (std::uint32_t i = 0; i < expansion_.size(); ++i) {
         const std::uint64_t hash = expansion_.hash(i);
         const unsigned owner = ranks == 1 ? 0 : owner_of(hash, ranks);
+        assert(owner < ranks);
         if (owner == self) {
             store_.prefetch(hash);
             own_.push_back(i);
@@ -275,6 +280,7 @@ void LevelSearch::distribute_rows() {
 /// A tau leads back if its target is a row of the same level or an earlier one. Every cycle of taus contains such a
 /// tau.
 void LevelSearch::enter_row(StateView row, std::uint64_t hash, bool by_tau) {
+    assert(row.size() == no_rows_.width());
     const RowStore::Found found = store_.enter_row(row, hash);
     if (by_tau && (found == RowStore::Found::earlier || found == RowStore::Found::unsure))
         store_.record().marks.insert(row, hash);
@@ -325,6 +331,8 @@ void LevelSearch::roll_back_to(Level level) {
 /// The expanded level and the open level are complete.
 void LevelSearch::close_level() {
     work_.execute_part([this] {
+        // All closed levels but the last have been expanded before.
+        assert(store_.record().expanded.size() + 1 == store_.levels());
         store_.record().expanded.push_back(figures_);
         before_ = figures_until(store_.record().expanded.size());
         figures_ = {};
@@ -341,6 +349,7 @@ std::uint64_t LevelSearch::bytes() const {
 
 LevelFigures LevelSearch::figures_until(std::size_t levels) const {
     LevelFigures sum;
+    assert(levels <= store_.record().expanded.size());
     for (std::size_t level = 0; level < levels; ++level) {
         sum.transitions += store_.record().expanded[level].transitions;
         sum.chased += store_.record().expanded[level].chased;
@@ -352,6 +361,7 @@ LevelFigures LevelSearch::figures_until(std::size_t levels) const {
 void LevelSearch::count_levels(Level last) {
     transitions_ = agreed_.transitions;
     chased_ = agreed_.chased;
+    assert(agreed_.open <= agreed_.known);
     states_ = agreed_.known - agreed_.open;
     depth_ = last;
 }
@@ -445,6 +455,7 @@ Run LevelSearch::run_to(const Words& row, Level level) {
         back.push_back(last_step(*at, before - 1));
         at = &back.back().row;
     }
+    assert(back.size() == level);
     const auto state_of = [this](const Words& words) {
         const StateView view = state(words);
         return Words(view.begin(), view.end());

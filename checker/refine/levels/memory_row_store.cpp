@@ -2,6 +2,7 @@
 #include "checker/refine/levels/memory_row_store.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::refine {
 
@@ -12,6 +13,7 @@ RowStore::Found MemoryRowStore::enter_row(lts::StateView row, std::uint64_t hash
 }
 
 std::size_t MemoryRowStore::read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) {
+    assert(level < ends_.size());
     const std::uint64_t from = std::min(begin(level) + first, end(level));
     const std::uint64_t to = std::min(from + most, end(level));
     for (std::uint64_t index = from; index != to; ++index) {

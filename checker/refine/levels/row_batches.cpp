@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/levels/row_batches.hpp"
 
+#include <cassert>
+
 namespace robochart::refine {
 
 RowBatches::RowBatches(unsigned ranks, std::size_t width)
@@ -26,11 +28,13 @@ void RowBatches::make_space() {
 }
 
 void RowBatches::exchange(Exchange& with) {
+    assert(out_.words.size() == messages_.size() * space_);
     for (unsigned rank = 0; rank < messages_.size(); ++rank) {
         Message& message = messages_[rank];
         const std::size_t begin = begin_of(rank);
         const auto first = out_.words.begin() + static_cast<std::ptrdiff_t>(begin);
         const auto end = first + static_cast<std::ptrdiff_t>(space_);
+        assert(message.front + message.back <= space_ && message.back % width_ == 0);
         *first = static_cast<lts::Word>((message.front - 1) / width_);
         std::copy(end - static_cast<std::ptrdiff_t>(message.back), end,
                   first + static_cast<std::ptrdiff_t>(message.front));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,9 @@ public:
 
     void add(unsigned rank, lts::StateView row, bool by_tau) {
         Message& message = messages_[rank];
+        assert(row.size() == width_);
         if (message.front + message.back + width_ > space_) make_space();
+        assert(message.front + message.back + width_ <= space_);
         std::size_t at = begin_of(rank);
         if (by_tau) {
             message.back += width_;
@@ -47,6 +50,7 @@ public:
         for (unsigned rank = 0; rank < messages_.size(); ++rank) {
             const lts::StateView message = in_.message_of(rank);
             if (message.empty()) continue;
+            assert((message.size() - 1) % width_ == 0 && message[0] * width_ < message.size());
             std::size_t row = 0;
             each_hashed(message.subspan(1), width_, prefetch,
                         [&](lts::StateView words, auto hash) { enter(words, hash, row++ >= message[0]); });

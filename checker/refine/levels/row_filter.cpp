@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -24,10 +25,12 @@ RowFilter::RowFilter(unsigned most_bits, std::uint64_t most_bytes) : most_bits_(
 
 /// Stored values take whole bytes. The counts of a full bucket fill the rest of a word.
 void RowFilter::keep_bits(unsigned bits) {
+    assert(bits >= 1 && bits <= 32);
     bytes_of_row_ = (bits + 7) / 8;
     mask_ = bits >= 32 ? 0xFFFFFFFFU : (std::uint32_t{1} << bits) - 1;
     places_ = static_cast<unsigned>(line - counts_size) / bytes_of_row_;
     parts_ = 63 - places_;
+    assert(places_ > 0 && places_ < 63 && counts_size + std::size_t{places_} * bytes_of_row_ <= line);
 }
 
 /// Allocates space for twice as many rows as there are, or for as many as fit into memory if that is not much more. A

@@ -2,6 +2,7 @@
 #include "checker/refine/levels/rows_aside.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "checker/storage/sort_rows.hpp"
 
@@ -28,12 +29,14 @@ void RowsAside::add(StateView row, std::uint64_t hash, Level level) {
 }
 
 std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const {
+    assert(first <= end);
     std::vector<Word> rows;
     rows.reserve((end - first) * (width() + 1));
     auto level = std::ranges::upper_bound(levels_, first, {}, &decltype(levels_)::value_type::second);
     for (StateIndex i = first; i < end; ++i) {
         while (level != levels_.end() && level->second <= i) ++level;
         rows.insert(rows.end(), (*store_)[i].begin(), (*store_)[i].end());
+        assert(level != levels_.begin());  // the store's first row has a level
         rows.push_back(std::prev(level)->first);
     }
     return rows;

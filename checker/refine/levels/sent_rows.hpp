@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,7 @@ public:
     /// Whether the row has been sent recently; records it as sent. `hash` is lts::StateStore::hash(row).
     bool sent_recently(lts::StateView row, std::uint64_t hash) {
         if (places_ == 0) return false;
+        assert(std::has_single_bit(places_) && row.size() == width_ && words_.size() == places_ * (width_ + 1));
         lts::Word* const place = words_.data() + (hash >> 24U & (places_ - 1)) * (width_ + 1);
         const lts::Word mark = static_cast<lts::Word>(hash) | 1U;
         if (place[0] == mark && std::equal(row.begin(), row.end(), place + 1)) return true;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -56,6 +57,7 @@ void SharedWork::execute_part(const std::function<void()>& part) {
 }
 
 void SharedWork::record_failure(Kind kind) {
+    assert(!failure_ && kind != Kind::none);
     failure_ = std::current_exception();
     kind_ = kind;
 }
@@ -71,6 +73,7 @@ void SharedWork::sum(std::span<std::uint64_t> values) {
 }
 
 void SharedWork::leave_with_failure(Kind worst) {
+    assert(kind_ >= worst);
     const bool shown = kind_ == worst;
     const std::vector<Words> texts = exchange_.gather(shown ? pack_text(words_of(failure_)) : Words{});
     exchange_.leave_together();

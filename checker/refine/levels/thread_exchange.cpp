@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <condition_variable>
 #include <exception>
 #include <memory>
@@ -88,6 +89,7 @@ public:
         meeting_.meet_and_run([&] {
             if (thread_ == 0) meeting_.exchange_sums();
         });
+        assert(meeting_.sum_.size() == values.size());
         std::ranges::copy(meeting_.sum_, values.begin());
     }
     [[nodiscard]] std::vector<Words> gather(const Words& own) override {
@@ -138,6 +140,7 @@ private:
             const auto mine = sizes.begin() + static_cast<std::ptrdiff_t>(thread_ * threads);
             std::size_t at = std::accumulate(sizes.begin(), mine, sizes.size());
             for (const lts::Word size : sizes.subspan(thread_ * threads, threads)) {
+                assert(at + size <= message.size());
                 append(message.subspan(at, size), in, from++);
                 at += size;
             }
@@ -162,6 +165,7 @@ void Meeting::wait_for_all(bool able) {
     std::unique_lock lock(mutex_);
     if (!able) unable_ = true;
     const std::uint64_t turn = turn_;
+    assert(here_ < threads_);
     if (++here_ == threads_) {
         here_ = 0;
         ++turn_;
@@ -225,6 +229,7 @@ void Meeting::exchange_rows() {
 void Meeting::exchange_sums() {
     sum_.assign(sums_.front().size(), 0);
     for (const std::vector<std::uint64_t>& each : sums_) std::ranges::transform(sum_, each, sum_.begin(), std::plus());
+    assert(std::ranges::all_of(sums_, [this](const auto& own) { return own.size() == sum_.size(); }));
     programs_.sum(sum_);
 }
 
@@ -235,6 +240,7 @@ void Meeting::exchange_words() {
     for (const Words* const each : words_) own.insert(own.end(), each->begin(), each->end());
     all_words_.clear();
     for (const Words& of_program : programs_.gather(own)) {
+        assert(of_program.size() >= threads_);
         auto at = of_program.begin() + threads_;
         for (unsigned thread = 0; thread < threads_; ++thread) {
             const auto end = at + of_program[thread];

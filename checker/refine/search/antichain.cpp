@@ -2,6 +2,7 @@
 #include "checker/refine/search/antichain.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::refine {
 namespace {
@@ -17,6 +18,7 @@ lts::StateIndex Antichain::number_state(lts::StateView state) {
         nodes_.emplace_back();
         first_pair_.push_back(lts::no_state);
     }
+    assert(insertion.index < nodes_.size() && nodes_.size() == first_pair_.size());
     return insertion.index;
 }
 
@@ -34,6 +36,7 @@ bool Antichain::is_subsumed(lts::StateIndex state, Monitor::Node node, Monitor& 
 }
 
 void Antichain::enter_node(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair) {
+    assert(state < nodes_.size());
     if (nodes_[state].empty()) first_pair_[state] = pair;
     nodes_[state].push_back(node);
 }

@@ -2,6 +2,7 @@
 #include "checker/refine/search/expansion.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::refine {
 
@@ -29,6 +30,7 @@ std::span<lts::Word> Expansion::add(bool by_tau) {
         hashes_.resize(larger);
         by_tau_.resize(larger);
     }
+    assert(size_ < hashes_.size() && words_.size() >= (size_ + 1) * width_);
     by_tau_[size_] = by_tau ? 1 : 0;
     ++size_;
     return std::span(words_).subspan((size_ - 1) * width_, width_);
@@ -116,6 +118,7 @@ void Expander::add(Event event, lts::StateView target, Event /*revealed*/) {
 void Expander::add_row(Monitor::Node node, lts::StateView target, bool by_tau) {
     if (pair_.forbidden) return;
     const std::span<lts::Word> row = out_->add(by_tau);
+    assert(row.size() == target.size() + (nodes_ ? 1 : 0));
     if (nodes_) row[0] = node;
     std::ranges::copy(target, row.begin() + (nodes_ ? 1 : 0));
     const std::uint64_t hash = lts::StateStore::hash(row);

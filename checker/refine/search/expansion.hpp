@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <exception>
 #include <optional>
 #include <vector>
@@ -27,13 +28,22 @@ public:
 
     void clear(std::size_t width);
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] lts::StateView row(std::size_t number) const { return {&words_[number * width_], width_}; }
+    [[nodiscard]] lts::StateView row(std::size_t number) const {
+        assert(number < size_);
+        return {&words_[number * width_], width_};
+    }
     [[nodiscard]] std::uint64_t hash(std::size_t number) const { return hashes_[number]; }
     [[nodiscard]] bool by_tau(std::size_t number) const { return by_tau_[number] != 0; }
     /// Appends a row; the caller fills it in.
     std::span<lts::Word> add(bool by_tau);
-    void set_hash(std::uint64_t hash) { hashes_[size_ - 1] = hash; }
-    void shrink_to(std::size_t size) { size_ = size; }
+    void set_hash(std::uint64_t hash) {
+        assert(size_ > 0);
+        hashes_[size_ - 1] = hash;
+    }
+    void shrink_to(std::size_t size) {
+        assert(size <= size_);
+        size_ = size;
+    }
 
     /// Whether there are results other than rows.
     [[nodiscard]] bool has_findings() const;

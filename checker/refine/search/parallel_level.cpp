@@ -2,6 +2,7 @@
 #include "checker/refine/search/parallel_level.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <new>
 
@@ -42,6 +43,7 @@ private:
         return (claim - lts::StateStore::first_claim) % ProvisionalStates::most;
     }
     [[nodiscard]] Part& part_of_claim(StateIndex claim) const {
+        assert(claim >= lts::StateStore::first_claim && claim != lts::no_state);
         return parts_[(claim - lts::StateStore::first_claim) / ProvisionalStates::most];
     }
     std::vector<Part>& parts_;
@@ -88,6 +90,7 @@ void ParallelLevel::make_space() {
 }
 
 StateIndex ParallelLevel::run(StateIndex first, StateIndex end, Work work) {
+    assert(first <= end && end <= pairs_.size());
     work_ = work;
     make_space();
     claimed_ = 0;
@@ -110,6 +113,7 @@ StateIndex ParallelLevel::run(StateIndex first, StateIndex end, Work work) {
     for (std::size_t i = size_; i < done; ++i) give_up(parts_[i]);
     std::uint64_t next = pairs_.size();
     for (std::size_t i = 0; i < size_; ++i) {
+        assert(!parts_[i].stopped && parts_[i].lost <= parts_[i].claims.size());
         parts_[i].first_number = static_cast<StateIndex>(next);
         next += parts_[i].claims.size() - parts_[i].lost;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace robochart::refine {
 namespace {
@@ -25,6 +26,7 @@ void ParentIndex::begin_word() {
 
 /// Appends the lowest `count` bits, at most a word; the other bits are zero.
 void ParentIndex::append(std::uint64_t bits, std::uint32_t count) {
+    assert(count > 0 && count <= word_bits && (count == word_bits || bits >> count == 0));
     const auto shift = static_cast<std::uint32_t>(size_ % word_bits);
     if (shift == 0) begin_word();
     words_.back() |= bits << shift;
@@ -37,6 +39,7 @@ void ParentIndex::append(std::uint64_t bits, std::uint32_t count) {
     }
     ones_ += static_cast<std::uint64_t>(std::popcount(bits));
     size_ += count;
+    assert(words_.size() == (size_ + word_bits - 1) / word_bits && ones_ <= size_);
 }
 
 void ParentIndex::add_expanded_state(std::uint32_t found) {
@@ -59,6 +62,7 @@ void ParentIndex::clear() {
 
 lts::StateIndex ParentIndex::parent(lts::StateIndex state) const {
     const std::uint64_t one = state - 1U;  // counted from 0
+    assert(state > 0 && one < ones_);
     const auto block = std::ranges::upper_bound(ones_before_, one) - ones_before_.begin() - 1;
     std::uint64_t left = one - ones_before_[static_cast<std::size_t>(block)];
     std::uint64_t word = static_cast<std::uint64_t>(block) * block_words;

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <memory>
 
@@ -30,10 +31,12 @@ public:
     [[nodiscard]] std::uint32_t size() const { return size_; }
     [[nodiscard]] Claim& operator[](std::uint32_t number) const {
         const Place place = place_of(number);
+        assert(place.chunk < chunks_.size() && chunks_[place.chunk].claims != nullptr);
         return chunks_[place.chunk].claims[place.offset];
     }
     [[nodiscard]] const lts::Word* row(std::uint32_t number) const {
         const Place place = place_of(number);
+        assert(place.chunk < chunks_.size() && chunks_[place.chunk].words != nullptr);
         return chunks_[place.chunk].words.get() + place.offset * width_;
     }
     /// Allocates memory for this many more states. Returns false if there would be too many.
@@ -54,6 +57,7 @@ public:
     }
     /// Called after the claim has been made.
     void add(const lts::IndexTable::Slot& slot, std::uint32_t pair) {
+        assert(size_ < most);
         Claim& claim = (*this)[size_++];
         claim.slot = slot;
         claim.pair = pair;

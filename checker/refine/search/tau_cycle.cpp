@@ -2,6 +2,7 @@
 #include "checker/refine/search/tau_cycle.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace robochart::refine {
@@ -88,6 +89,7 @@ std::vector<StateIndex> shortest_cycle(const GraphView& graph, StateIndex throug
     for (StateIndex vertex = through; cycle.empty() || vertex != through; vertex = parent[vertex])
         cycle.push_back(vertex);
     std::ranges::reverse(cycle);
+    assert(cycle.back() == through);
     return cycle;
 }
 

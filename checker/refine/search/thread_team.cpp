@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/search/thread_team.hpp"
 
+#include <cassert>
 #include <chrono>
 
 namespace robochart::refine {
@@ -29,6 +30,7 @@ void ThreadTeam::end() {
 }
 
 void ThreadTeam::run(const std::function<void(unsigned)>& work) {
+    assert(busy_ == 0);
     work_ = &work;
     error_ = nullptr;
     busy_.store(size() - 1);

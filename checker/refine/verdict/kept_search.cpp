@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -214,6 +215,7 @@ void KeptSearch::begin_question(const std::string& text) {
 
 /// An earlier run may have ended before it had identified the assertion.
 void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
+    assert(!asked_.empty());
     Asked& asked = asked_.back();
     const std::string unidentified = asked.digest;
     if (digest) asked.digest = hex_text(*digest);
@@ -232,6 +234,7 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
 
 /// If the answer of a decided assertion was not stored, its search is the only record of it.
 void KeptSearch::end_question(bool decided) {
+    assert(!asked_.empty() && decided_ < asked_.size());
     if (decided) ++decided_;
     const bool kept = question_ && answers_->find(*question_);
     question_.reset();

@@ -4,6 +4,7 @@
 #include "checker/refine/verdict/normal_form.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -36,6 +37,7 @@ StateIndex LazyGraph::initial() {
 }
 
 void LazyGraph::expand(StateIndex state) {
+    assert(state < extents_.size() && !extents_[state].expanded);
     budget_.charge();
     const std::size_t first = edges_.size();
     Collector collector(*this);
@@ -124,6 +126,7 @@ NormalForm::Node NormalForm::node_of(Members seeds) {
     budget_.states(nodes_.size());
     if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
         throw SpecificationGrows("the specification's normal form is larger than the specification");
+    assert(ids_.size() == nodes_.size());
     const Node node = static_cast<Node>(nodes_.size());
     NodeData& data = nodes_.emplace_back();
     data.members = &ids_.emplace(std::move(seeds), node).first->first;
@@ -142,6 +145,7 @@ void NormalForm::close_under_tau(Members& members) {
         for (const LazyGraph::Edge& edge : graph_.edges(members[next], process::tau))
             if (first_visit(edge.target)) members.push_back(edge.target);
     std::ranges::sort(members);
+    assert(std::ranges::adjacent_find(members) == members.end());
 }
 
 std::vector<NormalForm::Arc>& NormalForm::arcs_of(Node node) {
@@ -240,6 +244,7 @@ bool NormalForm::state_diverges(StateIndex root) {
             path.push_back({target, 0});
         }
     }
+    assert(status(root) == finite || status(root) == infinite);
     return status(root) == infinite;
 }
 

@@ -2,6 +2,7 @@
 #include "checker/refine/verdict/normal_table.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "checker/refine/verdict/monitors.hpp"
 
@@ -53,6 +54,7 @@ std::optional<NormalTable> table_of(NormalForm& normal, Model model) {
 }
 
 Monitor::Advance TableMonitor::advance(Node node, Event event) {
+    assert(node < table_->nodes.size());
     const auto& arcs = table_->nodes[node].arcs;
     const auto arc = std::ranges::lower_bound(arcs, event, {}, &std::pair<Event, Node>::first);
     if (arc == arcs.end() || arc->first != event) return {Effect::violation};

@@ -2,6 +2,7 @@
 #include "checker/refine/verdict/recurrence.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 #include "checker/lts/graph.hpp"
@@ -27,6 +28,7 @@ public:
         for (StateIndex state = 0; state < states; ++state)
             for (const lts::Edge& edge : graph.edges(state)) ++first_[edge.target + 1U];
         for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+        assert(first_.back() == sources_.size());
         std::vector<std::uint64_t> next(first_.begin(), first_.end() - 1);
         for (StateIndex state = 0; state < states; ++state)
             for (const lts::Edge& edge : graph.edges(state)) sources_[next[edge.target]++] = state;
@@ -77,7 +79,10 @@ std::vector<StateIndex> way_to(const lts::Graph& graph, StateIndex last) {
             parent[edge.target] = state;
         }
     std::vector<StateIndex> way;
-    for (; last != 0; last = parent[last]) way.push_back(last);
+    for (; last != 0; last = parent[last]) {
+        assert(parent[last] < last);
+        way.push_back(last);
+    }
     std::ranges::reverse(way);
     return way;
 }
