@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/faults/faulty_model.hpp"
 #include "cpp_emit/files/files.hpp"
@@ -128,6 +129,7 @@ private:
     }
 
     void collect_machine(std::size_t part) {
+        assert(part == machines_.size());
         const Unit& root = generation_.component.root_unit(part);
         DriveMachine added{generation_.component.parts[part].name, root.id, {}};
         for (std::uint32_t node = 0; node < root.machine->nodes.size(); ++node) {
@@ -359,6 +361,7 @@ private:
 
     [[nodiscard]] const Enumeration& root_places(std::size_t part) const {
         const MachineCode& machine = core_.machines[generation_.component.parts[part].root];
+        assert(!machine.enumerations.empty());
         const std::string& wanted = generation_.component.root_unit(part).points;
         for (const Enumeration& enumeration : machine.enumerations)
             if (enumeration.name == wanted) return enumeration;

@@ -2,6 +2,7 @@
 #include "cpp_emit/code/machine_plan.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/code/suspension.hpp"
 #include "cpp_emit/plan/walk.hpp"
@@ -23,6 +24,8 @@ MachinePlan::MachinePlan(const Generation& generation, const Unit& unit) : gener
         const std::string scope = parent.is_valid() ? node(parent).path + "_" : "";
         take_.push_back(places_.unique_name("take_" + scope + transition.name));
     }
+    assert(labels_.size() == unit_.machine->nodes.size() && take_.size() == unit_.machine->transitions.size());
+    assert(enter_.size() == labels_.size() && exit_.size() == labels_.size());
     straight_exits_.assign(machine().nodes.size(), true);
     for (std::uint32_t index = 0; index < machine().nodes.size(); ++index) {
         straight_.push_back(enters_straight(NodeId{index}));

@@ -3,6 +3,7 @@
 // code (semantics 3.3, 3.4).
 #pragma once
 
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,10 @@ public:
     MachinePlan(const Generation&, const Unit&);
 
     [[nodiscard]] const ir::Machine& machine() const { return *unit_.machine; }
-    [[nodiscard]] const ir::Node& node(ir::NodeId id) const { return machine().nodes[id.index]; }
+    [[nodiscard]] const ir::Node& node(ir::NodeId id) const {
+        assert(id.index < unit_.machine->nodes.size());
+        return machine().nodes[id.index];
+    }
 
     /// The label of a node: the place where control rests (states and final nodes) or chooses (initial nodes and
     /// junctions).

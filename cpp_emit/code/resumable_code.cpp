@@ -2,6 +2,7 @@
 #include "cpp_emit/code/resumable_code.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +33,7 @@ ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thr
 
 CodeWriter& ProgramWriter::current_code() {
     resumed_.reset();
+    assert(!thread_.places.empty());
     return thread_.places.back().code;
 }
 
@@ -96,6 +98,7 @@ void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
 
 /// The place in which a thread stays after a false precondition; it comes before the place that is being written.
 const std::string& ProgramWriter::stuck_place() {
+    assert(!thread_.places.empty() && thread_.labels != nullptr);
     const auto found = thread_.stuck.find(state_.index);
     if (found != thread_.stuck.end()) return found->second;
     const std::string& label = thread_.stuck[state_.index] = thread_.labels->numbered_name("stuck");
@@ -303,6 +306,7 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
 /// Sends an event. Outputs are made at once and in order (docs/conformance.md, A2). If both the platform and machines
 /// could receive the event, the platform receives it, because it is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
+    assert(!use.ports.empty());
     const EventPort& port = generation_.component.events[use.ports.front()];
     current_code().line(fmt::format("platform_.{}({});", port.output, value));
 }
@@ -325,6 +329,7 @@ void ProgramWriter::write_offer(const EventUse& use, const std::string& value, c
 std::vector<std::string> ProgramWriter::write_arguments(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
+    assert(stmt.args.size() <= parameters.size());
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
         texts.push_back(expressions.write_as(*stmt.args[i], parameters[i]));
@@ -362,6 +367,7 @@ void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::s
 CallFrame& ProgramWriter::call_frame(const Unit& operation) {
     for (auto& frame : thread_.calls)
         if (frame.operation == operation.number) return frame;
+    assert(thread_.fields != nullptr);
     const std::string& name = operation.machine->name;
     thread_.calls.push_back({thread_.fields->unique_name(thread_.prefix + name), operation.number, {}});
     return thread_.calls.back();
@@ -371,6 +377,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
                                    const std::string& stem) {
     const Unit& operation = generation_.component.called_unit(unit_, stmt.operation);
     CallFrame& frame = call_frame(operation);
+    assert(texts.size() <= operation.variable_fields.size());
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
         current_code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
@@ -420,6 +427,7 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
 /// `S <{d}` (semantics 3.10): if S may have to wait, a counter measures its waiting time. A thread that continues with
 /// a communication holds up writes at once.
 void ProgramWriter::write_deadline(const ir::Stmt& stmt, const std::string& stem) {
+    assert(stmt.body.size() == 1 && stmt.value != nullptr);
     if (!may_suspend(generation_, unit_, stmt.body[0])) return write_statement(stmt.body[0], stem);
     const std::string field = thread_.fields->unique_name(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
     thread_.deadlines.push_back(field);
@@ -454,6 +462,7 @@ void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
 
 void ProgramWriter::write_wait(const ir::Stmt& stmt, const std::string& stem) {
     const ExpressionWriter expressions(generation_, unit_);
+    assert(stmt.value != nullptr);
     std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
     if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
         length =

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace robochart::cpp_emit {
@@ -37,6 +38,7 @@ void CodeWriter::line(std::string_view text) {
 }
 
 void CodeWriter::put_line(std::string_view text) {
+    assert(text.find('\n') == std::string_view::npos && depth_ >= outermost_);
     if (!text.empty()) {
         text_.append(depth_ * indent_width, ' ');
         text_ += text;
@@ -46,6 +48,7 @@ void CodeWriter::put_line(std::string_view text) {
 }
 
 void CodeWriter::open(std::string_view text) {
+    assert(!text.empty());
     line(text);
     ++depth_;
     fresh_ = true;
@@ -65,6 +68,7 @@ void CodeWriter::write_if(const CppExpr& condition, const std::function<void()>&
 }
 
 void CodeWriter::close(std::string_view text) {
+    assert(depth_ > outermost_);  // it closes only what it has opened
     if (depth_ > 0) --depth_;
     line(text);
 }
@@ -87,6 +91,7 @@ void CodeWriter::gap() {
 }
 
 void CodeWriter::write_raw(std::string_view lines) {
+    assert(lines.empty() || lines.ends_with('\n'));
     text_ += lines;
     fresh_ = false;
 }

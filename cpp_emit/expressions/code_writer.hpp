@@ -16,7 +16,7 @@ namespace robochart::cpp_emit {
 /// character is an internal error. Comments accept any text.
 class CodeWriter {
 public:
-    explicit CodeWriter(std::size_t depth = 0) : depth_(depth) {}
+    explicit CodeWriter(std::size_t depth = 0) : depth_(depth), outermost_(depth) {}
 
     /// Writes one line at the current depth; "" is an empty line.
     void line(std::string_view text = {});
@@ -52,7 +52,8 @@ private:
 
     std::string text_;
     std::size_t depth_ = 0;
-    bool fresh_ = true;  ///< at the beginning of a file or block
+    [[maybe_unused]] std::size_t outermost_ = 0;  ///< the depth at which it began, for assertions
+    bool fresh_ = true;                           ///< at the beginning of a file or block
 };
 
 }  // namespace robochart::cpp_emit

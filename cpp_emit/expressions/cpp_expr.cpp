@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/expressions/cpp_expr.hpp"
 
+#include <cassert>
+
 namespace robochart::cpp_emit {
 
 CppExpr CppExpr::equality_test(std::string text, std::string operand, bool differs) {
+    assert(!text.empty() && !operand.empty());
     CppExpr result(std::move(text), Binding::equality);
     result.last_ = {std::move(operand), differs, Joined::alone};
     return result;
 }
 
 CppExpr CppExpr::in_parentheses() const {
+    assert(!text_.empty());
     CppExpr result("(" + text_ + ")");
     result.last_ = last_;
     return result;
@@ -18,6 +22,7 @@ CppExpr CppExpr::in_parentheses() const {
 /// GCC warns about a test after another test that excludes it (`a && x == 1 && x == 2`). The warning has no name that a
 /// pragma could disable, but it does not occur if the second test is the result of a function.
 CppExpr CppExpr::join_conditions(const CppExpr& first, const CppExpr& second, Binding least, Joined how) {
+    assert(how != Joined::alone);
     if (first.empty()) return second;
     if (second.empty()) return first;
     const bool differs = how == Joined::any;
@@ -43,6 +48,7 @@ CppExpr disjunction(const CppExpr& first, const CppExpr& second, Binding least) 
 }
 
 CppExpr negation(const CppExpr& condition) {
+    assert(!condition.empty());
     CppExpr result("!" + condition.as_operand(), Binding::prefix);
     result.last_ = condition.last_;
     result.last_.differs = !result.last_.differs;

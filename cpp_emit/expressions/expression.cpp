@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 #include "cpp_emit/plan/types.hpp"
@@ -99,6 +100,7 @@ std::string ExpressionWriter::variable_member(ir::VariableId id) const {
     const Component& component = generation_.component;
     if (const StoredVariable* stored = component.stored_variable(unit_, id))
         return stored->has_member() ? "state_." + stored->path : "";
+    assert(id.index < unit_.variable_owners.size());
     const Owner& place = unit_.variable_owners[id.index];
     const Unit& owner = component.unit_at(place.unit);
     return frame_of(owner) + "." + owner.variable_fields[place.place];
@@ -106,6 +108,7 @@ std::string ExpressionWriter::variable_member(ir::VariableId id) const {
 
 std::string ExpressionWriter::clock_member(ir::ClockId id) const {
     const auto [owner, own] = generation_.component.clock_owner(unit_, id);
+    assert(own.index < owner->clock_fields.size());
     return frame_of(*owner) + "." + owner->clock_fields[own.index];
 }
 
@@ -119,6 +122,7 @@ std::string ExpressionWriter::frame_of(const Unit& owner) const {
 CppExpr ExpressionWriter::write_arithmetic(const ir::Expr& expr, const char* symbol, const char* name,
                                            Binding binding) const {
     if (block_arithmetic(expr)) return block_arithmetic_text(expr);
+    assert(expr.args.size() == 2);
     const TypeKind result = kind_of(expr);
     if (result != TypeKind::real) return CppExpr(write_function(expr, name));
     return {fmt::format("{} {} {}", operand_as(*expr.args[0], result), symbol, operand_as(*expr.args[1], result)),
@@ -126,6 +130,7 @@ CppExpr ExpressionWriter::write_arithmetic(const ir::Expr& expr, const char* sym
 }
 
 CppExpr ExpressionWriter::write_negation(const ir::Expr& expr) const {
+    assert(expr.args.size() == 1);
     const ir::Expr& arg = *expr.args[0];
     if (!is_numeric(kind_of(expr))) return {"-" + write_operand(arg), Binding::prefix};
     const bool defined = kind_of(expr) == TypeKind::real || arg.kind == ExprKind::integer;  // a literal is not negative
@@ -138,6 +143,7 @@ std::string ExpressionWriter::write_function(const ir::Expr& expr, const char* n
 }
 
 CppExpr ExpressionWriter::write_comparison(const ir::Expr& expr, const char* symbol, Binding binding) const {
+    assert(expr.args.size() == 2);
     const TypeKind left = kind_of(*expr.args[0]);
     const TypeKind right = kind_of(*expr.args[1]);
     if (is_numeric(left) && is_numeric(right)) {
@@ -158,12 +164,14 @@ CppExpr ExpressionWriter::comparison_text(const ir::Expr& expr, const char* symb
 }
 
 std::string ExpressionWriter::constant_text(const ir::Expr& expr) const {
+    assert(expr.constant.index < unit_.constants.size());
     const auto& value = unit_.constants[expr.constant.index];
     return cpp_value(generation_.system, generation_.inst, expr.type, value);
 }
 
 std::string ExpressionWriter::enum_literal(const ir::Expr& expr) const {
     const ir::Type& type = generation_.system.type(expr.type);
+    assert(expr.number >= 0);
     const auto index = static_cast<std::size_t>(expr.number);
     const std::string name = cpp_type(generation_.system, expr.type) + "::" + literal_name(type, index);
     if (!is_struct(type)) return name;
@@ -208,6 +216,7 @@ std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
 
 std::string ExpressionWriter::call_arguments(const ir::Expr& expr) const {
     const ir::Function& function = generation_.system.functions[expr.function.index];
+    assert(expr.args.size() <= function.parameters.size());
     std::string arguments;
     for (std::size_t i = 0; i < expr.args.size(); ++i)
         arguments += (i == 0 ? "" : ", ") + write_as(*expr.args[i], function.parameters[i]);
@@ -237,6 +246,7 @@ std::string ExpressionWriter::write_index(const ir::Expr& expr) const {
 /// Tests membership in a range by its bounds, because ranges may be large.
 std::string ExpressionWriter::write_membership(const ir::Expr& expr) const {
     const ir::Expr& value = *expr.args[0];
+    assert(expr.args.size() == 2);
     const ir::Expr& set = *expr.args[1];
     const ir::Type& whole = generation_.system.type(set.type);
     if (has_pairs(whole))
@@ -261,6 +271,7 @@ std::string ExpressionWriter::write_let(const ir::Expr& expr) const {
 /// Each name becomes the parameter of a lambda that is called at once, because the value may use another variable with
 /// that name.
 std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t count, std::string text) const {
+    assert(count <= expr.bound_names.size() && count < expr.args.size());
     for (std::size_t i = count; i-- > 0;)
         text = fmt::format("[&]([[maybe_unused]] const auto& {}) {{ return {}; }}({})",
                            bound_identifier(expr.bound_names[i]), text, write(*expr.args[i]));

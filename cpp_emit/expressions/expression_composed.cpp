@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -17,6 +18,7 @@ using ir::TypeKind;
 /// Calls `visit` for the values of the bound variables from index `from` on, until it returns true: any_Nat([&](Nat
 /// bound_x) { ... }).
 std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
+    assert(from <= expr.bound_names.size() && expr.bound_types.size() >= expr.bound_names.size());
     if (from == expr.bound_names.size()) return visit;
     const ir::TypeId type = expr.bound_types.at(from);
     const std::string inner = write_any(expr, from + 1, visit);
@@ -28,6 +30,7 @@ std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, 
 
 /// Whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
 CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
+    assert(expr.args.size() >= 2);
     const std::string predicate = write_operand(*expr.args[0]);
     const std::string body = write_operand(*expr.args[1]);
     if (expr.kind == ExprKind::forall)
@@ -69,6 +72,7 @@ std::string ExpressionWriter::write_collection(const ir::Expr& expr) const {
 std::string ExpressionWriter::write_application(const ir::Expr& expr) const {
     const ir::TypeId domain = generation_.system.type(expr.args[0]->type).args.at(0);
     const ir::Type& type = generation_.system.type(domain);
+    assert(expr.args.size() >= 2);
     std::vector<std::string> arguments;
     const bool several = expr.args.size() > 2;
     for (std::size_t i = 1; i < expr.args.size(); ++i)
@@ -103,6 +107,7 @@ std::string ExpressionWriter::write_lookup(const ir::Expr& function, const std::
 
 /// Applies a lambda to arguments. Arguments that do not satisfy its predicate have no value in the model.
 std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const {
+    assert(lambda.bound_names.size() == arguments.size() && lambda.args.size() >= 2);
     std::string parameters, values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const char* const comma = i == 0 ? "" : ", ";
@@ -189,6 +194,7 @@ std::string ExpressionWriter::block_operand(const ir::Expr& expr, ir::TypeId ent
 
 CppExpr ExpressionWriter::block_arithmetic_text(const ir::Expr& expr) const {
     const ir::Type& result = generation_.system.type(expr.type);
+    assert(expr.args.size() == 2);
     const ir::TypeId entry = is_block_type(result) ? result.args.at(0) : expr.type;
     const std::string left = block_operand(*expr.args[0], entry);
     const std::string right = block_operand(*expr.args[1], entry);

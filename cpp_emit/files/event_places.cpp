@@ -2,6 +2,7 @@
 // Finds places where an event raised by the platform may be lost or taken late (docs/conformance.md, "Events that can
 // be missed", "Events that come second").
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "cpp_emit/code/dispatch.hpp"
@@ -33,6 +34,7 @@ private:
         if (!machine.initial.is_valid()) return;
         const std::string member = member_of(part);
         const std::vector<Enumerator>& values = core_.machines[root].enumerations.front().values;
+        assert(!values.empty());
         std::string program;  // the program whose places are being visited
         for (std::size_t i = 0; i < values.size(); ++i) {
             const Enumerator& value = values[i];
@@ -77,6 +79,7 @@ private:
     };
 
     static void add_flags(const std::vector<bool>& more, std::vector<bool>& to) {
+        assert(more.size() == to.size());
         for (std::size_t i = 0; i < to.size(); ++i) to[i] = to[i] || more[i];
     }
 

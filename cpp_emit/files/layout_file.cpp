@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -57,6 +58,7 @@ private:
     /// The layout of the frame with this type; null if the type is no frame.
     [[nodiscard]] const FrameLayout* find_layout(const std::string& type) const {
         const auto& units = generation_.component.units;
+        assert(core_.machines.size() == units.size());
         for (std::size_t i = 0; i < units.size(); ++i)
             if (units[i].frame + "<Types>" == type) return &core_.machines[i].layout;
         return nullptr;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
 #include "cpp_emit/code/transition_numbers.hpp"
@@ -58,6 +59,7 @@ public:
 
 private:
     void transition_table() {
+        assert(inputs_.size() == registers_.size() && outputs_named_.size() == outputs_.size());
         const std::vector<TransitionName> names = transition_names(generation_);
         transitions_ = names.size();
         out_.doc("The transitions by number, the argument of the platform's method `taken`.");

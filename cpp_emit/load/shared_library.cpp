@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -49,6 +50,7 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
 /// Starts the program with default signal handling, independently of this program's. It leads a process group, so that
 /// it can be killed with all its child processes. Returns 0 and sets `error` if it cannot be started.
 pid_t start_program(const std::vector<std::string>& command, const std::string& log, std::string& error) {
+    assert(!command.empty());
     const std::vector<char*> arguments = as_argv(command);
     const std::vector<std::string> variables = environment_within(fs::path(log).parent_path());
     const std::vector<char*> environment = as_argv(variables);
@@ -94,6 +96,7 @@ void wait_within(pid_t child, diagnostics::Budget& budget) {
 
 /// Reaps an ended program and returns its exit status; -1 if the status is lost.
 int collect_status(pid_t child) {
+    assert(child > 0);
     int status = 0;
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) return -1;
@@ -266,6 +269,7 @@ bool SharedLibrary::load_library(std::string& error) {
 }
 
 void* SharedLibrary::find_symbol(const char* name) const {
+    assert(handle_ != nullptr);
     return dlsym(handle_, name);
 }
 

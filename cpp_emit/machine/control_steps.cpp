@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/machine/control_steps.hpp"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 #include "cpp_emit/code/assignment.hpp"
@@ -41,6 +43,7 @@ std::string ControlSteps::leave_statement(NodeId id) const {
 
 /// The statement that moves control into a node.
 std::string ControlSteps::arrive_statement(NodeId id) {
+    assert(id.index < unit_.machine->nodes.size());
     if (plan_.needs_entry(id))
         return enters_without_waiting(id) ? function_call(plan_.enter_label(id)) + ";"
                                           : control_.go_statement(plan_.enter_label(id));
@@ -51,6 +54,7 @@ std::string ControlSteps::arrive_statement(NodeId id) {
 /// The statement that continues a transition after the exits.
 const std::string& ControlSteps::proceed_statement(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    assert(id.index < unit_.machine->transitions.size());
     std::string& text = proceeds_[id.index];
     if (!text.empty()) return text;
     const std::string& label = plan_.take_label(id);
@@ -79,6 +83,7 @@ void ControlSteps::write_settling(NodeId id, CodeWriter& out, const char* end) {
 
 /// Control enters an initial node and, if its transition has no condition, moves on to the target.
 void ControlSteps::begin(NodeId initial, CodeWriter& out) {
+    assert(initial.index < unit_.machine->nodes.size());
     if (!plan_.is_passed_through(initial)) return out.line(arrive_statement(initial));
     const ir::TransitionId only = plan_.node(initial).outgoing.front();
     out.comment(generation_.place_text(plan_.machine().transitions[only.index].origin));
@@ -169,6 +174,7 @@ CppExpr ControlSteps::guard_condition(const ir::Transition& transition, const st
 }
 
 std::string ControlSteps::tell_taken(ir::TransitionId id) const {
+    assert(id.index < unit_.machine->transitions.size());
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/code/assignment.hpp"
 #include "cpp_emit/code/dispatch.hpp"
@@ -48,6 +49,7 @@ bool DispatchCode::is_urgent(const ir::Transition& transition) const {
 bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& port) const {
     if (is_urgent(transition)) return false;
     const EventUse& use = generation_.component.find_event(unit_, transition.trigger->event);
+    assert(!use.ports.empty());
     return &generation_.component.events[use.ports.front()] == &port;
 }
 
@@ -97,6 +99,7 @@ std::string DispatchCode::rest_result() const {
 /// A transition from a leaf, taken on `port`'s event, or without an event if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    assert(id.index < unit_.machine->transitions.size());
     const bool consumes = !is_urgent(transition);
     const auto hits = [&](Fault fault) { return generation_.mutation.hits(fault, port, &transition); };
     if (transition.trigger) {
@@ -125,6 +128,7 @@ void DispatchCode::case_effect(const ir::Transition& transition, const EventPort
 std::string DispatchCode::incoming_value(const ir::Transition& transition) const {
     const EventUse& use = generation_.component.find_event(unit_, transition.trigger->event);
     if (use.is_spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
+    assert(!use.ports.empty());
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
 }
 
@@ -203,6 +207,7 @@ void DispatchCode::dispatch_function() {
         for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index)
             if (plan_.label_of(NodeId{index}) == value.name) rows.push_back(NodeId{index});
     std::vector<const EventPort*> columns = input_events(generation_.component);
+    assert(!columns.empty());  // the class has this function only if there are events
     std::size_t leaves = 0;
     bool quiet = false;
     for (const NodeId row : rows) {
@@ -282,6 +287,7 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::ranges::find(columns, &port) - columns.begin());
+    assert(place < columns.size());
     const EventPort* const beside = columns[(place + 1) % columns.size()];
     const bool other = generation_.mutation.is_seeded(Fault::dispatch_shifted) &&
                        case_body(row, &port, 7) != case_body(row, beside, 7);
@@ -341,6 +347,7 @@ void DispatchCode::dispatch_table(const std::vector<NodeId>& rows, const std::ve
         lines.push_back(fmt::format("{{{}}},  // {}", fmt::join(numbers, ", "), plan_.label_of(row)));
     }
     std::vector<std::string> names;
+    assert(lines.size() == rows.size());
     for (const EventPort* port : columns) names.push_back(port == nullptr ? "nothing" : port->input);
     out_.comment("What a place does on an event, by the number of the case below; 0: nothing.");
     out_.comment(fmt::format("{}", fmt::join(names, ", ")));

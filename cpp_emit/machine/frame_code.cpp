@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -81,6 +82,7 @@ std::vector<Field> FrameCode::thread_fields() const {
 
 FrameLayout FrameCode::make_layout(const std::vector<Field>& more) {
     std::vector<Field> fields = variable_fields();
+    assert(unit_.variable_fields.size() == unit_.initials.size());
     fields.insert(fields.end(), more.begin(), more.end());
     for (std::size_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index])

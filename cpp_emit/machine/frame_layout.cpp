@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace robochart::cpp_emit {
 
@@ -24,6 +25,8 @@ FrameLayout arrange_fields(std::vector<Field> fields, bool timed) {
     FrameLayout layout;
     layout.timed = timed;
     for (const Field& field : fields) {
+        // Members in the order of their alignment have no padding between them.
+        assert(field.alignment > 0 && field.size % field.alignment == 0);
         layout.size += field.size;
         layout.alignment = std::max(layout.alignment, field.alignment);
         layout.varies = layout.varies || field.varies;

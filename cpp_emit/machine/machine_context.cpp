@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "cpp_emit/code/suspension.hpp"
@@ -56,6 +57,7 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
         const NodeId id{index};
         if (!plan.node(id).during || runs_on_entry(id)) continue;
         DuringThread& added = during.emplace_back();
+        assert(during.size() <= durings);
         added.state = id;
         added.suffix = plan.label_of(id);
         added.labels = NameScope(std::set<std::string>{"idle", "start"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks up the elements of the component that a unit refers to by number.
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/plan/component.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -27,21 +28,25 @@ NameScope core_type_scope(const Component& component) {
 }
 
 const EventUse& Component::find_event(const Unit& of, ir::EventId id) const {
+    assert(id.index < of.machine->events.size());
     return *find_event(Peer{of.part, of.machine->events[id.index].name});
 }
 
 const EventUse* Component::find_event(const Peer& end) const {
+    assert(end.part < parts.size());
     const std::vector<EventUse>& uses = parts[end.part].events;
     const auto found = std::ranges::find_if(uses, [&](const EventUse& use) { return use.name == end.event; });
     return found == uses.end() ? nullptr : &*found;
 }
 
 const StoredVariable* Component::stored_variable(const Unit& of, ir::VariableId id) const {
+    assert(id.index < of.variable_owners.size() && id.index < of.machine->variables.size());
     if (!unit_at(of.variable_owners[id.index].unit).root) return nullptr;
     return &variables[part_of(of).variables.at(of.machine->variables[id.index].name)];
 }
 
 const PlatformCall& Component::find_platform_call(const Unit& of, ir::OperationId id) const {
+    assert(id.index < of.machine->operations.size());
     const std::string& wanted = of.machine->operations[id.index].name;
     return *std::ranges::find_if(calls,
                                  [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
@@ -57,6 +62,7 @@ const CarrierUse& Component::find_carrier(ir::TypeId type) const {
 }
 
 std::pair<const Unit*, ir::ClockId> Component::clock_owner(const Unit& of, ir::ClockId id) const {
+    assert(id.index < of.clock_owners.size());
     const Owner& owner = of.clock_owners[id.index];
     return {&unit_at(owner.unit), ir::ClockId{owner.place}};
 }

@@ -2,6 +2,7 @@
 #include "cpp_emit/plan/connection_resolution.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/walk.hpp"
@@ -34,6 +35,7 @@ public:
         : component_(component), system_(system), module_(module), contexts_(contexts), diagnostics_(diagnostics) {}
 
     void wire_parts() {
+        assert(contexts_.size() == component_.parts.size());
         for (std::size_t part = 0; part < component_.parts.size(); ++part) collect_events(part);
         for (std::size_t part = 0; part < component_.parts.size(); ++part)
             for (EventUse& use : component_.parts[part].events) follow_connections(part, use);
@@ -84,6 +86,7 @@ private:
         const auto found = std::ranges::find_if(component_.parts, [&](const Part& part) {
             return part.controller == controller && part.machine == machine;
         });
+        assert(found != component_.parts.end());
         return static_cast<std::size_t>(found - component_.parts.begin());
     }
 
@@ -101,6 +104,7 @@ private:
 
     /// Adds the machines of another controller to which the event leads.
     void enter_controller(EventUse& use, std::size_t index, const std::string& event) {
+        assert(module_ != nullptr && index < module_->controllers.size());
         const ir::Controller& controller = system_.controller(module_->controllers[index].controller);
         each_end(controller.connections, [&](const ConnectionEnd& here, const ConnectionEnd& there, std::size_t) {
             if (here.kind == EndKind::self && here.event == event && there.kind == EndKind::part)
@@ -113,6 +117,7 @@ private:
     }
 
     void add_port(EventUse& use, const std::string& outside) {
+        assert(use.received || use.sent);
         auto& ports = component_.events;
         auto found = std::ranges::find_if(ports, [&](const EventPort& port) { return port.outside == outside; });
         if (found == ports.end()) {
@@ -130,6 +135,7 @@ private:
 
     /// The end of the writer fills the buffer, the end of the reader empties it.
     void add_buffer(EventUse& use, const ConnectionEnd& here, std::size_t connection) {
+        assert(module_ != nullptr && connection < module_->connections.size());
         auto& buffers = component_.buffers;
         const auto same = [&](const Buffer& buffer) { return buffer.connection == connection; };
         auto found = std::ranges::find_if(buffers, same);

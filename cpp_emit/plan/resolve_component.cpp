@@ -2,6 +2,7 @@
 #include "cpp_emit/plan/resolve_component.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "cpp_emit/plan/connection_resolution.hpp"
 #include "cpp_emit/plan/feature_analysis.hpp"
@@ -47,6 +48,8 @@ public:
             component_.parts[part].root = component_.units.size() - 1;
         }
         if (diagnostics_.error_count() != errors_before_) return std::nullopt;
+        assert(open_.empty() && component_.unit_places.size() == component_.units.size());
+        assert(roots_.size() == component_.parts.size() && contexts_.size() == component_.parts.size());
         number_transitions();
         wire_component(component_, system_, module_, contexts(), diagnostics_);
         collect_variables();
@@ -154,6 +157,7 @@ private:
         const ir::Controller& controller = *context().controller;
         if (root) return controller.machines[component_.parts[part_].machine].name;
         const auto found = std::ranges::find(controller.definitions, id);
+        assert(found != controller.definitions.end());
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
 
@@ -195,6 +199,8 @@ private:
         unit.machine = &machine;
         unit.root = root;
         find_owners(unit);
+        assert(unit.variable_owners.size() == machine.variables.size());
+        assert(unit.clock_owners.size() == machine.clocks.size());
         const auto& units = component_.units;
         const auto known = std::ranges::find_if(units, [&](const Unit& each) { return are_alike(each, unit); });
         if (known != units.end()) return known->number;
@@ -208,6 +214,7 @@ private:
             unit.initials.push_back(
                 initial_value(machine, unit.constants, variable.type, shared ? nullptr : variable.initial));
         }
+        assert(unit.initials.size() == machine.variables.size() && unit.callees.size() == machine.operations.size());
         open_.push_back(std::move(unit));
         std::set<ir::OperationId> followed;
         visit_statements(machine, [&](const ir::Stmt& stmt) {
@@ -281,6 +288,7 @@ private:
         for (Unit& unit : component_.units) {
             const auto [known, added] = first.try_emplace({unit.part, unit.id}, next);
             unit.first_transition = known->second;
+            assert(unit.first_transition <= next);  // an operation has the same numbers for all callers
             if (added) next += unit.machine->transitions.size();
         }
     }
@@ -408,6 +416,7 @@ private:
 
     void mark_read(const Unit& unit, ir::VariableId id) {
         if (!component_.unit_at(unit.variable_owners[id.index].unit).root) return;
+        assert(id.index < unit.machine->variables.size());
         const std::string& name = unit.machine->variables[id.index].name;
         component_.variables[component_.parts[part_].variables.at(name)].read = true;
     }
@@ -593,6 +602,7 @@ private:
         const std::string& name = entry.variable->name;
         const auto first = std::ranges::find_if(
             component_.variables, [&](const StoredVariable& other) { return is_propagated(other, name); });
+        assert(first != component_.variables.end());
         if (entry.has_member()) entry.field = entry.path = state.unique_name(name);
         entry.input = first->input;
         entry.output = first->output;
@@ -634,6 +644,8 @@ private:
             const std::string name = (clock.entry_of.is_valid() ? "since_entry_" : "") + clock.name;
             unit.clock_fields.push_back(unit.clock_owners[place].unit == unit.number ? scope.unique_name(name) : "");
         }
+        assert(unit.variable_fields.size() == unit.machine->variables.size());
+        assert(unit.clock_fields.size() == unit.machine->clocks.size());
         unit.clock_read.assign(unit.machine->clocks.size(), false);
     }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "cpp_emit/plan/names.hpp"
@@ -187,6 +188,7 @@ std::string cpp_pair(const ir::System& system, const ir::Type& type, const Spell
 namespace {
 
 Extent pad_extent(Extent extent) {
+    assert(extent.alignment > 0);
     extent.size = (extent.size + extent.alignment - 1) / extent.alignment * extent.alignment;
     return extent;
 }
@@ -249,6 +251,7 @@ std::string decimal_text(ir::Decimal decimal) {
     std::string digits = fmt::format("{}", decimal.unscaled);
     if (negative) digits.erase(0, 1);
     if (digits.size() <= decimal.decimals) digits.insert(0, decimal.decimals + 1 - digits.size(), '0');
+    assert(digits.size() > decimal.decimals);
     const std::size_t point = digits.size() - decimal.decimals;
     std::string text = digits.substr(0, point) + "." + digits.substr(point);
     if (decimal.decimals == 0) text += '0';
@@ -256,6 +259,7 @@ std::string decimal_text(ir::Decimal decimal) {
 }
 
 std::string literal_name(const ir::Type& type, std::size_t index) {
+    assert(index < type.labels.size());
     NameScope scope;
     std::string name;
     for (std::size_t label = 0; label <= index; ++label) name = scope.unique_name(type.labels[label]);
@@ -265,6 +269,7 @@ std::string literal_name(const ir::Type& type, std::size_t index) {
 namespace {
 
 std::uint32_t decimals_of(std::int64_t scale) {
+    assert(scale > 0);
     std::uint32_t decimals = 0;
     for (; scale > 1; scale /= 10) ++decimals;
     return decimals;
