@@ -37,6 +37,7 @@ constexpr std::array not_run = {
     NotRun{"", "benchmarks/", "measures for minutes"},
     NotRun{"", "cmake ", "builds"},
     NotRun{"", "ctest ", "runs the tests of a build tree"},
+    NotRun{"", "run-clang-tidy ", "checks a build tree for minutes"},
     NotRun{"", "build/", "a program of a build tree that is not built for these tests"},
     NotRun{"", "setarch -R build/", "needs ARGoS"},
     NotRun{"docs/emergence.md", "robochart-verify simulate corpus/", "hundreds of trials"},
@@ -104,8 +105,8 @@ bool is_script(const std::string& word) {
 
 bool looks_like_command(const std::string& line) {
     static const std::set<std::string> programs = {
-        "robochart-verify", "$",   "cmake", "ctest",  "cpack", "sudo",   "apt",
-        "apt-get",          "git", "npm",   "docker", "pip",   "python3"};
+        "robochart-verify", "$",   "cmake",  "ctest", "run-clang-tidy", "cpack", "sudo", "apt", "apt-get", "git", "npm",
+        "docker",           "pip", "python3"};
     const std::string word = first_word(line);
     return programs.contains(word) || word.starts_with("build/") || word.starts_with("./") || is_script(word);
 }
