@@ -138,27 +138,26 @@ private:
     std::map<std::pair<std::uint32_t, std::string>, const std::string*> types_;
 };
 
-Json symbol_of_entry(const SourceManager& sources, const Entry& entry, Encoding encoding) {
+Json symbol_of_entry(const PositionTable& positions, const Entry& entry) {
     Json result = Json::object({{"name", entry.name},
                                 {"detail", entry.detail},
                                 {"kind", entry.kind},
-                                {"range", lsp_range(sources, entry.whole, encoding)},
-                                {"selectionRange", lsp_range(sources, entry.place, encoding)}});
+                                {"range", positions.lsp_range(entry.whole)},
+                                {"selectionRange", positions.lsp_range(entry.place)}});
     Json children = Json::array();
-    for (const Entry& each : entry.inside) children.push_back(symbol_of_entry(sources, each, encoding));
+    for (const Entry& each : entry.inside) children.push_back(symbol_of_entry(positions, each));
     if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
 
 /// Adds an entry and its inner entries to a flat list.
-void add_flat(const SourceManager& sources, const Entry& entry, const std::string& container, const std::string& uri,
-              Encoding encoding, Json& out) {
-    out.push_back(
-        Json::object({{"name", entry.name},
-                      {"kind", entry.kind},
-                      {"location", Json::object({{"uri", uri}, {"range", lsp_range(sources, entry.place, encoding)}})},
-                      {"containerName", container}}));
-    for (const Entry& each : entry.inside) add_flat(sources, each, entry.name, uri, encoding, out);
+void add_flat(const PositionTable& positions, const Entry& entry, const std::string& container, const std::string& uri,
+              Json& out) {
+    out.push_back(Json::object({{"name", entry.name},
+                                {"kind", entry.kind},
+                                {"location", Json::object({{"uri", uri}, {"range", positions.lsp_range(entry.place)}})},
+                                {"containerName", container}}));
+    for (const Entry& each : entry.inside) add_flat(positions, each, entry.name, uri, out);
 }
 
 }  // namespace
@@ -166,11 +165,12 @@ void add_flat(const SourceManager& sources, const Entry& entry, const std::strin
 Json script_symbols(const ScriptReading& reading, SourceId source, const std::string& uri, Encoding encoding,
                     bool hierarchical) {
     Json result = Json::array();
+    const PositionTable positions(reading.sources, source, encoding);
     for (const Entry& each : Outline(reading, source).list_entries(reading.script.decls, {})) {
         if (hierarchical)
-            result.push_back(symbol_of_entry(reading.sources, each, encoding));
+            result.push_back(symbol_of_entry(positions, each));
         else
-            add_flat(reading.sources, each, {}, uri, encoding, result);
+            add_flat(positions, each, {}, uri, result);
     }
     return result;
 }

@@ -11,14 +11,16 @@ using frontend::Token;
 
 class Folds {
 public:
-    Folds(const SourceManager& sources, SourceId source) : sources_(sources), source_(source) {}
+    Folds(const SourceManager& sources, SourceId source) : positions_(sources, source, Encoding::utf8) {}
 
     /// The last line stays visible if it contains the closing brace.
     void add(std::uint32_t begin, std::uint32_t end, const char* kind, bool keep_last) {
         const std::uint32_t first = line_at(begin);
-        const std::uint32_t last = line_at(end) - (keep_last ? 1 : 0);
+        const std::uint32_t end_line = line_at(end);
+        if (end_line <= first) return;
+        const std::uint32_t last = end_line - (keep_last ? 1 : 0);
         if (last <= first) return;
-        Json fold = Json::object({{"startLine", first - 1}, {"endLine", last - 1}});
+        Json fold = Json::object({{"startLine", first}, {"endLine", last}});
         if (*kind != '\0') fold["kind"] = kind;
         result_.push_back(std::move(fold));
     }
@@ -48,10 +50,9 @@ public:
     [[nodiscard]] Json take_folds() { return std::move(result_); }
 
 private:
-    [[nodiscard]] std::uint32_t line_at(std::uint32_t offset) const { return sources_.position(source_, offset).line; }
+    [[nodiscard]] std::uint32_t line_at(std::uint32_t offset) const { return positions_.line(offset); }
 
-    const SourceManager& sources_;
-    SourceId source_;
+    PositionTable positions_;
     Json result_ = Json::array();
 };
 

@@ -78,7 +78,7 @@ private:
 class Hints {
 public:
     Hints(const SourceManager& sources, Encoding encoding, Span wanted)
-        : sources_(sources), encoding_(encoding), wanted_(wanted) {}
+        : positions_(sources, wanted.source, encoding), wanted_(wanted) {}
 
     void visit(const Variable& variable) {
         type_of(variable);
@@ -111,15 +111,13 @@ private:
     }
     void add(std::uint32_t offset, std::string label, std::optional<int> kind) {
         if (offset < wanted_.begin || wanted_.end < offset) return;
-        Json hint = Json::object({{"position", lsp_position(sources_, wanted_.source, offset, encoding_)},
-                                  {"label", std::move(label)},
-                                  {"paddingLeft", true}});
+        Json hint = Json::object(
+            {{"position", positions_.lsp_position(offset)}, {"label", std::move(label)}, {"paddingLeft", true}});
         if (kind) hint["kind"] = *kind;
         result_.push_back(std::move(hint));
     }
 
-    const SourceManager& sources_;
-    Encoding encoding_;
+    PositionTable positions_;
     Span wanted_;
     ConstantValues values_;
     Json result_ = Json::array();

@@ -60,6 +60,7 @@ Json name_highlights(Session& session, View params) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     Json result = Json::array();
     if (name == nullptr) return result;
+    const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
     constexpr int text_kind = 1;
     constexpr int read_kind = 2;
     constexpr int write_kind = 3;
@@ -68,8 +69,7 @@ Json name_highlights(Session& session, View params) {
         const int kind = each->access == Access::write  ? write_kind
                          : each->access == Access::read ? read_kind
                                                         : text_kind;
-        result.push_back(Json::object(
-            {{"range", lsp_range(target.project.sources(), each->span, session.client.encoding)}, {"kind", kind}}));
+        result.push_back(Json::object({{"range", positions.lsp_range(each->span)}, {"kind", kind}}));
     }
     return result;
 }

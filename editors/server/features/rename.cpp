@@ -148,11 +148,10 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
     Json documents = Json::array();
     for (const auto& [path, document] : project.documents()) {
         Json list = Json::array();
+        const PositionTable positions(project.sources(), document->source, session.client.encoding);
         for (const Edit& edit : edits)
             if (edit.span.source == document->source)
-                list.push_back(
-                    Json::object({{"range", lsp_range(project.sources(), edit.span, session.client.encoding)},
-                                  {"newText", edit.text}}));
+                list.push_back(Json::object({{"range", positions.lsp_range(edit.span)}, {"newText", edit.text}}));
         if (list.empty()) continue;
         const Json version = document->version ? Json(*document->version) : Json();
         documents.push_back(Json::object(

@@ -123,13 +123,13 @@ Json semantic_legend() {
 /// Five numbers per name: line and column relative to the name before, length, type, modifiers.
 Json semantic_tokens(Session& session, View params) {
     const Target target = target_of(session, params);
-    const SourceManager& sources = target.project.sources();
+    const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
     Json data = Json::array();
     std::int64_t last_line = 0;
     std::int64_t last_column = 0;
     for (const Occurrence& name : target.project.current_occurrences()) {
         if (name.span.source != target.document.source || name.kind == NameKind::unknown) continue;
-        const Json whole = lsp_range(sources, name.span, session.client.encoding);
+        const Json whole = positions.lsp_range(name.span);
         const View place = whole;
         const std::int64_t line = place["start"]["line"].number_or();
         const std::int64_t column = place["start"]["character"].number_or();

@@ -51,26 +51,26 @@ Span full_extent(const Declaration& declaration) {
 }
 
 /// The recursion is bounded, because the parser limits nesting.
-Json document_symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
+Json document_symbol(const PositionTable& positions, const Declaration& declaration) {
     Json result = Json::object({{"name", declaration.name},
                                 {"detail", detail_of(declaration)},
                                 {"kind", symbol_kind(declaration)},
-                                {"range", lsp_range(sources, full_extent(declaration), encoding)},
-                                {"selectionRange", lsp_range(sources, declaration.name_span, encoding)}});
+                                {"range", positions.lsp_range(full_extent(declaration))},
+                                {"selectionRange", positions.lsp_range(declaration.name_span)}});
     Json children = Json::array();
     for (const Declaration* each : inner_declarations(declaration))
-        children.push_back(document_symbol(sources, *each, encoding));
+        children.push_back(document_symbol(positions, *each));
     if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
 
-Json claim_symbol(const SourceManager& sources, const std::string& name, std::string_view what, int kind, Span span,
-                  Span name_span, Encoding encoding) {
+Json claim_symbol(const PositionTable& positions, const std::string& name, std::string_view what, int kind, Span span,
+                  Span name_span) {
     return Json::object({{"name", name},
                          {"detail", std::string(what)},
                          {"kind", kind},
-                         {"range", lsp_range(sources, join_spans(span, name_span), encoding)},
-                         {"selectionRange", lsp_range(sources, name_span, encoding)}});
+                         {"range", positions.lsp_range(join_spans(span, name_span))},
+                         {"selectionRange", positions.lsp_range(name_span)}});
 }
 
 /// True if the name contains the letters of `query` in this order, ignoring case.
@@ -89,8 +89,7 @@ void visit_all(const Declaration& declaration, const Use& use) {
     for (const Declaration* each : inner_declarations(declaration)) visit_all(*each, use);
 }
 
-Json symbol_information(const Session& session, Project& project, const Declaration& declaration) {
-    Json place = lsp_location(session, project, declaration.name_span);
+Json symbol_information(const Declaration& declaration, Json place) {
     if (place.is_null()) return {};
     return Json::object({{"name", declaration.name},
                          {"kind", symbol_kind(declaration)},
@@ -103,16 +102,17 @@ Json symbol_information(const Session& session, Project& project, const Declarat
 Json document_symbols(Session& session, View params) {
     const Target target = target_of(session, params);
     const File& file = target.project.tree_of(target.document);
-    const SourceManager& sources = target.project.sources();
-    const Encoding encoding = session.client.encoding;
+    const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
     Json result = Json::array();
     for (const auto& declaration : file.declarations) {
         if (declaration->name.empty()) continue;
         if (session.client.hierarchical_symbols) {
-            result.push_back(document_symbol(sources, *declaration, encoding));
+            result.push_back(document_symbol(positions, *declaration));
         } else {
             visit_all(*declaration, [&](const Declaration& each) {
-                result.push_back(symbol_information(session, target.project, each));
+                const Json place =
+                    Json::object({{"uri", target.document.uri}, {"range", positions.lsp_range(each.name_span)}});
+                result.push_back(symbol_information(each, place));
             });
         }
     }
@@ -121,20 +121,18 @@ Json document_symbols(Session& session, View params) {
     constexpr int constant_kind = 14;
     for (const Assertion& each : file.assertions)
         if (!each.name.empty())
-            result.push_back(
-                claim_symbol(sources, each.name, "assertion", boolean_kind, each.span, each.name_span, encoding));
+            result.push_back(claim_symbol(positions, each.name, "assertion", boolean_kind, each.span, each.name_span));
     for (const CspBlock& each : file.csp_blocks)
         if (!each.name.empty())
-            result.push_back(
-                claim_symbol(sources, each.name, "csp", function_kind, each.span, each.name_span, encoding));
+            result.push_back(claim_symbol(positions, each.name, "csp", function_kind, each.span, each.name_span));
     for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
         if (!each.name.empty())
-            result.push_back(claim_symbol(sources, each.name, to_text(each.kind), constant_kind, each.span,
-                                          each.name_span, encoding));
+            result.push_back(
+                claim_symbol(positions, each.name, to_text(each.kind), constant_kind, each.span, each.name_span));
     for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
         if (!each.name.empty())
-            result.push_back(claim_symbol(sources, each.name, each.property ? "prob property" : "prob generate path",
-                                          boolean_kind, each.span, each.name_span, encoding));
+            result.push_back(claim_symbol(positions, each.name, each.property ? "prob property" : "prob generate path",
+                                          boolean_kind, each.span, each.name_span));
     return result;
 }
 
@@ -147,7 +145,7 @@ Json workspace_symbols(Session& session, View params) {
             for (const auto& declaration : file->declarations)
                 visit_all(*declaration, [&](const Declaration& each) {
                     if (file->is_library || result.size() >= limit || !matches_query(each.name, query)) return;
-                    Json found = symbol_information(session, *project, each);
+                    Json found = symbol_information(each, lsp_location(session, *project, each.name_span));
                     if (!found.is_null()) result.push_back(std::move(found));
                 });
     return result;

@@ -4,6 +4,7 @@
 #include "editors/server/protocol/positions.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/diagnostics/utf8.hpp"
 
@@ -59,6 +60,51 @@ Json lsp_position(const SourceManager& sources, SourceId id, std::uint32_t offse
 Json lsp_range(const SourceManager& sources, Span span, Encoding encoding) {
     return Json::object({{"start", lsp_position(sources, span.source, span.begin, encoding)},
                          {"end", lsp_position(sources, span.source, span.end, encoding)}});
+}
+
+PositionTable::PositionTable(const SourceManager& sources, SourceId source, Encoding encoding)
+    : sources_(sources), source_(source), encoding_(encoding), text_(sources.source_text(source)) {
+    constexpr std::uint32_t spacing = 1024;
+    for (std::uint32_t number = 1;; ++number) {
+        const std::string_view line = sources.line_text(source, number);
+        if (line.data() == nullptr) break;  // behind the last line
+        const auto begin = static_cast<std::uint32_t>(line.data() - text_.data());
+        lines_.push_back({begin, begin + static_cast<std::uint32_t>(line.size())});
+    }
+    Mark here;
+    marks_.push_back(here);
+    while (here.offset < text_.size()) {
+        const std::size_t bytes = character_length(text_.substr(here.offset));
+        here.offset += static_cast<std::uint32_t>(bytes);
+        here.units += static_cast<std::uint32_t>(code_units(bytes, encoding));
+        if (here.offset - marks_.back().offset >= spacing) marks_.push_back(here);
+    }
+}
+
+/// The number of code units of the characters of the text that end at or before an offset.
+std::uint32_t PositionTable::units_before(std::uint32_t offset) const {
+    const auto after = std::ranges::upper_bound(marks_, offset, {}, &Mark::offset);
+    const Mark& mark = *std::prev(after);
+    bytes_read_ += offset - mark.offset;
+    const std::string_view rest = text_.substr(mark.offset);
+    return mark.units + static_cast<std::uint32_t>(count(rest, offset - mark.offset, encoding_));
+}
+
+std::uint32_t PositionTable::line(std::uint32_t offset) const {
+    const auto after = std::ranges::upper_bound(lines_, offset, {}, &Line::begin);
+    return static_cast<std::uint32_t>(after - lines_.begin()) - 1;
+}
+
+Json PositionTable::lsp_position(std::uint32_t offset) const {
+    const std::uint32_t number = line(offset);
+    const Line& whole = lines_[number];
+    const std::uint32_t column = units_before(std::min(offset, whole.end)) - units_before(whole.begin);
+    return Json::object({{"line", number}, {"character", column}});
+}
+
+Json PositionTable::lsp_range(Span span) const {
+    if (span.source != source_) return lsp::lsp_range(sources_, span, encoding_);
+    return Json::object({{"start", lsp_position(span.begin)}, {"end", lsp_position(span.end)}});
 }
 
 std::uint32_t offset_of(const SourceManager& sources, SourceId id, View position, Encoding encoding) {

@@ -2,6 +2,10 @@
 // Positions as in LSP 3.17 (Position): lines and columns from 0; columns count code units of the negotiated encoding.
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
 #include "base/diagnostics/source.hpp"
 #include "editors/server/protocol/json.hpp"
 
@@ -18,6 +22,40 @@ enum class Encoding { utf8, utf16, utf32 };
 [[nodiscard]] Json lsp_position(const SourceManager&, SourceId, std::uint32_t offset, Encoding);
 /// `{start, end}` of a span.
 [[nodiscard]] Json lsp_range(const SourceManager&, Span, Encoding);
+/// The positions of many offsets of one text. The text is read once, so an offset far into a long line costs no more
+/// than others. The text must outlive the table.
+class PositionTable {
+public:
+    PositionTable(const SourceManager&, SourceId, Encoding);
+
+    /// The line of a byte offset, from 0.
+    [[nodiscard]] std::uint32_t line(std::uint32_t offset) const;
+    /// As the functions above. A span of another text is converted by them.
+    [[nodiscard]] Json lsp_position(std::uint32_t offset) const;
+    [[nodiscard]] Json lsp_range(Span) const;
+    /// The number of bytes that `position` has looked at so far, for tests.
+    [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
+
+private:
+    struct Line {
+        std::uint32_t begin = 0, end = 0;  ///< without its line end
+    };
+    /// The number of code units before a character, about every 1,000 bytes.
+    struct Mark {
+        std::uint32_t offset = 0;
+        std::uint32_t units = 0;
+    };
+    [[nodiscard]] std::uint32_t units_before(std::uint32_t offset) const;
+
+    const SourceManager& sources_;
+    SourceId source_;
+    Encoding encoding_;
+    std::string_view text_;
+    std::vector<Line> lines_;
+    std::vector<Mark> marks_;
+    mutable std::uint64_t bytes_read_ = 0;
+};
+
 /// The byte offset of `{line, character}`. A position beyond the end of a line or of the text is that end.
 [[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, View position, Encoding);
 /// The span of `{start, end}`; the ends may be in either order.

@@ -160,13 +160,14 @@ std::string about_rule_name(const RuleFile& file, const RuleName& name, bool mar
 
 Json rule_outline(const RuleText& document, const RuleFile& file, const Client& client) {
     Json result = Json::array();
+    const PositionTable positions(document.texts, document.source, client.encoding);
     for (const Declared& each : declared_in(file)) {
-        const Json whole = lsp_range(document.texts, each.whole, client.encoding);
+        const Json whole = positions.lsp_range(each.whole);
         Json symbol = Json::object({{"name", each.name->text}, {"kind", each.kind}});
         if (client.hierarchical_symbols) {
             symbol["detail"] = each.text;
             symbol["range"] = whole;
-            symbol["selectionRange"] = lsp_range(document.texts, each.name->span, client.encoding);
+            symbol["selectionRange"] = positions.lsp_range(each.name->span);
         } else {
             symbol["location"] = Json::object({{"uri", document.uri}, {"range", whole}});
         }
