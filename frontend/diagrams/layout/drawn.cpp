@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "frontend/diagrams/layout/arrange.hpp"
@@ -16,6 +17,7 @@ namespace robochart::diagrams::layout {
 namespace {
 
 constexpr double inset = 5;  ///< between the border of a level and its contents
+constexpr double apart = 8;  ///< between two boxes that people drew closer to each other, or that have grown
 
 /// The point in the middle of a line.
 Point middle_of(const std::vector<Point>& line) {
@@ -160,8 +162,43 @@ private:
                 place.height = std::max(place.height, box.size.height);
             }
             placement_.boxes[b].place = place;
+        }
+        separate();
+    }
+
+    /// Boxes that touch others, or are on top of them, move right or down, whichever is less far. Boxes nearer to the
+    /// upper left corner of the drawing stay.
+    void separate() {
+        std::vector<std::size_t> order;
+        for (std::size_t b = 0; b < level_.boxes.size(); ++b)
+            if (!level_.boxes[b].on_border && drawn_.boxes[b]) order.push_back(b);
+        const auto corner = [&](std::size_t b) { return drawn_.boxes[b]->corner.x + drawn_.boxes[b]->corner.y; };
+        std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return corner(a) < corner(b); });
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (budget_ != nullptr) budget_->poll();
+            Rectangle& place = placement_.boxes[order[i]].place;
+            for (std::size_t moves = 0; moves <= i; ++moves)
+                if (!make_space(std::span(order).first(i), place)) break;
             grow_to_include(place);
         }
+    }
+
+    /// Moves a box away from the first of the others that is too near; false if there is none. A box that has moved
+    /// past another box never comes back to it.
+    [[nodiscard]] bool make_space(std::span<const std::size_t> others, Rectangle& place) const {
+        constexpr double rounding = 0.001;
+        for (const std::size_t other : others) {
+            const Rectangle& fixed = placement_.boxes[other].place;
+            if (!rectangles_overlap(fixed, place, rounding - apart)) continue;
+            const double right = fixed.right() + apart - place.x;
+            const double down = fixed.bottom() + apart - place.y;
+            if (right < down)
+                place.x += right;
+            else
+                place.y += down;
+            return true;
+        }
+        return false;
     }
 
     void grow_to_include(const Rectangle& place) {
@@ -230,6 +267,7 @@ private:
             PlacedBox& placed = placement_.boxes[b];
             const DrawnPorts& drawn = drawn_.ports[b];
             if (level_.boxes[b].on_border) {
+                border.title = drawn.title;
                 border.owner = drawn.owner;
                 border.header = drawn.header;
                 border.ports.push_back(drawn.ports.front());
@@ -347,8 +385,13 @@ Placement arrange_as_drawn(const Level& level, const DrawnLevel& drawn, diagnost
     Placement first = arrangement.place_level({0, 0}, drawn.size);
     // The bounding box of lines and labels, which may extend beyond the boxes.
     Extent extent;
-    for (std::size_t b = 0; b < level.boxes.size(); ++b)
-        if (!level.boxes[b].on_border) extent.include_point(first.boxes[b].place);
+    for (std::size_t b = 0; b < level.boxes.size(); ++b) {
+        if (level.boxes[b].on_border) continue;
+        extent.include_point(first.boxes[b].place);
+        // Squares on the upper side must not cover the title above the level.
+        for (const PlacedPort& port : first.boxes[b].ports)
+            extent.include_point(Point{first.boxes[b].place.x, square_at(port.centre).y});
+    }
     for (const PlacedEdge& edge : first.edges) {
         // The ends are at boxes, which are included already. Bends above the level lead to squares of the enclosing
         // box.

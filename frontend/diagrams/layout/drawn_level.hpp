@@ -39,6 +39,7 @@ struct DrawnEdge {
 struct DrawnPorts {
     std::vector<std::optional<DrawnPort>> ports;
     std::vector<Size> labels;  ///< sizes of the labels of the squares
+    Rectangle title;           ///< the text of the title, relative to the middle of the upper side; empty if none
     Size owner;                ///< size of the box in the drawing, if known
     double header = 0;         ///< height above the inside in the drawing; squares below move with it
     bool full = false;         ///< the box has no space for labels

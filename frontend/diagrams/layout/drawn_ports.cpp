@@ -40,13 +40,31 @@ Point port_centre(const Rectangle& box, Side side, double along) {
     return {};
 }
 
+/// A square that would cover the title moves outwards.
+Point beside_title(const Point& centre, Side side, const Rectangle& title) {
+    constexpr double gap = 1;
+    if (title.empty() || !rectangles_overlap(square_at(centre), title)) return centre;
+    switch (side) {
+        case Side::left:
+            return {title.x - gap - half_port, centre.y};
+        case Side::right:
+            return {title.right() + gap + half_port, centre.y};
+        case Side::top:
+            return {centre.x, title.y - gap - half_port};
+        case Side::bottom:
+            return {centre.x, title.bottom() + gap + half_port};
+    }
+    return centre;
+}
+
 Point place_port(const Rectangle& box, double header, const DrawnPorts& drawn, const Point& centre) {
     const Size size{drawn.owner.width > 0 ? drawn.owner.width : box.width,
                     drawn.owner.height > 0 ? drawn.owner.height : box.height};
     const Side side = side_of(centre, size);
     const bool upright = side == Side::left || side == Side::right;
     const double moved = centre.y >= drawn.header ? header - drawn.header : 0;
-    return port_centre(box, side, upright ? centre.y + moved : centre.x);
+    const Rectangle title{box.centre().x + drawn.title.x, box.y + drawn.title.y, drawn.title.width, drawn.title.height};
+    return beside_title(port_centre(box, side, upright ? centre.y + moved : centre.x), side, title);
 }
 
 /// The next free place on the right side, from a given y; the last place if the side is full.

@@ -17,6 +17,7 @@ using layout::text_width;
 namespace {
 
 constexpr double icon_width = 18;
+constexpr double base_below_middle = 4.5;  ///< of a title
 
 std::string short_title(const std::string& text) {
     return layout::elide_text(text, measure::longest_title);
@@ -82,6 +83,13 @@ double Title::width() const {
            2 * measure::padding;
 }
 
+layout::Rectangle Title::text_place(double height) const {
+    const double width = text_width(short_title(text), measure::title_font, bold);
+    const double shift = icon == Icon::no_icon ? 0 : icon_width / 2;
+    const double base = height / 2 + base_below_middle;
+    return {shift - width / 2, base - 0.8 * measure::title_font, width, 1.05 * measure::title_font};
+}
+
 void Title::write(PictureBox& box, double height) const {
     const std::string shown = short_title(text);
     if (shown != text) box.whole += text + "\n";
@@ -91,7 +99,7 @@ void Title::write(PictureBox& box, double height) const {
         middle += icon_width / 2;
         box.signs.push_back({icon, {middle - half - icon_width / 2, box.place.y + height / 2}, reference});
     }
-    Text written{{middle, box.place.y + height / 2 + 4.5}, shown};
+    Text written{{middle, box.place.y + height / 2 + base_below_middle}, shown};
     written.size = measure::title_font;
     written.anchor = Anchor::middle;
     written.italic = italic;

@@ -31,6 +31,8 @@ struct Title {
     bool reference = false;
 
     [[nodiscard]] double width() const;
+    /// The place of the text in the first `height` pixels of a box, relative to the middle of its upper side.
+    [[nodiscard]] layout::Rectangle text_place(double height) const;
     /// Writes the title, centred, into the first `height` pixels of a box.
     void write(PictureBox& box, double height) const;
 };

@@ -41,8 +41,8 @@ layout::Lines label_of(const Connection& connection) {
 
 }  // namespace
 
-PartLevel::PartLevel(const Component& component, const Size& header, const Drawing& drawing)
-    : component_(component), header_(header), drawing_(drawing) {
+PartLevel::PartLevel(const Component& component, const Size& header, const Rectangle& title, const Drawing& drawing)
+    : component_(component), header_(header), title_(title), drawing_(drawing) {
     for (const Declaration* part : component.order) add_part(*part);
     for (const Event* event : events_of(component)) {
         Part part;
@@ -255,6 +255,7 @@ std::optional<layout::DrawnLevel> PartLevel::drawn_level() const {
 layout::DrawnPorts PartLevel::drawn_ports(const Part& part) const {
     const Declaration* owner = part.on_border ? &component_ : part.declaration;
     layout::DrawnPorts drawn;
+    drawn.title = part.on_border ? title_ : part.title.text_place(measure::title);
     drawn.owner = drawing_.stored->size(owner);
     drawn.header = drawing_.stored->area_of(owner).above.value_or(part.on_border ? header_.height : part.header);
     drawn.full = part.inner != nullptr;

@@ -15,8 +15,10 @@ namespace robochart::diagrams {
 /// The inside of a module or controller. Its own events are on its border.
 class PartLevel {
 public:
-    /// `header`: the size of the part of the frame above the components.
-    PartLevel(const frontend::Component& component, const layout::Size& header, const Drawing& drawing);
+    /// `header`: the size of the part of the frame above the components; `title`: the text of its title, relative to
+    /// the middle of its upper side.
+    PartLevel(const frontend::Component& component, const layout::Size& header, const layout::Rectangle& title,
+              const Drawing& drawing);
 
     /// Adds the components and connections to a picture whose first box is the frame, and sets the place of the frame.
     void paint(Picture& picture);
@@ -72,6 +74,7 @@ private:
 
     const frontend::Component& component_;
     layout::Size header_;
+    layout::Rectangle title_;  ///< the text of the title of the component, as in layout::DrawnPorts
     const Drawing& drawing_;
     std::vector<Part> parts_;
     std::vector<layout::Pin> pins_;  ///< one per part

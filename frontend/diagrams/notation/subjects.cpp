@@ -142,6 +142,9 @@ public:
         return {std::max(title_.width(), rows.width + labels), measure::title + std::max(rows.height, squares)};
     }
 
+    /// The text of the title, relative to the middle of the upper side.
+    [[nodiscard]] Rectangle title() const { return title_.text_place(measure::title); }
+
     /// The frame without its position.
     [[nodiscard]] PictureBox frame_box() const { return box_; }
 
@@ -170,6 +173,7 @@ private:
     /// Writes the squares where a person drew them.
     void write_squares(Picture& picture, double header) const {
         layout::DrawnPorts drawn = drawn_;
+        drawn.title = title();
         drawn.owner = stored_->size(&context_);
         drawn.header = stored_->area_of(&context_).above.value_or(header);
         const std::vector<layout::PlacedPort> ports =
@@ -226,7 +230,7 @@ Picture draw_machine(const Machine& machine, const std::string& path, const Draw
 
 Picture draw_component(const Component& component, const Drawing& drawing) {
     const Frame frame(component, drawing, false);
-    PartLevel level(component, frame.header_size(), drawing);
+    PartLevel level(component, frame.header_size(), frame.title(), drawing);
     Picture picture;
     picture.boxes.push_back(frame.frame_box());
     level.paint(picture);

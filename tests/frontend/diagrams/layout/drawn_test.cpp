@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/diagnostics/splitmix64.hpp"
+#include "frontend/diagrams/layout/drawn_ports.hpp"
 #include "frontend/diagrams/layout/drawn_routes.hpp"
 #include "tests/frontend/diagrams/layout/random_levels.hpp"
 #include "tests/rounds.hpp"
@@ -182,10 +183,51 @@ void expect_whole(const Level& level, const Placement& placement, std::uint64_t 
     }
 }
 
+void expect_apart(const Level& level, const Placement& placement, std::uint64_t seed) {
+    constexpr double gap = 5;
+    for (std::size_t a = 0; a < level.boxes.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            if (level.boxes[a].on_border || level.boxes[b].on_border) continue;
+            EXPECT_FALSE(rectangles_overlap(placement.boxes[a].place, placement.boxes[b].place, -gap))
+                << a << " and " << b << " of " << seed;
+        }
+}
+
 TEST(DrawnLevel, OfAnyFormIsPlaced) {
     for (std::uint64_t seed = 1; seed <= tests::rounds(300); ++seed)
-        for (const Level& level : {random_machine(seed, 9), random_components(seed, 7)})
-            expect_whole(level, arrange_as_drawn(level, any_drawing(level, seed)), seed);
+        for (const Level& level : {random_machine(seed, 9), random_components(seed, 7)}) {
+            const Placement placement = arrange_as_drawn(level, any_drawing(level, seed));
+            expect_whole(level, placement, seed);
+            expect_apart(level, placement, seed);
+        }
+}
+
+/// The second of two boxes that touch moves, by the shorter way.
+TEST(DrawnLevel, SeparatesBoxesThatTouch) {
+    Level level;
+    for (int b = 0; b < 3; ++b) level.boxes.emplace_back().size = {100, 40};
+    DrawnLevel drawn_level;
+    for (const Point corner : {Point{10, 10}, Point{110, 10}, Point{10, 50}})
+        drawn_level.boxes.emplace_back(DrawnBox{corner, {}, {}});
+    drawn_level.ports.resize(3);
+    const Placement placement = arrange_as_drawn(level, drawn_level);
+    EXPECT_EQ(placement.boxes[0].place, (Rectangle{10, 10, 100, 40}));
+    EXPECT_EQ(placement.boxes[1].place, (Rectangle{118, 10, 100, 40}));
+    EXPECT_EQ(placement.boxes[2].place, (Rectangle{10, 58, 100, 40}));
+}
+
+/// A square on the upper or right side moves outwards until it leaves the title free.
+TEST(DrawnPorts, LeaveTitlesFree) {
+    const Rectangle box{0, 0, 100, 60};
+    DrawnPorts drawn;
+    drawn.header = 26;
+    drawn.title = {-30, 8, 75, 12};  // from x = 20 to 95
+    drawn.ports = {DrawnPort{{50, 0}}, DrawnPort{{100, 12}}, DrawnPort{{100, 50}}};
+    drawn.labels.resize(3);
+    const std::vector<PlacedPort> placed = squares_of(box, 26, drawn);
+    EXPECT_EQ(placed[0].centre, (Point{50, -2}));
+    EXPECT_EQ(placed[1].centre, (Point{105, 12}));
+    EXPECT_EQ(placed[2].centre.x, 100);
 }
 
 }  // namespace
