@@ -117,4 +117,18 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     return emission;
 }
 
+std::vector<ViolationPlace> violation_places(const ir::System& system, const ir::Instantiation& inst,
+                                             const ir::ComponentRef& ref, const Options& options) {
+    std::vector<ViolationPlace> places;
+    diagnostics::Diagnostics ignored;  // reported by `emit`
+    const std::optional<Component> component = resolve_component(system, inst, ref, ignored);
+    if (!component) return places;
+    Mutation mutation(options.fault, options.fault_site);
+    const FaultyModel model(system, inst, *component, mutation);
+    const Generation generation{model.system(), inst, options, model.component(), mutation};
+    for (const MachineCode& machine : make_core(generation).machines)
+        places.insert(places.end(), machine.violations.begin(), machine.violations.end());
+    return places;
+}
+
 }  // namespace robochart::cpp_emit

@@ -15,6 +15,7 @@
 #include "conformance/check/partial_readings.hpp"
 #include "conformance/check/random_walk.hpp"
 #include "conformance/check/standstill.hpp"
+#include "conformance/check/violated_precondition.hpp"
 #include "conformance/code/shared_object.hpp"
 #include "conformance/model/component.hpp"
 #include "conformance/model/cyclic_model.hpp"
@@ -223,6 +224,13 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
             name_model_places(result, script.provenance, *sources);
             explain_result(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
                            options);
+            if (result.reason.find(outside_precondition) != std::string::npos) {
+                cpp_emit::Options generator = options.generator;
+                generator.cycle_length = options.cycle_length;
+                name_precondition(result, cpp_emit::violation_places(system, instantiation, component, generator),
+                                  blocked_calls(result, session, process, alphabet, script.provenance, options),
+                                  *sources);
+            }
         }
         decide_for_all(result, session, process, alphabet, represented, options);
         report_large_inputs(result, interface);

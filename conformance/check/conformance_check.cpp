@@ -11,6 +11,7 @@
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/lost_events.hpp"
 #include "conformance/check/standstill.hpp"
+#include "conformance/check/violated_precondition.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "conformance/model/rules.hpp"
 #include "conformance/model/tick_tock.hpp"
@@ -111,7 +112,7 @@ std::string describe_difference(const refine::Counterexample& found, const Alpha
     if (!event && found.offered.empty()) return "the code misses a deadline";
     if (!event) return fmt::format("the code offers only {}", describe_events(found.offered, alphabet));
     const std::string& name = alphabet.events().name(*event);
-    if (name == "code.precondition") return "the code calls an operation outside its precondition";
+    if (name == "code.precondition") return std::string(outside_precondition);
     if (alphabet.cycle_role(*event).kind == CycleRole::Kind::write)
         return fmt::format("the code writes {}, which the model does not allow here", alphabet.describe_event(*event));
     const bool stopped =

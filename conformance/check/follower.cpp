@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "conformance/check/standstill.hpp"
+#include "conformance/check/violated_precondition.hpp"
 #include "conformance/model/rules.hpp"
 
 namespace robochart::conformance {
@@ -40,7 +41,7 @@ std::optional<Mismatch> Follower::finish_cycle(Node& node, rc_result outcome, bo
     if (cut) return std::nullopt;
     switch (outcome) {
         case RC_PRECONDITION:
-            return make_mismatch(node, "the code calls an operation outside its precondition");
+            return make_mismatch(node, std::string(outside_precondition));
         case RC_DEADLINE:
             if (may_refuse(node, std::nullopt)) return std::nullopt;
             return make_mismatch(node, "the code misses a deadline");

@@ -15,6 +15,8 @@ std::string with_place(const std::string& text, const ir::Origin& origin, const 
     return place.empty() ? text : fmt::format("{} ({})", text, place);
 }
 
+}  // namespace
+
 /// The names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its parenthesis.
 std::vector<std::string> definitions_in(const std::string& description) {
     constexpr std::string_view between = "‖";
@@ -29,8 +31,6 @@ std::vector<std::string> definitions_in(const std::string& description) {
     }
     return names;
 }
-
-}  // namespace
 
 std::vector<std::string> elements_of_state(const std::string& description, const csp_emit::Provenance& provenance,
                                            const diagnostics::SourceManager& sources) {

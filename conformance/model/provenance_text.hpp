@@ -11,6 +11,9 @@
 
 namespace robochart::conformance {
 
+/// The names of the definitions in a state as printed by ModelGraph::describe.
+[[nodiscard]] std::vector<std::string> definitions_in(const std::string& description);
+
 /// "in S1 (aggregation.rct:83)" for each machine in a state as printed by ModelGraph::describe; without duplicates.
 [[nodiscard]] std::vector<std::string> elements_of_state(const std::string& description, const csp_emit::Provenance&,
                                                          const diagnostics::SourceManager&);

@@ -64,11 +64,16 @@ const Rule event_overtaken{"RC-K10", Severity::note, "{}",
                            "Where several transitions are enabled in one cycle, those of inner states go first, those "
                            "of timeouts and conditions too. What an outer state does at the event comes after them."};
 
+const Rule precondition_false{"RC-K11", Severity::error, "{}",
+                              "The model calls an operation whose precondition is false. It stops at this call, and "
+                              "generated code ends the cycle there with `StepResult::precondition`: the model is "
+                              "wrong, not its code."};
+
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
         &log_syntax,        &log_name,          &log_value,           &log_of_other,     &endless_steps,
         &endless_outputs,   &time_stops,        &output_in_mid_cycle, &end_in_mid_cycle, &input_in_mid_cycle,
-        &output_made_twice, &input_not_in_time, &event_missed,        &event_overtaken};
+        &output_made_twice, &input_not_in_time, &event_missed,        &event_overtaken,  &precondition_false};
     return table;
 }
 

@@ -25,6 +25,7 @@ extern const diagnostics::Rule output_made_twice;    ///< RC-K07
 extern const diagnostics::Rule input_not_in_time;    ///< RC-K08
 extern const diagnostics::Rule event_missed;         ///< RC-K09
 extern const diagnostics::Rule event_overtaken;      ///< RC-K10
+extern const diagnostics::Rule precondition_false;   ///< RC-K11
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

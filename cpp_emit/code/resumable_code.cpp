@@ -381,7 +381,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
         current_code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
-    require_preconditions(operation, place);
+    require_preconditions(stmt, operation, place);
     offer_to_platform(operation, place);
     if (!operation.machine->initial.is_valid()) {
         current_code().line(place + " = {};");
@@ -396,13 +396,31 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     current_code().line(place + " = {};");
 }
 
-/// Reports a violated precondition of an operation.
-void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
+/// If a precondition of an operation is false, nothing that follows the call happens, as in the model.
+void ProgramWriter::require_preconditions(const ir::Stmt& call, const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
         const CppExpr holds = expressions.expression_asked(*condition);
+        const std::string place = outside_place(call, operation, *condition);
         current_code().line(fmt::format("ROBOCHART_PRECONDITION({});", holds.whole_text()));
+        current_code().open("if (violated()) {");
+        current_code().line(thread_.go_statement(place));
+        current_code().line("return true;");
+        current_code().close();
     }
+}
+
+/// The place of a thread after a false precondition of an operation, before the place that is being written. Later
+/// cycles end there too.
+std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& operation, const ir::Expr& condition) {
+    const std::string& name = operation.machine->name;
+    const std::string label = thread_.labels->numbered_name("outside_" + to_identifier(name));
+    CodeWriter stays(5);
+    stays.line("require(false);");
+    stays.line("return true;");
+    thread_.places.insert(thread_.places.end() - 1, {label, "outside the precondition of " + name, state_, stays});
+    thread_.violations.push_back({label, name, condition.span, call.origin.span});
+    return label;
 }
 
 /// The platform may perform an operation itself; the model's definition then counts as finished.

@@ -11,6 +11,7 @@
 #include "cpp_emit/expressions/code_writer.hpp"
 #include "cpp_emit/expressions/generation.hpp"
 #include "cpp_emit/plan/names.hpp"
+#include "cpp_emit/plan/violation_place.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {
@@ -58,6 +59,7 @@ struct Thread {
     std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
     std::vector<SendSite> sites;
+    std::vector<ViolationPlace> violations;  ///< where it stays after a false precondition of an operation
     std::vector<PromptStep> prompt_steps;
     std::vector<std::string> holding;            ///< labels of waits with a deadline for a communication
     std::vector<std::string> held_up;            ///< labels where it has to write before time passes
@@ -118,7 +120,8 @@ private:
     void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void offer_to_platform(const Unit& operation, const std::string& frame);
-    void require_preconditions(const Unit& operation, const std::string& frame);
+    void require_preconditions(const ir::Stmt& call, const Unit& operation, const std::string& frame);
+    [[nodiscard]] std::string outside_place(const ir::Stmt& call, const Unit& operation, const ir::Expr& condition);
     [[nodiscard]] std::vector<std::string> write_arguments(const ir::Stmt&);
     void write_wait(const ir::Stmt&, const std::string& stem);
     void write_deadline(const ir::Stmt&, const std::string& stem);

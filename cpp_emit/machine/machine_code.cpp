@@ -56,7 +56,7 @@ private:
 
 MachineCode MachineWriter::write_machine(const std::vector<Field>& more) {
     if (!plan_.machine().initial.is_valid())
-        return {frame_.all_enumerations(), frame_.make_layout(more), {}, {}, {}, {}};
+        return {frame_.all_enumerations(), frame_.make_layout(more), {}, {}, {}, {}, {}};
     control_code_.during_places();
     control_code_.control_places();
     thread_function(control_, "control",
@@ -83,6 +83,7 @@ MachineCode MachineWriter::write_machine(const std::vector<Field>& more) {
     const auto collect = [&](const Thread& thread) {
         code.sites.insert(code.sites.end(), thread.sites.begin(), thread.sites.end());
         code.calls.insert(code.calls.end(), thread.calls.begin(), thread.calls.end());
+        code.violations.insert(code.violations.end(), thread.violations.begin(), thread.violations.end());
     };
     collect(control_);
     for (const DuringThread& during : during_) collect(during.thread);
@@ -132,8 +133,12 @@ void MachineWriter::during_functions() {
     out_.open_declaration("During actions of the active states, outer states first.", function_head("bool during"));
     if (propagation_.has_prompt_steps()) out_.line(function_call("prompt") + ";");
     out_.line("bool moved = false;");
-    for (const DuringThread& during : during_)
+    const bool stops = std::ranges::any_of(generation_.component.units,
+                                           [](const Unit& unit) { return !unit.machine->preconditions.empty(); });
+    for (const DuringThread& during : during_) {
         out_.line(fmt::format("moved = {} || moved;", function_call("during_" + during.suffix)));
+        if (stops && &during != &during_.back()) out_.line("if (violated()) return true;");
+    }
     out_.line("return moved;");
     out_.close();
 }

@@ -18,6 +18,7 @@ struct MachineCode {
     std::string dispatch;          ///< Step::dispatch for a machine whose programs never wait; "" for others
     std::vector<SendSite> sites;   ///< places where its threads wait to send
     std::vector<CallFrame> calls;  ///< operations that its threads run
+    std::vector<ViolationPlace> violations;
 };
 
 /// `done` contains the layouts of the operations that the unit calls, `type_names` is the scope of the core's

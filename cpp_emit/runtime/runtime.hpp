@@ -15,7 +15,8 @@
 #define RC_REQUIRE(condition) assert(condition)
 #endif
 
-/// In generated code: reports to RC_REQUIRE and makes the cycle end with StepResult::precondition.
+/// In generated code: reports to RC_REQUIRE. If the condition is false, `violated()` is true afterwards, and the cycle
+/// ends there with StepResult::precondition.
 #define ROBOCHART_PRECONDITION(...) \
     do {                            \
         RC_REQUIRE((__VA_ARGS__));  \
@@ -397,7 +398,13 @@ public:
     /// Records that an action required before time passes was not performed.
     constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
-    constexpr void require(bool precondition) noexcept { violated_ = violated_ || !precondition; }
+    /// A false precondition also uses up the steps of the cycle, so that no other machine goes on.
+    constexpr void require(bool precondition) noexcept {
+        if (precondition) return;
+        violated_ = true;
+        budget_ = 0;
+    }
+    [[nodiscard]] constexpr bool violated() const noexcept { return violated_; }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
     [[nodiscard]] constexpr StepResult result(bool terminated) const noexcept {
         if (violated_) return StepResult::precondition;

@@ -445,7 +445,30 @@ TEST(Operations, OutsideTheirPreconditionAreReported) {
     const ir::System system =
         testing::load_model(with_operation(counting, std::string(start) + "state A { entry op(0) }"));
     Machine m(system, "C");
-    m.cycle();
+    EXPECT_THAT(m.cycle(), ElementsAre());
+    EXPECT_EQ(m.result(), RC_PRECONDITION);
+}
+
+TEST(Operations, OutsideTheirPreconditionEndTheCycleAndLaterOnes) {
+    const ir::System system = testing::load_model(
+        with_operation(counting, std::string(start) + "state A { entry x!1 ; op(0) ; x!2 during x!2 }"));
+    Machine m(system, "C");
+    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)"));
+    EXPECT_EQ(m.result(), RC_PRECONDITION);
+    EXPECT_THAT(m.cycle(), ElementsAre());
+    EXPECT_EQ(m.result(), RC_PRECONDITION);
+}
+
+// The machine whose turn comes later does nothing in that cycle.
+TEST(Operations, OutsideTheirPreconditionEndTheCycleOfOtherMachines) {
+    const ir::System system = testing::load_model(
+        "package p\ninterface I { op(a : nat) }\ninterface E { event x : nat }\n"
+        "operation op(a : nat) { precondition a > 0 initial i final F transition t0 { from i to F } }\n"
+        "stm M { requires I initial i transition t0 { from i to A } state A { entry op(0) } }\n"
+        "stm N { uses E initial i transition t0 { from i to A } state A { entry x!1 } }\n"
+        "controller C { uses E sref m = M sref n = N opref o = op connection n on x to C on x }");
+    Machine m(system, "C");
+    EXPECT_THAT(m.cycle(), ElementsAre());
     EXPECT_EQ(m.result(), RC_PRECONDITION);
 }
 

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "app/command/options.hpp"
-#include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
@@ -19,6 +18,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "conformance/model/rules.hpp"
+#include "driver/model/pipeline.hpp"
 #include "frontend/project/project.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/session/session.hpp"
@@ -166,7 +166,8 @@ void take(const app::ConformanceReport& report, Judgement& result) {
     add_rule(found.explanation.rule, result);
     result.report += fmt::format("{}: {}\n", report.component, found.reason);
     if (found.outcome == conformance::Outcome::not_schedulable) return;
-    if (found.outcome != conformance::Outcome::conforms) result.findings.insert(":0 neither schedulable nor not");
+    if (found.outcome != conformance::Outcome::conforms && !found.explanation.rule)
+        result.findings.insert(":0 neither schedulable nor not");
     if (!found.missed.empty()) add_rule(&conformance::rules::event_missed, result);
     if (!found.overtaken.empty()) add_rule(&conformance::rules::event_overtaken, result);
     for (const auto& aside : {found.register_cycles, found.deadlines})
@@ -175,7 +176,7 @@ void take(const app::ConformanceReport& report, Judgement& result) {
 
 /// Runs every phase of a verb that may report findings: parsing, lowering, writing, and the search of `conform`.
 void run(const app::Options& given, Judgement& result) {
-    if (given.verb == app::Verb::cspm) return read_script(given.inputs.front(), result);
+    if (given.verb == app::Verb::cspm) return read_script(given.load.inputs.front(), result);
     if (given.verb == app::Verb::simulate) {
         const auto simulation = app::load_simulation(given);
         if (simulation->project->diagnostics.ok() && simulation->scenario.abstraction)
@@ -184,8 +185,9 @@ void run(const app::Options& given, Judgement& result) {
                                                    simulation->project->diagnostics);
         return take(simulation->project->sources, simulation->project->diagnostics, result);
     }
-    const app::Options options = app::with_swarm(given);
-    const auto project = app::load_project(options);
+    app::Options options = given;
+    driver::add_swarm(options);
+    const auto project = driver::load_project(options, options.run->budget());
     app::Report report;
     const bool all = options.verb == app::Verb::verify || options.verb == app::Verb::check;
     bool good = project->diagnostics.ok();
@@ -209,7 +211,7 @@ void run_command(const std::string& console, const fs::path& folder, Judgement& 
         return;
     }
     app::Options options = *parsed.options;
-    if (!options.out_given) options.out = (folder / "out").string();
+    if (!options.output.folder_given) options.output.folder = (folder / "out").string();
     app::Run whole(options);
     options.run = &whole;
     run(options, result);

@@ -3,6 +3,7 @@
 // the model does, and waits if the model waits. Each row conforms, although the precondition is false in some of its
 // runs. Code that does not check the precondition (Fault::function_precondition_dropped) does not conform.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
@@ -186,20 +187,72 @@ TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
     EXPECT_NE(result.reason.find("neither go on nor let time pass"), std::string::npos) << result.reason;
 }
 
+Result conformance_of(const std::string& text) {
+    const test::TemporaryFolder folder(text);
+    test::Model model(folder.path());
+    diagnostics::Diagnostics found;
+    EXPECT_TRUE(model.diagnostics.ok()) << text;
+    return conform(model.system, model.instantiation, model.first_module(), {}, model.sources, found);
+}
+
+/// Checks that the difference is the model's: the precondition is false, and both stop at the call in this line.
+void expect_false_precondition(const Result& result, const std::string& condition, const std::string& line_of_call) {
+    EXPECT_EQ(result.outcome, Outcome::differs) << condition << result.reason;
+    EXPECT_EQ(result.reason, "the precondition `" + condition + "` of op is false");
+    ASSERT_NE(result.explanation.rule, nullptr) << condition;
+    EXPECT_EQ(result.explanation.rule->code, "RC-K11");
+    ASSERT_EQ(result.explanation.where.size(), 2U);
+    EXPECT_THAT(result.explanation.where[0], ::testing::StartsWith("precondition of op ("));
+    EXPECT_THAT(result.explanation.where[1], ::testing::StartsWith("call of op ("));
+    EXPECT_THAT(result.explanation.where[1], ::testing::EndsWith(":" + line_of_call + ")"));
+}
+
 // A violated precondition of an operation is reported. The code first checks the preconditions of functions that it
 // calls.
 TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
-    for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"}) {
-        const test::TemporaryFolder folder(
-            model_of(insert_expression("2 transition t1 { from A to B trigger go action op(x) }", ""),
-                     "precondition " + condition));
-        test::Model model(folder.path());
-        diagnostics::Diagnostics found;
-        const Result result =
-            conform(model.system, model.instantiation, model.first_module(), {}, model.sources, found);
-        EXPECT_EQ(result.outcome, Outcome::differs) << condition << result.reason;
-        EXPECT_EQ(result.reason, "the code calls an operation outside its precondition") << condition;
+    for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"})
+        expect_false_precondition(
+            conformance_of(model_of(insert_expression("2 transition t1 { from A to B trigger go action op(x) }", ""),
+                                    "precondition " + condition)),
+            condition, "9");
+}
+
+// Neither what follows the call nor another machine or during action does anything in the rest of the cycle.
+TEST(PreconditionsOfOperations, StopTheCycleAtTheCall) {
+    const char* const bodies[] = {"2 transition t1 { from A to B trigger go action act(1) ; op(x) ; act(2) ; tell!2 }",
+                                  "state A { } state B { entry act(1) ; op(x) ; act(2) during act(2) } "
+                                  "transition t1 { from A to B trigger go }",
+                                  "state A { } state B { entry act(1) during op(x) initial j state D { during act(2) } "
+                                  "transition k { from j to D } } transition t1 { from A to B trigger go }"};
+    for (const char* const body : bodies) {
+        const Result result = conformance_of(model_of(insert_expression(body, ""), "precondition n > 0"));
+        expect_false_precondition(result, "n > 0", "9");
+        EXPECT_THAT(result.cycles.back().outputs, ::testing::ElementsAre("act(1)")) << body;
     }
+}
+
+// Of several preconditions, the false one is named.
+TEST(PreconditionsOfOperations, AreNamedOneByOne) {
+    const Result result =
+        conformance_of(model_of(insert_expression("2 transition t1 { from A to B trigger go action op(2) }", ""),
+                                "precondition n > 1 precondition n < 2"));
+    expect_false_precondition(result, "n < 2", "9");
+}
+
+// A fault of the code that calls an operation outside its precondition is not blamed on the model.
+TEST(PreconditionsOfOperations, AreNotBlamedOnTheModelIfTheCodeIsWrong) {
+    const test::TemporaryFolder folder(
+        model_of(insert_expression("2 transition t1 { from A to B trigger go action op(2) ; act(1) }", ""),
+                 "precondition n > 0"));
+    test::Model model(folder.path());
+    Options options;
+    options.generator.fault = cpp_emit::Fault::precondition_negated;
+    diagnostics::Diagnostics found;
+    const Result result =
+        conform(model.system, model.instantiation, model.first_module(), options, model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::differs);
+    EXPECT_THAT(result.reason, ::testing::StartsWith("the code calls op outside its precondition")) << result.reason;
+    EXPECT_EQ(result.explanation.rule, nullptr);
 }
 
 // A during action that waits forever is interrupted when its state is left. This is the smallest model that once
