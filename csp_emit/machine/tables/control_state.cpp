@@ -46,10 +46,12 @@ const Thread& thread_of(const Activation& activation, std::size_t number) {
 
 Activation with_thread(const Activation& activation, std::size_t number, Thread changed) {
     Activation result = activation;
-    const auto during = result.durings.begin() + static_cast<std::ptrdiff_t>(number) - 1;
-    if (number == control_thread)
+    if (number == control_thread) {
         result.control = std::move(changed);
-    else if (changed.is_done())
+        return result;
+    }
+    const auto during = result.durings.begin() + static_cast<std::ptrdiff_t>(number - 1);
+    if (changed.is_done())
         result.durings.erase(during);
     else
         during->thread = std::move(changed);
