@@ -213,7 +213,8 @@ void KeptSearch::begin_question(const std::string& text) {
     if (asked_.size() > earlier_.size()) write_questions();
 }
 
-/// An earlier run may have ended before it had identified the assertion.
+/// An earlier run may have ended before it had identified the assertion. A check that begins again with wider rows
+/// identifies its assertion again.
 void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
     assert(!asked_.empty());
     Asked& asked = asked_.back();
@@ -225,6 +226,7 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
     if (before != unidentified && before != asked.digest)
         refuse_question(asked_.size() - 1, "about other processes or with other options");
     if (before != asked.digest) write_questions();
+    if (again) earlier_[asked_.size() - 1].digest = asked.digest;
     if (!digest && settings_.say)
         settings_.say(
             fmt::format("nothing is kept of the search for `{}`: its states have other numbers in each run, "

@@ -47,13 +47,18 @@ class Resumed : public ::testing::Test {
 protected:
     explicit Resumed(const char* text = script) : folder_{{{"script.csp", text}}} {}
 
-    /// Decides the script. `before` is a shell prefix that starts the command. The run resumes from a checkpoint in the
-    /// folder, if there is one.
-    Ran decide(const std::string& before, const std::string& options) const {
+    /// Decides the script. `before` and `after` are shell text around the command. The run resumes from a checkpoint in
+    /// the folder, if there is one.
+    Ran decide(const std::string& before, const std::string& options, const std::string& after = "") const {
         const bool again = std::filesystem::exists(folder_ / "kept/questions");
-        return run_shell(fmt::format("{} \"$verify\" cspm {} --no-reduction --format json {} {} {}", before,
+        return run_shell(fmt::format("{} \"$verify\" cspm {} --no-reduction --format json {} {} {} {}", before,
                                      folder_ / "script.csp", again ? "--resume" : "--checkpoint", folder_ / "kept",
-                                     options));
+                                     options, after));
+    }
+    /// The same, with a signal after some seconds. `timeout -s KILL` also kills itself, so it ends before the command
+    /// has released its locks; the shell waits until the command is gone.
+    Ran decide_until(double seconds, const char* signal, const std::string& options) const {
+        return decide("", options, fmt::format("& sleep {}; kill -s {} $!; wait $!", seconds, signal));
     }
     /// The part of the output that must not depend on interruptions.
     static std::string results(const Ran& ran) {
@@ -113,10 +118,9 @@ void Resumed::survive_kills() {
     for (int round = 0; round < 8 || (gone_on == 0 && round < 40); ++round) {
         const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80) * (1 + round / 8);
         const bool kept = has_checkpoint();
-        const Ran ran =
-            decide(fmt::format("timeout --preserve-status -s {} {}", round % 2 == 0 ? "KILL" : "TERM", seconds),
-                   fmt::format("--every 0.0002 --threads {} {}", 1 + random() % 3,
-                               random() % 2 == 0 ? "" : "--disk " + folder_.path("kept")));
+        const Ran ran = decide_until(seconds, round % 2 == 0 ? "KILL" : "TERM",
+                                     fmt::format("--every 0.0002 --threads {} {}", 1 + random() % 3,
+                                                 random() % 2 == 0 ? "" : "--disk " + folder_.path("kept")));
         ASSERT_NE(ran.exit, 2) << ran.err;
         if (ran.exit > 2) ++ended;
         if (!kept) continue;

@@ -344,6 +344,18 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
 }
 
 // If an answer was not saved, only its search remains.
+// A check that begins again with wider rows identifies its assertion again.
+TEST_F(KeptSearches, IdentifyAQuestionAgainAfterARunThatNeverDid) {
+    {
+        KeptSearch search(settings(false, false), threads_);
+        search.begin_question("holds");
+    }
+    KeptSearch search(settings(true, false), threads_);
+    search.begin_question("holds");
+    search.identify_question(digest("holds"));
+    EXPECT_EQ(refusal([&] { search.identify_question(digest("holds")); }), "");
+}
+
 TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
     const auto searches = [&] {
         std::size_t count = 0;
