@@ -11,6 +11,7 @@
 #include <numeric>
 #include <vector>
 
+#include "app/command/findings.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/monitor.hpp"
 #include "benchmarks/cpu_time.hpp"
@@ -109,9 +110,9 @@ bool compare(const Study& study, std::uint32_t robots, int rounds) {
 
 bool load(const char* path, Study& study) {
     app::Options options;
-    options.verb = app::Verb::simulate;
-    options.inputs = {path};
-    options.quiet = true;
+    app::set_verb(options, app::Verb::simulate);
+    options.load.inputs = {path};
+    options.output.quiet = true;
     app::Run run(options);
     options.run = &run;
     study.loaded = app::load_simulation(options);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/command/findings.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
 #include "benchmarks/cpu_time.hpp"
@@ -41,8 +42,8 @@ int main(int argc, char** argv) {
         return 4;
     }
     app::Options options;
-    options.verb = app::Verb::simulate;
-    options.inputs = {argv[1]};
+    app::set_verb(options, app::Verb::simulate);
+    options.load.inputs = {argv[1]};
     app::Run run(options);
     options.run = &run;
     const auto loaded = app::load_simulation(options);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes build/package/packages/*.deb and *.tar.gz, and tests both. The archive is unpacked in a temporary folder and run
+# Makes build/package/packages/*.deb and *.tar.gz, and tests them. The archive is unpacked in a temporary folder and run
 # from another one in an empty environment. The package is installed in a fresh Debian 12, made with mmdebstrap if this
 # is available; otherwise the package is unpacked and its libraries are looked up. Prints the seconds from installation
 # to verdict.
@@ -9,11 +9,12 @@ cd "$(dirname "$0")/.."
 sources="$PWD"
 scripts/setup.sh build
 cmake --preset package >/dev/null
-cmake --build --preset package --target robochart-verify
+cmake --build --preset package --target robochart-verify robochart_library
 rm -rf build/package/packages
 (cd build/package && cpack >cpack.log) || { cat build/package/cpack.log >&2; exit 1; }
-deb="$(echo "$sources"/build/package/packages/*.deb)"
-archive="$(echo "$sources"/build/package/packages/*.tar.gz)"
+deb="$(echo "$sources"/build/package/packages/robochart-verify_*.deb)"
+library="$(echo "$sources"/build/package/packages/librobochart-verify-dev_*.deb)"
+archive="$(echo "$sources"/build/package/packages/robochart-verify-[0-9]*.tar.gz)"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 
@@ -70,4 +71,25 @@ else
   if ldd "$folder/root/usr/bin/robochart-verify" | grep -F 'not found'; then exit 1; fi
   try "$folder/root/usr"
   echo "unpacked only: mmdebstrap, which makes a fresh Debian, is not installed"
+fi
+
+echo "== $(basename "$library")"
+dpkg-deb -f "$library" Package Version Architecture Depends Recommends
+if command -v mmdebstrap >/dev/null; then
+  cp "$library" "$folder/library.deb"
+  "$sources/tests/packaging/extract.sh" "$sources/docs/library.md" "$folder/program"
+  cat >"$folder/build.sh" <<'BUILD'
+set -eu
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C
+apt-get install -q -y --no-install-recommends /tmp/robochart-verify.deb /tmp/library.deb g++ cmake make >/tmp/install.log 2>&1 ||
+  { cat /tmp/install.log; exit 1; }
+cd /tmp/program
+cmake -S . -B build >/tmp/build.log && cmake --build build >>/tmp/build.log || { cat /tmp/build.log; exit 1; }
+build/patrol >printed || [ $? -eq 1 ]
+diff expected printed
+BUILD
+  mmdebstrap --quiet --variant=minbase \
+    --customize-hook="copy-in $folder/robochart-verify.deb $folder/library.deb $folder/program $folder/build.sh /tmp" \
+    --customize-hook='chroot "$1" sh /tmp/build.sh' bookworm /dev/null
+  echo "the program of docs/library.md was built and ran in a fresh Debian 12"
 fi

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <new>
 
-#include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "checker/lts/graph.hpp"
 #include "checker/lts/tau_components.hpp"
@@ -19,12 +18,12 @@ constexpr std::size_t most_states = 50'000;
 /// There are more.
 struct TooMany {};
 
-bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, const Options& turn) {
-    const refine::Limits bounds = limits_of_check(turn);
+bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, const driver::SearchContext& search) {
+    const refine::Limits bounds = driver::limits_of_check(search);
     const auto system = session.system(process, bounds);
     const lts::Exploration all = lts::explore(*system, [&](std::size_t states) {
         if (states > most_states) throw TooMany{};
-        turn.run->budget().poll();
+        search.services.budget().poll();
         if (bounds.deadline && std::chrono::steady_clock::now() >= *bounds.deadline) throw TooMany{};
     });
     const lts::TauComponents taus = lts::tau_components(all.graph);
@@ -33,8 +32,8 @@ bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, 
 
 }  // namespace
 
-Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, const cspm::AssertionResult& result,
-               const Options& turn) {
+driver::Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, const cspm::AssertionResult& result,
+                       const driver::SearchContext& search) {
     const cspm::Assertion& asked = assertion.assertion;
     const bool holds = result.verdict.outcome == refine::Outcome::holds && !asked.negated;
     const bool of_failures = asked.model == cspm::Model::failures && asked.kind != cspm::AssertionKind::has_trace;
@@ -43,7 +42,7 @@ Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, const cspm::
     try {
         // With priorities internal events may be kept from happening: that process is another one.
         if (asked.tau_priority ||
-            !can_go_on_internally(session, refinement ? asked.implementation : asked.specification, turn))
+            !can_go_on_internally(session, refinement ? asked.implementation : asked.specification, search))
             return {};
     } catch (const TooMany&) {
         return {};
@@ -54,7 +53,7 @@ Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, const cspm::
     } catch (const std::bad_alloc&) {
         return {};
     }
-    return {{GroundKind::never_at_rest,
+    return {{driver::GroundKind::never_at_rest,
              "it can go on internally for ever: what it refuses meanwhile is not looked at in the failures model",
              {},
              {},

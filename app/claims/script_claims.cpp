@@ -6,16 +6,15 @@
 #include <utility>
 
 #include "app/claims/script_basis.hpp"
-#include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 
 namespace robochart::app {
 namespace {
 
-Answer answer(refine::Outcome outcome) {
-    if (outcome == refine::Outcome::holds) return Answer::holds;
-    return outcome == refine::Outcome::fails ? Answer::fails : Answer::inconclusive;
+driver::Answer answer(refine::Outcome outcome) {
+    if (outcome == refine::Outcome::holds) return driver::Answer::holds;
+    return outcome == refine::Outcome::fails ? driver::Answer::fails : driver::Answer::inconclusive;
 }
 
 /// The innermost calls, and the number of calls, which shows a deep recursion.
@@ -40,13 +39,14 @@ ScriptAssertion undecided_assertion(const cspm::Decl& assertion, std::size_t num
     if (refinement) result.specification = cspm::print(asked.specification);
     result.process = cspm::print(refinement ? asked.implementation : asked.specification);
     result.result.negated = asked.negated;
-    result.errors = {undecided_at_limit};
+    result.errors = {driver::undecided_at_limit};
     return result;
 }
 
 /// The same result in the report over all scripts.
-AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events, const Options& options) {
-    AssertionReport report;
+driver::AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events,
+                                  const Options& options) {
+    driver::AssertionReport report;
     report.title = assertion.text;
     report.place = assertion.place;
     report.answer = assertion.answer;
@@ -54,7 +54,7 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
     report.searched = !assertion.result.verdict.known;
     report.basis = assertion.basis;
     if (!assertion.errors.empty()) report.reason = assertion.errors.front();
-    if (assertion.result.verdict.counterexample && !options.brief)
+    if (assertion.result.verdict.counterexample && !options.script.brief)
         report.counterexample = counterexample_text(assertion, events, options);
     return report;
 }
@@ -97,7 +97,7 @@ ScriptClaims::ScriptClaims(OpenScript& open, const LoadedScript& loaded, const O
       begun_(chosen.size()),
       shown_(chosen.size()) {
     const std::vector<cspm::DeclPtr> all = open.open_session().assertions();
-    const auto edit = options.run->lock_for_edit();
+    const auto edit = options.run->edit();
     for (const std::size_t i : chosen) {
         assertions_.push_back(all[i]);
         script.assertions.push_back(undecided_assertion(*all[i], i + 1, sources_));
@@ -106,12 +106,12 @@ ScriptClaims::ScriptClaims(OpenScript& open, const LoadedScript& loaded, const O
 }
 
 void ScriptClaims::decide_all(const Show& show) {
-    std::vector<WaitingClaim> claims;
+    std::vector<driver::WaitingClaim> claims;
     for (std::size_t at = 0; at < assertions_.size(); ++at)
         claims.push_back({script_.assertions[at].text,
-                          [this, at, &show](const Options& turn) { return decide_in(turn, at, show); }});
+                          [this, at, &show](const driver::Turn& turn) { return decide_in(turn, at, show); }});
     try {
-        decide_in_turns(claims, options_, [this] { open_.give_back(); });
+        decide_in_turns(claims, search_context(options_), [this] { open_.give_back(); });
     } catch (const diagnostics::LimitReached& limit) {
         options_.run->finish();
         say_not_begun(limit.what());
@@ -121,13 +121,13 @@ void ScriptClaims::decide_all(const Show& show) {
         if (!shown_[at]) show(script_.assertions[at], no_events);
 }
 
-bool ScriptClaims::decide_in(const Options& given, std::size_t at, const Show& show) {
-    Options turn = given;
-    turn.on_progress = [this, at](const refine::Progress& progress) { note_progress(progress, at); };
+bool ScriptClaims::decide_in(const driver::Turn& turn, std::size_t at, const Show& show) {
+    driver::SearchContext search{options_, *options_.run, turn};
+    search.turn.on_progress = [this, at](const refine::Progress& progress) { note_progress(progress, at); };
     begun_[at] = true;
     ScriptAssertion one = undecided_assertion(*assertions_[at], script_.assertions[at].number, sources_);
-    decide_one(turn, *assertions_[at], one);
-    const bool decided = one.answer != Answer::inconclusive;
+    decide_one(search, *assertions_[at], one);
+    const bool decided = one.answer != driver::Answer::inconclusive;
     store_result(at, std::move(one));
     if (!decided) return false;
     shown_[at] = true;
@@ -135,19 +135,19 @@ bool ScriptClaims::decide_in(const Options& given, std::size_t at, const Show& s
     return true;
 }
 
-void ScriptClaims::decide_one(const Options& turn, const cspm::Decl& assertion, ScriptAssertion& one) {
-    const refine::Limits bounds = limits_of_check(turn, one.text);
+void ScriptClaims::decide_one(const driver::SearchContext& search, const cspm::Decl& assertion, ScriptAssertion& one) {
+    const refine::Limits bounds = driver::limits_of_check(search, one.text);
     one.errors.clear();
     try {
         one.result = open_.open_session().check(assertion, bounds);
         one.answer = answer(one.result.verdict.outcome);
-        one.basis = basis_of(open_.open_session(), assertion, one.result, turn);
-        if (one.result.verdict.counterexample && !options_.brief)
+        one.basis = basis_of(open_.open_session(), assertion, one.result, search);
+        if (one.result.verdict.counterexample && !options_.script.brief)
             one.behaviour =
                 open_.open_session().behaviour_with_values(assertion, *one.result.verdict.counterexample, bounds);
-        if (!one.result.verdict.reason.empty()) one.errors.push_back(ended_turn(one.result.verdict.reason, turn));
+        if (!one.result.verdict.reason.empty()) one.errors.push_back(ended_turn(one.result.verdict.reason, search));
     } catch (const cspm::EvaluationError& error) {
-        one.answer = Answer::error;
+        one.answer = driver::Answer::error;
         one.errors.push_back(
             fmt::format("{}: {}{}", sources_.path_and_line(error.span), error.what(), call_stack(error.stack)));
     }
@@ -155,15 +155,15 @@ void ScriptClaims::decide_one(const Options& turn, const cspm::Decl& assertion, 
 
 void ScriptClaims::store_result(std::size_t at, ScriptAssertion one) {
     name_events(one, open_.open_session().event_table(), options_);
-    AssertionReport reported = in_report(one, open_.open_session().event_table(), options_);
-    const auto edit = options_.run->lock_for_edit();
+    driver::AssertionReport reported = in_report(one, open_.open_session().event_table(), options_);
+    const auto edit = options_.run->edit();
     report_.assertions[first_ + at] = std::move(reported);
     script_.assertions[at] = std::move(one);
 }
 
 /// What is known of an assertion if the run ends now.
 void ScriptClaims::note_progress(const refine::Progress& progress, std::size_t at) {
-    const auto edit = options_.run->lock_for_edit();
+    const auto edit = options_.run->edit();
     refine::Statistics& known = report_.assertions[first_ + at].statistics;
     if (progress.phase != refine::Progress::Phase::searching || progress.states < known.states) return;
     report_.assertions[first_ + at].searched = true;
@@ -175,7 +175,7 @@ void ScriptClaims::note_progress(const refine::Progress& progress, std::size_t a
 }
 
 void ScriptClaims::say_not_begun(const std::string& why) {
-    const auto edit = options_.run->lock_for_edit();
+    const auto edit = options_.run->edit();
     for (std::size_t at = 0; at < assertions_.size(); ++at) {
         if (begun_[at]) continue;
         script_.assertions[at].errors = {"not begun: " + why};

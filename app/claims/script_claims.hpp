@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "app/claims/turns.hpp"
 #include "app/command/script.hpp"
 #include "app/report/script_report.hpp"
+#include "driver/claims/turns.hpp"
 
 namespace robochart::app {
 
@@ -45,8 +45,8 @@ public:
     void decide_all(const Show& show);
 
 private:
-    bool decide_in(const Options& turn, std::size_t at, const Show& show);
-    void decide_one(const Options& turn, const cspm::Decl& assertion, ScriptAssertion& one);
+    bool decide_in(const driver::Turn&, std::size_t at, const Show& show);
+    void decide_one(const driver::SearchContext&, const cspm::Decl& assertion, ScriptAssertion& one);
     void store_result(std::size_t at, ScriptAssertion one);
     void note_progress(const refine::Progress&, std::size_t at);
     void say_not_begun(const std::string& why);

@@ -14,18 +14,18 @@
 namespace robochart::app {
 
 void output_document(const Options& options, const std::function<std::string(Format)>& document) {
-    if (options.format != Format::text) print_exact(document(options.format));
-    for (const auto& [format, path] : options.files) options.run->keep_for(path, document(format));
+    if (options.output.format != Format::text) print_exact(document(options.output.format));
+    for (const auto& [format, path] : options.output.files) options.run->keep_for(path, document(format));
 }
 
 bool is_requested(const Options& options, Format format) {
-    return options.format == format || options.files.contains(format);
+    return options.output.format == format || options.output.files.contains(format);
 }
 
 diagnostics::SarifRules about_log(const Options& options, const std::string& limit) {
     const auto& verbs = verb_table();
     const auto verb = std::ranges::find_if(verbs, [&](const VerbRow& row) { return row.verb == options.verb; });
-    return {program_version, fmt::format("{}/{}", full_name(*verb), fmt::join(options.inputs, " ")),
+    return {program_version, fmt::format("{}/{}", full_name(*verb), fmt::join(options.load.inputs, " ")),
             [](const diagnostics::Rule& rule) { return read_page(page_text(rule.code)).title; }, limit};
 }
 

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 
 #include "app/command/help.hpp"
@@ -72,9 +71,9 @@ void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
     if (const std::string input = row.input; !input.empty()) {
         const std::size_t begin = input.front() == '[' ? 1 : 0;
         const std::string name = input.substr(begin, input.find_first_of(".] ") - begin);
-        sub->add_option(name, options.inputs)->required(begin == 0);
+        sub->add_option(name, options.load.inputs)->required(begin == 0);
     }
-    sub->callback([&options, &row] { options.verb = row.verb; });
+    sub->callback([&options, &row] { set_verb(options, row.verb); });
 }
 
 bool names_a_verb(const std::string& word) {
@@ -136,11 +135,19 @@ Parsed help_of(const std::string& name) {
 
 /// The result of the verb `help`.
 Parsed answer_help(const Options& options) {
-    if (options.generate == "man") return answer_with_text(manual_page());
-    if (options.generate == "bash") return answer_with_text(bash_completion());
-    if (options.generate == "zsh") return answer_with_text(zsh_completion());
-    if (options.generate == "fish") return answer_with_text(fish_completion());
-    return help_of(fmt::format("{}", fmt::join(options.inputs, " ")));
+    switch (options.generate) {
+        case Generated::none:
+            break;
+        case Generated::man:
+            return answer_with_text(manual_page());
+        case Generated::bash:
+            return answer_with_text(bash_completion());
+        case Generated::zsh:
+            return answer_with_text(zsh_completion());
+        case Generated::fish:
+            return answer_with_text(fish_completion());
+    }
+    return help_of(fmt::format("{}", fmt::join(options.load.inputs, " ")));
 }
 
 std::string version_text() {
@@ -207,12 +214,12 @@ std::vector<std::pair<std::string, std::string>> written_files(const Options& op
     const auto add = [&](const std::string& option, const std::string& path) {
         if (!path.empty()) files.emplace_back(option, path);
     };
-    for (const auto& [format, path] : options.files)
+    for (const auto& [format, path] : options.output.files)
         add(format == Format::json ? "--json" : format == Format::sarif ? "--sarif" : "--junit", path);
-    add("--html", options.html);
-    add("--plot", options.plot);
-    add("--export", options.exported_code);
-    if (options.verb == Verb::draw) add("--out", options.out);
+    add("--html", options.output.html);
+    add("--plot", options.prism.plot);
+    add("--export", options.conform.exported_code);
+    if (options.verb == Verb::draw) add("--out", options.output.folder);
     return files;
 }
 
@@ -225,10 +232,10 @@ bool is_written_by_hand(const std::filesystem::path& path) {
 
 /// An answer must not take the place of what it is about. Returns what is wrong, "" if nothing is.
 std::string overwritten_input(const Options& options) {
-    std::vector<std::string> read = options.inputs;
-    read.insert(read.end(), options.traces.begin(), options.traces.end());
-    for (const std::string* file :
-         {&options.swarm, &options.mapping, &options.preferences, &options.certificate, &options.compare})
+    std::vector<std::string> read = options.load.inputs;
+    read.insert(read.end(), options.conform.traces.begin(), options.conform.traces.end());
+    for (const std::string* file : {&options.swarm.file, &options.code.mapping, &options.probability.preferences,
+                                    &options.tune.certificate, &options.simulate.compare})
         if (!file->empty()) read.push_back(*file);
     std::error_code ignored;
     for (const auto& [option, path] : written_files(options)) {
@@ -241,11 +248,6 @@ std::string overwritten_input(const Options& options) {
                                diagnostics::escape_for_display(path));
     }
     return "";
-}
-
-bool parse_number(std::string_view text, std::int64_t& value) {
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return code == std::errc() && end == text.data() + text.size();
 }
 
 }  // namespace
@@ -277,40 +279,6 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     if (const std::string wrong = overwritten_input(options); !wrong.empty()) return wrong_usage(wrong);
     options.cache = options.cache && has_cache(options.verb);
     return Parsed{options, Exit::success, ""};
-}
-
-ir::GivenConstants given_constants(const std::vector<std::string>& texts, std::string& error) {
-    ir::GivenConstants result;
-    for (const std::string& text : texts) {
-        const auto equals = text.find('=');
-        if (equals == std::string::npos || equals == 0)
-            error = fmt::format("--const {}: expected NAME=VALUE", diagnostics::escape_for_display(text));
-        else if (!result.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
-            error = fmt::format("--const {} is given twice", diagnostics::escape_for_display(text.substr(0, equals)));
-    }
-    return result;
-}
-
-ir::InstantiationOptions instantiation_options(const Options& o, std::string& error) {
-    ir::InstantiationOptions result;
-    result.constants = given_constants(o.constants, error);
-    for (const std::string& text : o.ranges) {
-        const auto equals = text.find('=');
-        const auto dots = text.find("..");
-        std::int64_t low = 0;
-        std::int64_t high = 0;
-        const std::string_view view(text);
-        const bool good = equals != std::string::npos && dots != std::string::npos && dots > equals &&
-                          parse_number(view.substr(equals + 1, dots - equals - 1), low) &&
-                          parse_number(view.substr(dots + 2), high);
-        if (!good)
-            error = fmt::format("--range {}: expected TYPE=LOW..HIGH", diagnostics::escape_for_display(text));
-        else if (low > high)
-            error = fmt::format("--range {}: the range is empty", diagnostics::escape_for_display(text));
-        else
-            result.ranges[text.substr(0, equals)] = {low, high};
-    }
-    return result;
 }
 
 }  // namespace robochart::app

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "app/command/options.hpp"
-#include "semantics/instantiate/given_constants.hpp"
-#include "semantics/ir/instantiation.hpp"
 
 namespace robochart::app {
 
@@ -20,11 +18,5 @@ struct Parsed {
 };
 
 [[nodiscard]] Parsed parse_command_line(int argc, const char* const* argv);
-
-/// Parses NAME=VALUE pairs. Malformed pairs and duplicate names are reported in `error`.
-[[nodiscard]] ir::GivenConstants given_constants(const std::vector<std::string>&, std::string& error);
-
-/// The options for the instantiation. Malformed pairs are reported in `error`.
-[[nodiscard]] ir::InstantiationOptions instantiation_options(const Options&, std::string& error);
 
 }  // namespace robochart::app

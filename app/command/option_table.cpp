@@ -127,27 +127,31 @@ std::uint64_t to_number(const std::string& word) {
 }
 
 void take_format(Options& o, const std::string& word) {
-    o.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json,junit,csv"));
+    o.output.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json,junit,csv"));
 }
 
 void take_quiet(Options& o, const std::string&) {
-    o.quiet = true;
+    o.output.quiet = true;
+}
+
+void take_scheduler(Options& o, const std::string& word) {
+    o.probability.scheduler = static_cast<driver::Scheduler>(index_of(word, "any,urgent,uniform"));
 }
 
 void take_choices(Options& o, const std::string&) {
-    o.choices = true;
+    o.code.choices = true;
 }
 
 void take_threads(Options& o, const std::string& word) {
-    o.threads = static_cast<unsigned>(to_number(word));
+    o.limits.threads = static_cast<unsigned>(to_number(word));
 }
 
 /// A file that receives the answer in a format, in addition to the output of --format.
 template <Format format>
 void take_file(Options& o, const std::string& path) {
-    for (const auto& [other, taken] : o.files)
+    for (const auto& [other, taken] : o.output.files)
         if (taken == path) throw UsageError(path + " is given for two output formats");
-    o.files[format] = path;
+    o.output.files[format] = path;
 }
 
 constexpr Argument answer_file{.kind = Kind::file, .name = "FILE"};
@@ -164,59 +168,59 @@ const std::vector<OptionRow>& option_table() {
         {"--assertion", Group::checking, checking | verb_bit(Verb::cspm), {.kind = Kind::name, .name = "WHICH", .repeated = true},
          "check only these: a name, a number (from 1), a range (3..5) or a pattern (Safe*); in scripts and swarms the "
          "name is the text of the claim",
-         [](Options& o, const std::string& word) { o.claims.push_back(word); }},
+         [](Options& o, const std::string& word) { o.claims.names.push_back(word); }},
         {"--timed", Group::checking, checking | verb_bit(Verb::emit_csp), {}, "use only the timed semantics",
-         [](Options& o, const std::string&) { o.times = Times::timed; }, "--untimed"},
+         [](Options& o, const std::string&) { o.claims.times = driver::Times::timed; }, "--untimed"},
         {"--untimed", Group::checking, checking | verb_bit(Verb::emit_csp) | verb_bit(Verb::step), {}, "use only the untimed semantics",
-         [](Options& o, const std::string&) { o.times = Times::untimed; }},
+         [](Options& o, const std::string&) { o.claims.times = driver::Times::untimed; }},
         {"--core", Group::checking, checking | verb_bit(Verb::emit_csp), {},
          "also check the core properties of every component; the default only if the model has no assertions",
-         [](Options& o, const std::string&) { o.core = true; }},
+         [](Options& o, const std::string&) { o.claims.core = true; }},
         {"--sizes", Group::checking, checking, {},
          "print the number of states and transitions of every component",
-         [](Options& o, const std::string&) { o.sizes = true; }},
+         [](Options& o, const std::string&) { o.claims.sizes = true; }},
         {"--swarm", Group::checking, verb_bit(Verb::check) | verb_bit(Verb::emit_csp), {.kind = Kind::file, .name = "FILE"},
          "check the claims of this file (.swarm) about several robots instead of the assertions of the model",
-         [](Options& o, const std::string& word) { o.swarm = word; }, "--core"},
+         [](Options& o, const std::string& word) { o.swarm.file = word; }, "--core"},
         {"--robots", Group::checking, verb_bit(Verb::check) | verb_bit(Verb::emit_csp),
          {.kind = Kind::whole, .name = "N", .least = 1, .most = 8},
          "with --swarm: number of robots (overrides the file)",
-         [](Options& o, const std::string& word) { o.robots = static_cast<std::uint32_t>(to_number(word)); }},
+         [](Options& o, const std::string& word) { o.swarm.robots = static_cast<std::uint32_t>(to_number(word)); }},
         {"--grid", Group::checking, verb_bit(Verb::check) | verb_bit(Verb::emit_csp), {.kind = Kind::text, .name = "WxH"},
          "with --swarm: size of the grid (overrides the file)",
-         [](Options& o, const std::string& word) { o.grid = word; }},
+         [](Options& o, const std::string& word) { o.swarm.grid = word; }},
         {"--typecheck", Group::checking, verb_bit(Verb::cspm), {}, "check names and types, then stop",
-         [](Options& o, const std::string&) { o.typecheck = true; }},
+         [](Options& o, const std::string&) { o.script.typecheck = true; }},
         {"--types", Group::checking, verb_bit(Verb::cspm), {}, "print the type of every name, then stop",
-         [](Options& o, const std::string&) { o.types = true; }},
+         [](Options& o, const std::string&) { o.script.types = true; }},
 
         {"--property", Group::checking, verb_bit(Verb::prism), {.kind = Kind::name, .name = "TEXT", .repeated = true},
          "an additional property, for example 'P=? [ F \"done\" ]'",
-         [](Options& o, const std::string& word) { o.properties.push_back(word); }},
+         [](Options& o, const std::string& word) { o.prism.properties.push_back(word); }},
         {"--encoding", Group::checking, checking,
          {.kind = Kind::choice, .name = "ENCODING", .usual = "csp", .choices = "csp,robotool"},
          "model for probabilistic assertions: decision processes from the timed CSP semantics (csp), or RoboTool's "
          "Markov chains (robotool)",
-         [](Options& o, const std::string& word) { o.encoding = word; }},
+         [](Options& o, const std::string& word) { o.probability.encoding = word == "robotool" ? driver::Encoding::robotool : driver::Encoding::csp; }},
         {"--scheduler", Group::checking, checking,
          {.kind = Kind::choice, .name = "SCHEDULER", .usual = "any", .choices = "any,urgent,uniform"},
          "how nondeterminism is resolved: any (best and worst case), urgent (internal steps before inputs and time), "
          "uniform (equally likely)",
-         [](Options& o, const std::string& word) { o.scheduler = word; }},
+         take_scheduler},
         {"--exact", Group::checking, checking | verb_bit(Verb::prism), {},
          "compute exact probabilities with fractions (small models only)",
-         [](Options& o, const std::string&) { o.exact = true; }},
+         [](Options& o, const std::string&) { o.probability.exact = true; }},
         {"--epsilon", Group::checking, checking | verb_bit(Verb::prism),
          {.kind = Kind::fraction, .name = "WIDTH", .usual = "0.000001"},
          "maximum width of the interval around a value, relative to the value",
-         [](Options& o, const std::string& word) { o.epsilon = std::strtod(word.c_str(), nullptr); }, "--exact"},
+         [](Options& o, const std::string& word) { o.probability.epsilon = std::strtod(word.c_str(), nullptr); }, "--exact"},
 
         {"--sim", Group::checking, verb_bit(Verb::prism),
          {.kind = Kind::text, .name = "METHOD"},
          "answer by random paths: ci, aci, apmc or sprt, followed by ,samples=N ,width=W ,confidence=ALPHA ,path=STEPS",
          [](Options& o, const std::string& word) {
              try {
-                 o.sampling = prism::read_method(word);
+                 o.prism.sampling = prism::read_method(word);
              } catch (const prism::BadMethod& error) {
                  throw UsageError(std::string("--sim ") + error.what());
              }
@@ -225,69 +229,78 @@ const std::vector<OptionRow>& option_table() {
         {"--scheduler", Group::checking, verb_bit(Verb::prism),
          {.kind = Kind::choice, .name = "WHO", .choices = "uniform"},
          "how nondeterminism of an mdp is resolved: uniform makes all enabled commands equally likely, as in a dtmc",
-         [](Options& o, const std::string& word) { o.scheduler = word; }},
+         take_scheduler},
         {"--seed", Group::checking, checking | verb_bit(Verb::prism), {.kind = Kind::whole, .name = "N", .usual = "0", .most = any_number},
          "seed of random paths, for --sim, `using sim` and `prob generate path`",
-         [](Options& o, const std::string& word) { o.seed = to_number(word); }},
+         [](Options& o, const std::string& word) { o.probability.seed = to_number(word); }},
         {"--without-limit", Group::checking, verb_bit(Verb::rules),
          {.kind = Kind::choice, .name = "READING", .usual = "eventually", .choices = "eventually,now"},
          "when a response without limit is due: eventually, or now (at once, as in LEGOS)",
-         [](Options& o, const std::string& word) { o.without_limit = word; }},
+         [](Options& o, const std::string& word) {
+             o.rules.without_limit = word == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually;
+         }},
         {"--as-sleec-tk", Group::checking, verb_bit(Verb::rules), {},
          "compare pairs of rules in the semantics of SLEEC-TK, including its faults",
-         [](Options& o, const std::string&) { o.as_sleec_tk = true; }, "--without-limit"},
+         [](Options& o, const std::string&) { o.rules.as_sleec_tk = true; }, "--without-limit"},
         {"--suggest", Group::checking, verb_bit(Verb::rules), {},
          "search for an `unless` that removes each conflict, and check it",
-         [](Options& o, const std::string&) { o.suggest = true; }, "--as-sleec-tk"},
+         [](Options& o, const std::string&) { o.rules.suggest = true; }, "--as-sleec-tk"},
 
         {"--const", Group::model, verb_bit(Verb::prism), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of an open constant, or values to try: LOW:HIGH, LOW:STEP:HIGH, or a list with commas",
-         [](Options& o, const std::string& word) { o.constants.push_back(word); }},
+         [](Options& o, const std::string& word) { o.instantiation.constants.push_back(word); }},
         {"--const", Group::model,
          checking | instantiating | verb_bit(Verb::conform) | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::simulate),
          {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant",
-         [](Options& o, const std::string& word) { o.constants.push_back(word); }},
+         [](Options& o, const std::string& word) { o.instantiation.constants.push_back(word); }},
         {"--const", Group::model, verb_bit(Verb::tune), {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
          "value of a constant, or values to try: LOW..HIGH, or a list with commas",
-         [](Options& o, const std::string& word) { o.constants.push_back(word); }},
+         [](Options& o, const std::string& word) { o.instantiation.constants.push_back(word); }},
         {"--range", Group::model, models | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::tune), {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
          "carrier of nat, int or real; lengths of sequences (Seq), times of clocks (clock), elements of given types (given)",
-         [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
+         [](Options& o, const std::string& word) { o.instantiation.ranges.push_back(word); }},
         {"--prefs", Group::model, checking | verb_bit(Verb::emit_prism), {.kind = Kind::file, .name = "FILE"},
          "read RoboTool's preferences (rc2prism.prefs): the ranges of nat, int and real, and the kind of model",
-         [](Options& o, const std::string& word) { o.preferences = word; }, "--range"},
+         [](Options& o, const std::string& word) { o.probability.preferences = word; }, "--range"},
         {"--print", Group::model, models,
          {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
-         "print the result of a phase, then stop", [](Options& o, const std::string& word) { o.print = word; }},
+         "print the result of a phase, then stop", [](Options& o, const std::string& word) {
+             o.output.phase = static_cast<Phase>(1 + index_of(word, "ast,model,ir,script,timed-script"));
+             o.load.split_broken_claims = false;
+         }},
         {"--allow", Group::model, models | verb_bit(Verb::prism) | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::validate) | verb_bit(Verb::draw) | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          {.kind = Kind::warning, .name = "CODE", .repeated = true}, "suppress warnings with this code",
-         [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
+         [](Options& o, const std::string& word) { o.load.allowed.push_back(word); }},
         {"--deny-warnings", Group::model, models | verb_bit(Verb::rules) | verb_bit(Verb::step) | verb_bit(Verb::validate) | verb_bit(Verb::draw) | verb_bit(Verb::simulate) | verb_bit(Verb::tune), {},
-         "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
+         "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.load.deny_warnings = true; }},
 
         {"--component", Group::code, coding | verb_bit(Verb::emit_prism) | verb_bit(Verb::rules), {.kind = Kind::name, .name = "NAME"},
          "process only this module, controller or machine",
-         [](Options& o, const std::string& word) { o.component = word; }},
+         [](Options& o, const std::string& word) { o.load.component = word; }},
         {"--cycle", Group::code, coding,
          {.kind = Kind::whole, .name = "N", .usual = "1", .least = 1, .most = 1000},
          "time units of one control cycle",
          [](Options& o, const std::string& word) {
-             o.cycle = static_cast<std::uint32_t>(to_number(word));
-             o.cycle_given = true;
+             o.code.cycle = static_cast<std::uint32_t>(to_number(word));
+             o.code.cycle_given = true;
          }},
         {"--target", Group::code, verb_bit(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "TARGET", .choices = "library,main,ros2,enki,argos"},
          "write a complete project for this platform to DIR/TARGET/COMPONENT",
-         [](Options& o, const std::string& word) { o.target = word; }},
+         [](Options& o, const std::string& word) {
+             o.code.target = static_cast<cpp_emit::Target>(index_of(word, "sources,library,main,ros2,enki,argos"));
+         }},
         {"--mapping", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::file, .name = "FILE"},
          "with --target ros2: the messages and topics of operations, events and variables",
-         [](Options& o, const std::string& word) { o.mapping = word; }},
+         [](Options& o, const std::string& word) { o.code.mapping = word; }},
         {"--strategy", Group::code, verb_bit(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "STRATEGY", .usual = "auto", .choices = "auto,switch,table"},
          "how generated code finds the reaction to an event: a switch over states and events, or a table; auto uses a "
          "table from five states on",
-         [](Options& o, const std::string& word) { o.strategy = word; }},
+         [](Options& o, const std::string& word) {
+             o.code.strategy = static_cast<cpp_emit::Strategy>(index_of(word, "auto,switch,table"));
+         }},
         {"--choices", Group::code, verb_bit(Verb::emit_cpp), {},
          "generate code that asks its platform (`pick`) if the model leaves a choice, instead of taking the first",
          take_choices},
@@ -297,92 +310,100 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::choice, .name = "MODEL", .usual = "failures-divergences",
           .choices = "failures-divergences,tick-tock"},
          "semantic model of the refinement; tick-tock records refusals before each tock",
-         [](Options& o, const std::string& word) { o.relation = word; }},
+         [](Options& o, const std::string& word) {
+             o.conform.relation = static_cast<conformance::Relation>(index_of(word, "failures-divergences,tick-tock"));
+         }},
         {"--walks", Group::code, verb_bit(Verb::conform),
          {.kind = Kind::whole, .name = "N", .usual = "200000", .most = 1'000'000'000'000},
          "cycles of guided random walks if the state space is too large; 0 for none",
-         [](Options& o, const std::string& word) { o.walks = to_number(word); }},
+         [](Options& o, const std::string& word) { o.conform.walks = to_number(word); }},
         {"--export", Group::code, verb_bit(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "write all states of the code to this file, for other tools (.aut, .dot), or with the model for FDR (.csp)",
-         [](Options& o, const std::string& word) { o.exported_code = word; }},
+         [](Options& o, const std::string& word) { o.conform.exported_code = word; }},
         {"--traces", Group::code, verb_bit(Verb::conform), {.kind = Kind::file, .name = "FILE", .repeated = true},
          "compare logs of runs, instead of generated code, with the model: files, or folders with .trace files",
-         [](Options& o, const std::string& word) { o.traces.push_back(word); }},
+         [](Options& o, const std::string& word) { o.conform.traces.push_back(word); }},
         {"--extra-states", Group::code, verb_bit(Verb::emit_tests),
          {.kind = Kind::whole, .name = "M", .usual = "0", .most = 8},
          "number of states that an implementation may have in addition to those of the model",
-         [](Options& o, const std::string& word) { o.extra_states = static_cast<std::uint32_t>(to_number(word)); }},
+         [](Options& o, const std::string& word) { o.conform.extra_states = static_cast<std::uint32_t>(to_number(word)); }},
 
         {"--trials", Group::simulation, verb_bit(Verb::simulate),
          {.kind = Kind::whole, .name = "N", .least = 1, .most = 100'000},
          "number of trials (overrides the scenario)",
-         [](Options& o, const std::string& word) { o.trials = static_cast<std::uint32_t>(to_number(word)); }},
+         [](Options& o, const std::string& word) { o.simulate.trials = static_cast<std::uint32_t>(to_number(word)); }},
         {"--seed", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::whole, .name = "N", .most = any_number},
          "seed of the first trial (overrides the scenario)",
-         [](Options& o, const std::string& word) { o.seed = to_number(word); }},
+         [](Options& o, const std::string& word) { o.simulate.seed = to_number(word); }},
         {"--budget", Group::simulation, verb_bit(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "1000", .least = 1, .most = 100'000'000},
          "maximum number of trials of the search",
-         [](Options& o, const std::string& word) { o.tuning_trials = to_number(word); }},
+         [](Options& o, const std::string& word) { o.tune.trials = to_number(word); }},
         {"--seed", Group::simulation, verb_bit(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "1", .most = 1'000'000'000},
          "seed of the search; claims are decided on the seeds of the scenario",
-         [](Options& o, const std::string& word) { o.seed = to_number(word); }},
+         [](Options& o, const std::string& word) { o.tune.seed = to_number(word); }},
         {"--test", Group::simulation, verb_bit(Verb::tune),
          {.kind = Kind::choice, .name = "TEST", .usual = "friedman", .choices = "friedman,t-test"},
          "statistical test that drops worse values from the search",
-         [](Options& o, const std::string& word) { o.elimination = word; }},
+         [](Options& o, const std::string& word) {
+             o.tune.elimination = static_cast<simulation::Elimination>(index_of(word, "friedman,t-test"));
+         }},
         {"--verify-certificate", Group::simulation, verb_bit(Verb::tune), {.kind = Kind::file, .name = "FILE"},
          "do not search; decide the contents of this certificate again and compare",
-         [](Options& o, const std::string& word) { o.certificate = word; }},
+         [](Options& o, const std::string& word) { o.tune.certificate = word; }},
         {"--compare", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
          "compare the estimates of a sweep with a table of earlier trials, such as its sweep.csv",
-         [](Options& o, const std::string& word) { o.compare = word; }},
+         [](Options& o, const std::string& word) { o.simulate.compare = word; }},
         {"--monitor", Group::simulation, verb_bit(Verb::simulate), {},
          "stop a trial if a robot violates its model or, with RULES.sleec, a rule",
-         [](Options& o, const std::string&) { o.monitor = true; }},
+         [](Options& o, const std::string&) { o.simulate.monitor = true; }},
         {"--log", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::folder, .name = "DIR"},
          "write what every robot read and did in every cycle, for `conform --traces`",
-         [](Options& o, const std::string& word) { o.log = word; }},
+         [](Options& o, const std::string& word) { o.simulate.log = word; }},
         {"--no-pictures", Group::simulation, verb_bit(Verb::simulate), {}, "do not write tables and pictures",
-         [](Options& o, const std::string&) { o.pictures = false; }},
+         [](Options& o, const std::string&) { o.simulate.pictures = false; }},
 
         {"--fix", Group::files, verb_bit(Verb::validate), {},
          "apply the certain fixes to the files, then report the remaining findings",
          [](Options& o, const std::string&) { o.fix = true; }},
         {"--check", Group::files, verb_bit(Verb::format), {},
          "only list the files that would change; exit 1 if there are any",
-         [](Options& o, const std::string&) { o.check = true; }},
+         [](Options& o, const std::string&) { o.formatting.check = true; }},
         {"--diff", Group::files, verb_bit(Verb::format), {}, "only show the changes",
-         [](Options& o, const std::string&) { o.diff = true; }},
+         [](Options& o, const std::string&) { o.formatting.diff = true; }},
         {"--assertions", Group::files, verb_bit(Verb::format), {}, "read standard input (-) as an assertion file",
-         [](Options& o, const std::string&) { o.assertions = true; }},
+         [](Options& o, const std::string&) { o.formatting.assertions = true; }},
 
         {"--simulation", Group::files, verb_bit(Verb::init), {}, "add a scenario for `simulate`",
-         [](Options& o, const std::string&) { o.simulation = true; }},
+         [](Options& o, const std::string&) { o.init.simulation = true; }},
         {"--ros2", Group::files, verb_bit(Verb::init), {}, "add a mapping to ROS 2 messages for `emit cpp --target ros2`",
-         [](Options& o, const std::string&) { o.ros2 = true; }},
+         [](Options& o, const std::string&) { o.init.ros2 = true; }},
 
         {"-o,--out", Group::output, models | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          {.kind = Kind::folder, .name = "DIR", .usual = "out"}, "output folder",
          [](Options& o, const std::string& word) {
-             o.out = word;
-             o.out_given = true;
+             o.output.folder = word;
+             o.output.folder_given = true;
          }},
         {"-o,--out", Group::output, verb_bit(Verb::draw), {.kind = Kind::folder, .name = "PATH", .usual = "out/diagrams"},
          "folder for the diagrams; with one COMPONENT, the file for its diagram (without --out, or with -, standard output)",
          [](Options& o, const std::string& word) {
-             o.out = word;
-             o.out_given = true;
+             o.output.folder = word;
+             o.output.folder_given = true;
          }},
         {"--format", Group::output, verb_bit(Verb::draw),
          {.kind = Kind::choice, .name = "FORMAT", .usual = "svg", .choices = "svg,png,pdf,mermaid,dot"},
          "format of the diagrams; png and pdf need rsvg-convert",
-         [](Options& o, const std::string& word) { o.picture = word; }},
+         [](Options& o, const std::string& word) {
+             o.draw.picture = static_cast<PictureFormat>(index_of(word, "svg,png,pdf,mermaid,dot"));
+         }},
         {"--theme", Group::output, verb_bit(Verb::draw),
          {.kind = Kind::choice, .name = "THEME", .usual = "auto", .choices = "auto,light,dark"},
          "colours of the diagrams; auto follows the reader's system",
-         [](Options& o, const std::string& word) { o.theme = word; }},
+         [](Options& o, const std::string& word) {
+             o.draw.theme = static_cast<Theme>(index_of(word, "auto,light,dark"));
+         }},
         {"--format", Group::output, emitting | verb_bit(Verb::simulate) | verb_bit(Verb::tune), format_of("text,json"), "output format",
          take_format},
         {"--format", Group::output, checking, format_of("text,json,sarif,junit"), "output format",
@@ -404,21 +425,21 @@ const std::vector<OptionRow>& option_table() {
          "also write the result as --format junit prints it", take_file<Format::junit>},
         {"--html", Group::output, checking | verb_bit(Verb::conform), {.kind = Kind::file, .name = "FILE"},
          "also write the report as a page with diagrams to step through counterexamples",
-         [](Options& o, const std::string& word) { o.html = word; }},
+         [](Options& o, const std::string& word) { o.output.html = word; }},
         {"--html", Group::output, verb_bit(Verb::step), {.kind = Kind::file, .name = "FILE"},
          "write a page to step through the reachable states in a browser, instead of using the terminal",
-         [](Options& o, const std::string& word) { o.html = word; }},
+         [](Options& o, const std::string& word) { o.output.html = word; }},
         {"--html", Group::output, verb_bit(Verb::simulate), {.kind = Kind::file, .name = "FILE"},
          "also write a page that plays the trials, with the active states of each robot and plots over time",
-         [](Options& o, const std::string& word) { o.html = word; }},
+         [](Options& o, const std::string& word) { o.output.html = word; }},
         {"--plot", Group::output, verb_bit(Verb::prism), {.kind = Kind::file, .name = "FILE"},
          "also plot the answers over the constant with the most values, as SVG",
-         [](Options& o, const std::string& word) { o.plot = word; }},
+         [](Options& o, const std::string& word) { o.prism.plot = word; }},
         {"--color", Group::output, limited | verb_bit(Verb::explain),
          {.kind = Kind::choice, .name = "WHEN", .usual = "auto", .choices = "auto,always,never"},
          "coloured text; auto: on a terminal, unless NO_COLOR is set",
          [](Options& o, const std::string& word) {
-             o.color = static_cast<Color>(index_of(word, "auto,always,never"));
+             o.output.color = static_cast<Color>(index_of(word, "auto,always,never"));
          }},
         {"-q,--quiet", Group::output, searching | verb_bit(Verb::simulate) | verb_bit(Verb::tune), {},
          "print only problems and the summary line", take_quiet},
@@ -428,46 +449,55 @@ const std::vector<OptionRow>& option_table() {
         {"-q,--quiet", Group::output, verb_bit(Verb::format), {}, "do not list the files changed", take_quiet},
         {"--trace", Group::output, checking | verb_bit(Verb::conform), {},
          "also print the raw event traces of counterexamples",
-         [](Options& o, const std::string&) { o.show_internal = true; }},
+         [](Options& o, const std::string&) { o.output.show_internal = true; }},
         {"-b,--brief", Group::output, verb_bit(Verb::cspm), {}, "print verdicts without counterexamples",
-         [](Options& o, const std::string&) { o.brief = true; }},
+         [](Options& o, const std::string&) { o.script.brief = true; }},
         {"--reveal-taus", Group::output, verb_bit(Verb::cspm), {}, "show hidden events by their names",
-         [](Options& o, const std::string&) { o.reveal_taus = true; }},
+         [](Options& o, const std::string&) { o.script.reveal_taus = true; }},
         {"--split", Group::output, verb_bit(Verb::cspm), {},
          "show what every part of the process did, even if there are many parts",
-         [](Options& o, const std::string&) { o.split = true; }},
+         [](Options& o, const std::string&) { o.script.split = true; }},
         {"--export", Group::output, verb_bit(Verb::cspm),
          {.kind = Kind::choice, .name = "FORMAT PROCESS", .choices = "aut,dot,csp"},
          "write all states of a process (any expression of the script), then stop",
-         [](Options& o, const std::string& word) { o.exported.push_back(word); }},
+         [](Options& o, const std::string& word) {
+             if (o.script.exported)
+                 o.script.exported_process = word;
+             else
+                 o.script.exported = static_cast<GraphFormat>(index_of(word, "aut,dot,csp"));
+         }},
         {"--export", Group::output, verb_bit(Verb::prism),
          {.kind = Kind::choice, .name = "FORMAT", .choices = "tra,sta,lab,dot,strategy,counterexample"},
          "instead of answers, write transitions, states, labels or a graph; for one property, write the strategy that "
          "attains its value, or the paths that violate its bound as a graph",
-         [](Options& o, const std::string& word) { o.exported_space = word; }},
+         [](Options& o, const std::string& word) {
+             o.prism.exported = static_cast<SpaceExport>(1 + index_of(word, "tra,sta,lab,dot,strategy,counterexample"));
+         }},
         {"--progress", Group::output, searching | verb_bit(Verb::simulate) | verb_bit(Verb::tune),
          {.kind = Kind::choice, .name = "HOW", .usual = "auto", .choices = "auto,json,never"},
          "progress on standard error; auto: a line that is updated on a terminal, otherwise a new line every half minute",
          [](Options& o, const std::string& word) {
-             o.progress = static_cast<ProgressMode>(index_of(word, "auto,json,never"));
+             o.output.progress = static_cast<ProgressMode>(index_of(word, "auto,json,never"));
          }},
         {"--generate", Group::output, verb_bit(Verb::help),
          {.kind = Kind::choice, .name = "WHAT", .choices = "man,bash,zsh,fish"},
          "write the man page or the completion for a shell",
-         [](Options& o, const std::string& word) { o.generate = word; }},
+         [](Options& o, const std::string& word) {
+             o.generate = static_cast<Generated>(1 + index_of(word, "man,bash,zsh,fish"));
+         }},
 
         {"--memory", Group::limits, limited,
          {.kind = Kind::size, .name = "SIZE", .usual = "16GiB", .least = 1, .most = std::uint64_t{1} << 62U},
          "memory limit for the program and its child processes, e.g. 4GiB; the default is at most 3/4 of the machine's memory",
-         [](Options& o, const std::string& word) { o.memory_bytes = to_number(word); }},
+         [](Options& o, const std::string& word) { o.limits.memory_bytes = to_number(word); }},
         {"--timeout", Group::limits, limited,
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time limit for the whole run in seconds; 0 for none",
-         [](Options& o, const std::string& word) { o.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
+         [](Options& o, const std::string& word) { o.limits.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
         {"--assertion-timeout", Group::limits, checking | verb_bit(Verb::cspm),
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time limit for each assertion in seconds; 0 for none: assertions then take turns",
-         [](Options& o, const std::string& word) { o.assertion_seconds = std::strtod(word.c_str(), nullptr); }},
+         [](Options& o, const std::string& word) { o.limits.assertion_seconds = std::strtod(word.c_str(), nullptr); }},
         {"--threads", Group::limits, searching, {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
          "maximum number of threads of a check, used if its state space is wide; 0 for one per core", take_threads},
         {"--threads", Group::limits, verb_bit(Verb::simulate) | verb_bit(Verb::tune), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
@@ -476,28 +506,28 @@ const std::vector<OptionRow>& option_table() {
          "maximum number of constant sets, answers or random paths in parallel; 0 for one per core", take_threads},
         {"--no-reduction", Group::limits, searching | verb_bit(Verb::tune), {},
          "search all states, without confluence and symmetry reduction",
-         [](Options& o, const std::string&) { o.reduction = false; }},
+         [](Options& o, const std::string&) { o.limits.reduction = false; }},
         {"--checkpoint", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
          "store checkpoints of searches in this folder, for --resume",
-         [](Options& o, const std::string& word) { o.checkpoint = word; }},
+         [](Options& o, const std::string& word) { o.storage.checkpoint = word; }},
         {"--every", Group::limits, deciding,
          {.kind = Kind::seconds, .name = "MINUTES", .usual = "10", .most = 1'000'000},
          "minutes between checkpoints of --checkpoint, --resume and --disk; a run that ends at a limit also writes one",
-         [](Options& o, const std::string& word) { o.minutes_between = std::strtod(word.c_str(), nullptr); }},
+         [](Options& o, const std::string& word) { o.storage.minutes_between = std::strtod(word.c_str(), nullptr); }},
         {"--resume", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
          "continue from the checkpoints in this folder, with the same model and options, and store new ones there",
-         [](Options& o, const std::string& word) { o.resume = word; }},
+         [](Options& o, const std::string& word) { o.storage.resume = word; }},
         {"--disk", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},
          "store states that exceed --memory, and checkpoints, in this folder",
-         [](Options& o, const std::string& word) { o.disk = word; }},
+         [](Options& o, const std::string& word) { o.storage.disk = word; }},
         {"--max-states", Group::limits, verb_bit(Verb::prism),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "maximum number of states of the model",
-         [](Options& o, const std::string& word) { o.max_states = to_number(word); }},
+         [](Options& o, const std::string& word) { o.limits.max_states = to_number(word); }},
         {"--max-states", Group::limits, searching | verb_bit(Verb::tune),
          {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
          "maximum number of states of a check",
-         [](Options& o, const std::string& word) { o.max_states = to_number(word); }},
+         [](Options& o, const std::string& word) { o.limits.max_states = to_number(word); }},
 
         {"--no-cache", Group::general, searching | verb_bit(Verb::simulate) | verb_bit(Verb::tune), {},
          "do not use or store results of earlier runs",

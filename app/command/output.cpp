@@ -159,7 +159,7 @@ std::string wrap_lines(std::string_view text, std::size_t width) {
 
 diagnostics::TextStyle findings_style(const Options& options) {
     diagnostics::TextStyle style;
-    style.color = color_wanted(options.color, STDERR_FILENO);
+    style.color = color_wanted(options.output.color, STDERR_FILENO);
     constexpr std::size_t margin = 14;  // the line number, and the marks at the ends of a cut line
     if (const std::size_t width = line_width(STDERR_FILENO); width > 0)
         style.max_width = std::max(margin, width - std::min(width, margin));

@@ -118,16 +118,16 @@ std::optional<std::string> ProgressLog::next_line(const refine::Progress& progre
     return subject + progress_text(progress, 200);
 }
 
-bool progress_line_wanted(const Options& options) {
-    return options.progress != ProgressMode::never && !options.quiet && error_is_a_terminal();
+bool progress_line_wanted(const OutputOptions& output) {
+    return output.progress != ProgressMode::never && !output.quiet && error_is_a_terminal();
 }
 
-std::function<void(const refine::Progress&)> progress_of(const Options& options, const std::string& subject) {
-    if (options.progress == ProgressMode::json)
+std::function<void(const refine::Progress&)> progress_of(const OutputOptions& output, const std::string& subject) {
+    if (output.progress == ProgressMode::json)
         return [subject](const refine::Progress& progress) {
             print_error_styled(progress_json(progress, subject) + "\n");
         };
-    if (options.progress == ProgressMode::never || options.quiet) return {};
+    if (output.progress == ProgressMode::never || output.quiet) return {};
     if (!error_is_a_terminal())
         return [log = std::make_shared<ProgressLog>(subject)](const refine::Progress& progress) {
             if (const auto line = log->next_line(progress)) print_error("{}\n", *line);

@@ -14,10 +14,11 @@
 namespace robochart::app {
 
 /// True if progress should be shown as a line on standard error and a person may be watching.
-[[nodiscard]] bool progress_line_wanted(const Options&);
+[[nodiscard]] bool progress_line_wanted(const OutputOptions&);
 /// The function for Limits::progress; empty if no progress is wanted (--progress never, --quiet). The line is erased
 /// when the last copy of the function is destroyed.
-[[nodiscard]] std::function<void(const refine::Progress&)> progress_of(const Options&, const std::string& subject);
+[[nodiscard]] std::function<void(const refine::Progress&)> progress_of(const OutputOptions&,
+                                                                       const std::string& subject);
 
 /// Progress for logs: one line per half minute of a phase. Short runs have none.
 class ProgressLog {

@@ -13,6 +13,7 @@
 #include "cpp_emit/ros2/rules.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/swarm/rules.hpp"
+#include "driver/settings/rules.hpp"
 #include "frontend/diagrams/stored/rules.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -30,11 +31,6 @@ namespace rules {
 
 using diagnostics::Severity;
 
-const diagnostics::Rule bad_option{
-    "RC-A01", Severity::error, "{}",
-    "The value given for an option of the command line does not fit: --const takes NAME=VALUE, "
-    "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4; "
-    "--component and --assertion name what the model has."};
 const diagnostics::Rule no_component{
     "RC-A02", Severity::error, "no component to generate code for: {}",
     "C++ is generated for modules, controllers or state machines. The model has none."};
@@ -48,10 +44,6 @@ const diagnostics::Rule no_monitor{
     "RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
     "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
     "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
-const diagnostics::Rule left_out{
-    "RC-A05", Severity::warning, "the assertions of this file are left out, for its errors",
-    "Generated code, diagrams and simulations follow from the model alone, so errors in assertion files do not keep "
-    "them back. `validate` and `check` report these errors; with --deny-warnings they count."};
 
 }  // namespace rules
 
@@ -86,8 +78,8 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(sleec::rules::check_rule_table());
     add(simulation::rules::all_rules());
     add(conformance::rules::all());
-    all.insert(all.end(),
-               {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor, &rules::left_out});
+    all.insert(all.end(), {&driver::rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor,
+                           &driver::rules::left_out});
     return all;
 }
 

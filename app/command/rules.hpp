@@ -10,12 +10,9 @@
 namespace robochart::app {
 
 namespace rules {
-extern const diagnostics::Rule bad_option;    ///< the value of an option does not fit the model
 extern const diagnostics::Rule no_component;  ///< nothing to generate code for
 extern const diagnostics::Rule unwritable;    ///< a file cannot be written
 extern const diagnostics::Rule no_monitor;    ///< a component that has no monitor or test suite
-extern const diagnostics::Rule left_out;      ///< an assertion file with errors was ignored, because only the model is
-                                              ///< needed
 }  // namespace rules
 
 /// All rules of all components, by component, then in the order of their tables.

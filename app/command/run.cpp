@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -17,11 +16,13 @@
 
 #include "app/command/command_line.hpp"
 #include "app/command/output.hpp"
+#include "app/command/progress.hpp"
 #include "base/diagnostics/ending.hpp"
 #include "base/diagnostics/files.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/storage_error.hpp"
+#include "driver/settings/run_limits.hpp"
 
 namespace robochart::app {
 namespace {
@@ -35,20 +36,13 @@ constexpr std::chrono::milliseconds grace{300}, short_grace{100};
 /// How long a verb may print after a signal.
 constexpr std::chrono::milliseconds longest_printing{2000};
 
-/// The limits of the whole run, starting now.
-diagnostics::Limits limits_of(const Options& options) {
-    diagnostics::Limits limits;
-    limits.memory_bytes = options.memory_bytes > 0 ? options.memory_bytes : default_memory();
-    // More than a year means no limit, and would overflow the clock.
-    if (constexpr double year = 366.0 * 24 * 3600; options.timeout_seconds > 0 && options.timeout_seconds < year)
-        limits.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                             std::chrono::duration<double>(options.timeout_seconds));
-    return limits;
-}
-
 }  // namespace
 
-Run::Run(const Options& options) : budget_(limits_of(options)) {
+Run::Run(const Options& options)
+    : budget_(driver::run_limits(options.limits)),
+      output_(options.output),
+      storage_(options.storage),
+      threads_wanted_(options.limits.threads) {
     constexpr std::uint64_t most_cached_bytes = std::uint64_t{512} << 20U;
     if (options.cache) cache_.emplace(diagnostics::cache_folder(), diagnostics::program_identity(), most_cached_bytes);
     last_word_ = [](const std::string& why) {
@@ -72,10 +66,23 @@ Run::~Run() {
     pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
-refine::LevelStrategy* Run::search_strategy(const Options& options) {
-    const std::vector<std::string> named{options.disk, options.resume, options.checkpoint};
-    const auto folder = std::ranges::find_if(named, [](const auto& each) { return !each.empty(); });
-    if (folder == named.end()) return nullptr;
+std::function<void(const refine::Progress&)> Run::progress(const std::string& subject) {
+    return progress_of(output_, subject);
+}
+
+bool Run::continues_searches() const {
+    return programs_ != nullptr || !storage_.checkpoint.empty() || !storage_.resume.empty() || !storage_.disk.empty();
+}
+
+void Run::search_by(refine::LevelStrategy& programs, const std::string& identity) {
+    programs_ = &programs;
+    identity_ = identity;
+}
+
+refine::LevelStrategy* Run::level_searches() {
+    const std::vector<std::string> named{storage_.disk, storage_.resume, storage_.checkpoint};
+    const auto folder = std::ranges::find_if(named, [](const std::string& path) { return !path.empty(); });
+    if (folder == named.end()) return programs_;
     if (kept_searches_) return kept_searches_.get();
     for (const std::string& other : named)
         if (!other.empty() && other != *folder)
@@ -83,14 +90,14 @@ refine::LevelStrategy* Run::search_strategy(const Options& options) {
     constexpr double milliseconds = 60'000;
     refine::KeptSettings settings;
     settings.folder = *folder;
-    settings.resume = !options.resume.empty();
-    settings.disk = !options.disk.empty();
-    settings.every = std::chrono::milliseconds(static_cast<std::int64_t>(options.minutes_between * milliseconds));
-    settings.program = options.identity.empty() ? diagnostics::program_identity() : options.identity;
+    settings.resume = !storage_.resume.empty();
+    settings.disk = !storage_.disk.empty();
+    settings.every = std::chrono::milliseconds(static_cast<std::int64_t>(storage_.minutes_between * milliseconds));
+    settings.program = identity_.empty() ? diagnostics::program_identity() : identity_;
     settings.say = [](const std::string& what) { print_error("robochart-verify: {}\n", what); };
-    refine::LevelStrategy* ranks = options.by_levels;
+    refine::LevelStrategy* ranks = programs_;
     if (ranks == nullptr) {
-        threads_ = std::make_unique<refine::ThreadRanks>(std::max(1U, options.threads));
+        threads_ = std::make_unique<refine::ThreadRanks>(std::max(1U, threads_wanted_));
         ranks = threads_.get();
     }
     kept_searches_ = std::make_unique<refine::KeptSearch>(std::move(settings), *ranks);
@@ -102,12 +109,12 @@ void Run::end_questions() {
 }
 
 void Run::last_word(LastWord word) {
-    const std::lock_guard lock(mutex_);
+    const auto lock = edit();
     last_word_ = std::move(word);
 }
 
 void Run::finish() {
-    const std::lock_guard lock(mutex_);
+    const auto lock = edit();
     finishing_ = true;
     diagnostics::program_ends = true;
 }
@@ -118,12 +125,12 @@ Exit Run::end_run(const std::string& why) {
 }
 
 void Run::keep_for(const std::string& path, const std::string& text) {
-    const std::lock_guard lock(mutex_);
+    const auto lock = edit();
     kept_[path] += text;
 }
 
 bool Run::write_kept_files() {
-    const std::lock_guard lock(mutex_);
+    const auto lock = edit();
     bool all = true;
     for (const auto& [path, text] : kept_) {
         const std::string error = diagnostics::replace_file(path, text, &budget_);
@@ -144,7 +151,7 @@ void Run::watch_limits() {
     std::uint64_t lowest = 0;  // memory since then
     int asked_to_end = 0;
     const auto finishing = [this] {
-        const std::unique_lock lock(mutex_, std::try_to_lock);
+        const std::unique_lock lock = try_edit();
         return lock && finishing_;
     };
     const auto look = [&] {
@@ -194,7 +201,7 @@ void Run::handle_signal(int signal) {
 
 /// Prints the last word and ends the program, unless the verb is about to print its answer.
 void Run::say_and_end(const std::string& why) {
-    const std::unique_lock lock(mutex_, std::try_to_lock);
+    const std::unique_lock lock = try_edit();
     if (!lock || finishing_) return;
     Exit exit = Exit::inconclusive;
     try {
@@ -294,6 +301,14 @@ int run_command(const char* program, int argc, const char* const* argv,
     }
 }
 
+driver::SearchContext search_context(const Options& options) {
+    return {options, *options.run};
+}
+
+refine::Limits limits(const Options& options, const std::string& subject) {
+    return driver::limits_of_check(search_context(options), subject);
+}
+
 /// The number is bounded, because some programs close every file that could be open.
 void allow_many_files() {
     constexpr rlim_t most = rlim_t{1} << 20U;
@@ -303,15 +318,6 @@ void allow_many_files() {
     if (limit.rlim_cur >= wanted) return;
     limit.rlim_cur = wanted;
     (void)setrlimit(RLIMIT_NOFILE, &limit);
-}
-
-std::uint64_t default_memory() {
-    std::uint64_t bytes =
-        static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-    std::uint64_t group = 0;
-    // Control groups, version 2; the file contains "max" if there is no limit.
-    if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0) bytes = std::min(bytes, group);
-    return std::min(std::uint64_t{16} << 30U, bytes / 4 * 3);
 }
 
 }  // namespace robochart::app

@@ -19,8 +19,10 @@
 #include <thread>
 
 #include "app/command/options.hpp"
+#include "app/command/run.hpp"
 #include "base/cache/cache.hpp"
 #include "base/diagnostics/budget.hpp"
+#include "driver/settings/services.hpp"
 
 namespace robochart::refine {
 class LevelStrategy;
@@ -28,20 +30,23 @@ class LevelStrategy;
 
 namespace robochart::app {
 
-class Run {
+class Run final : public driver::Services {
 public:
     /// The limits start now. Threads that must not receive the signals must be started later.
     explicit Run(const Options&);
-    ~Run();
+    ~Run() override;
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    [[nodiscard]] diagnostics::Budget& budget() { return budget_; }
-    /// Results of earlier runs; null if they are not used.
-    [[nodiscard]] diagnostics::Cache* cache() { return cache_ ? &*cache_ : nullptr; }
-    /// The strategy for searches in files, according to these options; null if files are not used. Throws UsageError,
-    /// storage::BadFile or storage::CannotWrite if the files cannot be used. All calls return the same object.
-    [[nodiscard]] refine::LevelStrategy* search_strategy(const Options&);
+    [[nodiscard]] diagnostics::Budget& budget() override { return budget_; }
+    [[nodiscard]] diagnostics::Cache* cache() override { return cache_ ? &*cache_ : nullptr; }
+    [[nodiscard]] std::function<void(const refine::Progress&)> progress(const std::string& subject) override;
+    [[nodiscard]] bool continues_searches() const override;
+    /// Throws UsageError, storage::BadFile or storage::CannotWrite if the files cannot be used.
+    [[nodiscard]] refine::LevelStrategy* level_searches() override;
+    /// Searches are done by several programs (app/mpi). `identity`: of programs that can share checkpoints. Must be
+    /// called before the first search.
+    void search_by(refine::LevelStrategy& programs, const std::string& identity);
     /// Must be called when the verb has registered all its assertions. The files of their searches are removed if all
     /// are decided.
     void end_questions();
@@ -53,8 +58,6 @@ public:
     /// Sets the last word. The watching thread may call it while no thread holds `edit`. It must not access other data
     /// that is being changed.
     void last_word(LastWord);
-    /// Must be held while the data shown by the last word are changed. A thread may hold it several times.
-    [[nodiscard]] std::unique_lock<std::recursive_mutex> lock_for_edit() { return std::unique_lock(mutex_); }
     /// Must be called when the verb has its answer, or will get none, and prints it. From then on, limits do not
     /// interrupt it.
     void finish();
@@ -77,6 +80,11 @@ private:
     [[noreturn]] void end_at_once(int code);
 
     diagnostics::Budget budget_;
+    OutputOptions output_;
+    StorageOptions storage_;
+    unsigned threads_wanted_;  ///< of a search in files
+    refine::LevelStrategy* programs_ = nullptr;
+    std::string identity_;  ///< "": the program's own
     std::optional<diagnostics::Cache> cache_;
     std::unique_ptr<refine::LevelStrategy> threads_, kept_searches_;  ///< kept_searches_ uses threads_
     sigset_t signals_taken_{};
@@ -84,13 +92,17 @@ private:
     std::atomic<int> signals_{0};
     std::chrono::steady_clock::time_point first_signal_;  ///< used only by the watching thread
     std::atomic<bool> over_{false};
-    std::recursive_mutex mutex_;
-    bool finishing_ = false;  ///< protected by mutex_
-    LastWord last_word_;      ///< protected by mutex_
+    bool finishing_ = false;  ///< protected by edit()
+    LastWord last_word_;      ///< protected by edit()
     std::set<std::string> written_;
-    std::map<std::string, std::string> kept_;  ///< texts by path; protected by mutex_
+    std::map<std::string, std::string> kept_;  ///< texts by path; protected by edit()
     std::thread watcher_;
 };
+
+/// What searches need: these options, and their run.
+[[nodiscard]] driver::SearchContext search_context(const Options&);
+/// The limits of one check. Progress is reported as the options require, under the name `subject`.
+[[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
 
 /// The whole program: parses the command line, runs the verb within its limits, and reports anything that could not be
 /// written or decided. Returns the exit code.
@@ -100,8 +112,5 @@ int run_command(const char* program, int argc, const char* const* argv,
 /// Raises the number of open files to the system's limit, because searches in files open several per thread. Must be
 /// called at the start of a program that does not call run_command.
 void allow_many_files();
-
-/// 16 GiB, or three quarters of the memory of the machine or its control group, whichever is less.
-[[nodiscard]] std::uint64_t default_memory();
 
 }  // namespace robochart::app

@@ -36,14 +36,13 @@ void warn_of_few_cores(unsigned threads) {
 int run_ranked(int argc, char** argv, refine::Exchange& exchange) {
     ranks::ServedRanks served(exchange, command_identity());
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
-        if (given.threads > 1 && !MpiProgram::serves_threads())
+        if (given.limits.threads > 1 && !MpiProgram::serves_threads())
             throw UsageError("--threads above 1 needs an MPI that serves a program with threads (MPI_THREAD_FUNNELED)");
-        warn_of_few_cores(given.threads);
+        warn_of_few_cores(given.limits.threads);
         Options options = given;
-        options.by_levels = &served;
-        options.identity = command_identity();
+        if (options.run != nullptr) options.run->search_by(served, command_identity());
         // mpirun connects its programs to its own terminals, even if the output of mpirun is redirected.
-        if (options.color == Color::automatic) options.color = Color::never;
+        if (options.output.color == Color::automatic) options.output.color = Color::never;
         return run_verb(options);
     });
     if (served.others_wait()) MpiProgram::abort(code);

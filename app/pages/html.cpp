@@ -28,13 +28,13 @@ using diagnostics::xml_text;
 /// The number of steps shown of one run. For a longer run, the first and the last steps are shown.
 constexpr std::size_t most_steps = 2000;
 
-const char* answer_class(Answer answer) {
-    return answer == Answer::holds || answer == Answer::computed ? "holds"
-           : answer == Answer::fails                             ? "fails"
-                                                                 : "other";
+const char* answer_class(driver::Answer answer) {
+    return answer == driver::Answer::holds || answer == driver::Answer::computed ? "holds"
+           : answer == driver::Answer::fails                                     ? "fails"
+                                                                                 : "other";
 }
 
-std::string title_of(const AssertionReport& assertion) {
+std::string title_of(const driver::AssertionReport& assertion) {
     return assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
 }
 
@@ -54,10 +54,10 @@ std::string place_text(const runs::Place& place) {
 }
 
 /// The basis of a verdict; "" if it is empty.
-std::string basis_list(const Basis& basis) {
+std::string basis_list(const driver::Basis& basis) {
     std::string items;
     std::set<std::string> remedies;
-    for (const Ground& ground : basis) {
+    for (const driver::Ground& ground : basis) {
         items += fmt::format("<li>{}{}</li>", xml_text(ground.text),
                              ground.place.empty() ? "" : " " + place_text(ground.place));
         if (!ground.remedy.empty()) remedies.insert(ground.remedy);
@@ -67,7 +67,7 @@ std::string basis_list(const Basis& basis) {
 }
 
 /// The values of a probabilistic assertion: one row for each combination of the constants that vary.
-std::string values_table(const ProbabilityReport& report) {
+std::string values_table(const driver::ProbabilityReport& report) {
     if (report.rows.empty()) return "";
     std::string head;
     for (const auto& [name, value] : varying_constants(report, report.rows.front()))
@@ -96,7 +96,7 @@ std::string text_of(const Marks& marks) {
 }
 
 /// The input as given; for `.` and `..` the name of the folder.
-std::string name_of(const Report& report, const std::vector<Part>& parts) {
+std::string name_of(const Report& report, const std::vector<driver::Part>& parts) {
     const bool says_nothing = report.model.find_first_not_of("./ ") == std::string::npos;
     return says_nothing && !parts.empty() ? parts.front().project->name : report.model;
 }
@@ -104,7 +104,7 @@ std::string name_of(const Report& report, const std::vector<Part>& parts) {
 /// One page.
 class ReportPage {
 public:
-    ReportPage(const Report& report, const std::vector<Part>& parts, diagnostics::Budget& budget)
+    ReportPage(const Report& report, const std::vector<driver::Part>& parts, diagnostics::Budget& budget)
         : report_(report), name_(name_of(report, parts)), diagrams_(parts, budget) {}
 
     std::string write() {
@@ -122,8 +122,8 @@ private:
     void write_head();
     void write_errors();
     void write_verdicts();
-    void write_verdict(std::size_t number, const AssertionReport& assertion);
-    void write_claim(std::size_t number, const AssertionReport& assertion);
+    void write_verdict(std::size_t number, const driver::AssertionReport& assertion);
+    void write_claim(std::size_t number, const driver::AssertionReport& assertion);
     void model_runs(std::size_t number, const ConformanceReport& report);
     void model_run(const std::string& id, const std::string& title, const std::string& more, const runs::Run& run);
     void write_replay(const std::string& id, const runs::Run& run);
@@ -155,8 +155,8 @@ void ReportPage::write_head() {
     for (const std::string& note : report_.notes) out_ += fmt::format("<br>{}", xml_text(note));
     std::vector<std::string> counts;
     if (!report_.assertions.empty())
-        counts.push_back(fmt::format("{} hold, {} fail", report_.count_answers(Answer::holds),
-                                     report_.count_answers(Answer::fails)));
+        counts.push_back(fmt::format("{} hold, {} fail", report_.count_answers(driver::Answer::holds),
+                                     report_.count_answers(driver::Answer::fails)));
     if (const auto& code = report_.conformance; !code.empty())
         counts.push_back(fmt::format("{} of {} components conform",
                                      std::ranges::count_if(code,
@@ -195,7 +195,7 @@ void ReportPage::write_verdicts() {
     out_ += "</section>\n";
 }
 
-void ReportPage::write_verdict(std::size_t number, const AssertionReport& assertion) {
+void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport& assertion) {
     std::string shown = xml_text(title_of(assertion));
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
@@ -204,9 +204,11 @@ void ReportPage::write_verdict(std::size_t number, const AssertionReport& assert
     const bool information = assertion.core && assertion.core->information;
     out_ += fmt::format(
         "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
-        assertion.answer == Answer::holds || assertion.answer == Answer::computed || information ? "good" : "bad",
+        assertion.answer == driver::Answer::holds || assertion.answer == driver::Answer::computed || information
+            ? "good"
+            : "bad",
         information ? "" : answer_class(assertion.answer),
-        information ? (assertion.answer == Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
+        information ? (assertion.answer == driver::Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
         place_text(assertion.place), assertion.statistics.states);
 }
 
@@ -477,7 +479,7 @@ void ReportPage::write_replay(const std::string& id, const runs::Run& run) {
                         preformatted_block(fmt::format("{}", fmt::join(run.raw, "\n"))));
 }
 
-void ReportPage::write_claim(std::size_t number, const AssertionReport& assertion) {
+void ReportPage::write_claim(std::size_t number, const driver::AssertionReport& assertion) {
     const std::string id = fmt::format("a{}", number);
     out_ += fmt::format(
         "<section class=\"claim\" id=\"{}\">\n<h2><span class=\"{}\">{}</span> {}</h2>\n<p>{}</p>\n<p>{}</p>\n", id,
@@ -536,8 +538,8 @@ void ReportPage::write_conformance() {
 /// The elements that a claim asks about and that no run exercises.
 std::set<std::string> ReportPage::unexercised_elements() const {
     std::set<std::string> result, exercised;
-    for (const AssertionReport& each : report_.assertions) {
-        if (!each.core || (each.answer != Answer::holds && each.answer != Answer::fails)) continue;
+    for (const driver::AssertionReport& each : report_.assertions) {
+        if (!each.core || (each.answer != driver::Answer::holds && each.answer != driver::Answer::fails)) continue;
         const std::vector<std::string>& never = each.core->unexercised;
         result.insert(never.begin(), never.end());
         for (const std::string& element : each.core->elements)
@@ -565,12 +567,12 @@ void ReportPage::write_diagrams() {
 
 }  // namespace
 
-std::string render_html(const Report& report, const std::vector<Part>& parts, diagnostics::Budget& budget) {
+std::string render_html(const Report& report, const std::vector<driver::Part>& parts, diagnostics::Budget& budget) {
     return ReportPage(report, parts, budget).write();
 }
 
-std::string last_page(const std::vector<Part>& parts, bool may_draw,
-                      const std::function<std::string(const std::vector<Part>&, diagnostics::Budget&)>& page) {
+std::string last_page(const std::vector<driver::Part>& parts, bool may_draw,
+                      const std::function<std::string(const std::vector<driver::Part>&, diagnostics::Budget&)>& page) {
     constexpr std::chrono::milliseconds moment{200};
     diagnostics::Limits limits;
     limits.memory_bytes = std::numeric_limits<std::uint64_t>::max();

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
+#include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
 /// The page. `parts`: the parts of the run, whose diagrams are drawn within the budget. Throws LimitReached.
-[[nodiscard]] std::string render_html(const Report&, const std::vector<Part>& parts, diagnostics::Budget&);
+[[nodiscard]] std::string render_html(const Report&, const std::vector<driver::Part>& parts, diagnostics::Budget&);
 
 /// The page of a run that ended early, made by `page`. `may_draw`: no other thread changes the parts, so diagrams are
 /// included if they can be drawn quickly.
 [[nodiscard]] std::string last_page(
-    const std::vector<Part>& parts, bool may_draw,
-    const std::function<std::string(const std::vector<Part>&, diagnostics::Budget&)>& page);
+    const std::vector<driver::Part>& parts, bool may_draw,
+    const std::function<std::string(const std::vector<driver::Part>&, diagnostics::Budget&)>& page);
 
 }  // namespace robochart::app

@@ -45,15 +45,15 @@ std::string lines_text(const diagrams::Picture& picture, const diagrams::Element
 
 }  // namespace
 
-PartDiagrams::PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget) : budget_(budget) {
-    for (const Part& part : parts)
+PartDiagrams::PartDiagrams(const std::vector<driver::Part>& parts, diagnostics::Budget& budget) : budget_(budget) {
+    for (const driver::Part& part : parts)
         if (part.project->model && !part.again) add(*part.project);
 }
 
 namespace {
 
 /// The paths of a project's texts.
-std::set<std::string> paths_of(const Project& project) {
+std::set<std::string> paths_of(const driver::Project& project) {
     std::set<std::string> paths;
     for (std::size_t i = 0; i < project.sources.size(); ++i)
         if (project.model && std::ranges::any_of(project.model->files, [&](const auto& file) {
@@ -65,13 +65,14 @@ std::set<std::string> paths_of(const Project& project) {
 
 }  // namespace
 
-PartDiagrams::PartDiagrams(const std::vector<Project*>& projects, diagnostics::Budget& budget) : budget_(budget) {
+PartDiagrams::PartDiagrams(const std::vector<driver::Project*>& projects, diagnostics::Budget& budget)
+    : budget_(budget) {
     std::set<std::set<std::string>> known;
-    for (Project* const project : projects)
+    for (driver::Project* const project : projects)
         if (project->model && known.insert(paths_of(*project)).second) add(*project);
 }
 
-void PartDiagrams::add(Project& project) {
+void PartDiagrams::add(driver::Project& project) {
     elements_.push_back(std::make_unique<diagrams::Elements>(*project.model, next_));
     next_ += elements_.back()->all_elements().size();
     for (const diagrams::Element& each : elements_.back()->all_elements()) {
@@ -162,7 +163,7 @@ void PartDiagrams::note_place(const diagnostics::SourceManager& sources, diagnos
     if (const auto where = position_of(sources, span)) by_place_.try_emplace(*where, id);
 }
 
-void PartDiagrams::name_elements(const Project& project) {
+void PartDiagrams::name_elements(const driver::Project& project) {
     const auto name = [&](const ir::Origin& origin) {
         const std::string id = id_at(project.sources, origin.span);
         if (!id.empty()) by_name_.try_emplace(origin.element, id);

@@ -12,9 +12,9 @@
 #include <tuple>
 #include <vector>
 
-#include "app/command/pipeline.hpp"
 #include "base/diagnostics/budget.hpp"
 #include "counterexample/run.hpp"
+#include "driver/model/pipeline.hpp"
 #include "frontend/diagrams/notation/subjects.hpp"
 #include "frontend/diagrams/stored/stored_diagrams.hpp"
 
@@ -22,7 +22,7 @@ namespace robochart::app {
 
 /// A subject with a diagram, and the part that contains it.
 struct PartSubject {
-    Project* project = nullptr;
+    driver::Project* project = nullptr;
     const diagrams::Elements* elements = nullptr;
     diagrams::Subject subject;                       ///< its file name is unique among all parts
     const diagrams::StoredLayout* layout = nullptr;  ///< drawn by a person; null: automatic layout
@@ -31,10 +31,10 @@ struct PartSubject {
 class PartDiagrams {
 public:
     /// Parts that could not be read, and parts that repeat an earlier one, have no diagrams.
-    PartDiagrams(const std::vector<Part>& parts, diagnostics::Budget& budget);
+    PartDiagrams(const std::vector<driver::Part>& parts, diagnostics::Budget& budget);
     /// For projects that were loaded separately. If two have the same texts, the first has the diagrams, and places of
     /// the second are found in them.
-    PartDiagrams(const std::vector<Project*>& projects, diagnostics::Budget& budget);
+    PartDiagrams(const std::vector<driver::Project*>& projects, diagnostics::Budget& budget);
 
     /// The subjects in textual order.
     [[nodiscard]] const std::vector<PartSubject>& subjects() const { return subjects_; }
@@ -72,9 +72,9 @@ private:
 
     [[nodiscard]] static std::optional<Position> position_of(const diagnostics::SourceManager& sources,
                                                              diagnostics::Span span);
-    void add(Project& project);
+    void add(driver::Project& project);
     void note_place(const diagnostics::SourceManager& sources, diagnostics::Span span, const std::string& id);
-    void name_elements(const Project& project);
+    void name_elements(const driver::Project& project);
 
     diagnostics::Budget& budget_;
     std::vector<std::unique_ptr<diagrams::Elements>> elements_;

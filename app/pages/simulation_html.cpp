@@ -68,8 +68,8 @@ public:
     }
 
 private:
-    static std::vector<Project*> projects_of(const SimulationRun& run) {
-        std::vector<Project*> projects;
+    static std::vector<driver::Project*> projects_of(const SimulationRun& run) {
+        std::vector<driver::Project*> projects;
         for (const KindModel& kind : run.kinds) projects.push_back(kind.project);
         return projects;
     }

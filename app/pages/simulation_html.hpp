@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/command/pipeline.hpp"
+#include "app/command/options.hpp"
 #include "cpp_emit/simulator_api.hpp"
+#include "driver/model/pipeline.hpp"
 #include "simulation/report/pictures.hpp"
 #include "simulation/report/run.hpp"
 
@@ -15,7 +16,7 @@ namespace robochart::app {
 
 /// The model that drives a kind of robots; the diagrams are of this model.
 struct KindModel {
-    Project* project = nullptr;
+    driver::Project* project = nullptr;
     const cpp_emit::DriveEmission* emission = nullptr;
 };
 

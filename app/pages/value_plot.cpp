@@ -28,7 +28,7 @@ std::optional<double> to_number(const std::string& text) {
     return value;
 }
 
-std::optional<Point> point_of_row(const ProbabilityReport& report, const probability::Row& row) {
+std::optional<Point> point_of_row(const driver::ProbabilityReport& report, const probability::Row& row) {
     const auto constants = varying_constants(report, row);
     if (constants.size() != 1 || row.results.empty()) return std::nullopt;
     const auto x = to_number(constants.front().second);
@@ -39,7 +39,7 @@ std::optional<Point> point_of_row(const ProbabilityReport& report, const probabi
     return Point{*x, interval_of(row.results.front()).low, interval_of(row.results.back()).high};
 }
 
-std::vector<Point> points_of_report(const ProbabilityReport& report) {
+std::vector<Point> points_of_report(const driver::ProbabilityReport& report) {
     std::vector<Point> result;
     for (const probability::Row& row : report.rows) {
         const auto one = point_of_row(report, row);
@@ -52,7 +52,7 @@ std::vector<Point> points_of_report(const ProbabilityReport& report) {
 
 }  // namespace
 
-std::string value_plot(const ProbabilityReport& report) {
+std::string value_plot(const driver::ProbabilityReport& report) {
     constexpr double left = 60, top = 10, width = 320, height = 120;
     const std::vector<Point> all = points_of_report(report);
     if (all.size() < 2 || all.front().x == all.back().x) return "";

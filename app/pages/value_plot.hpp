@@ -10,6 +10,6 @@ namespace robochart::app {
 
 /// SVG: a line, or a band between the least and the greatest values. "" unless exactly one constant varies and every
 /// row has a number.
-[[nodiscard]] std::string value_plot(const ProbabilityReport&);
+[[nodiscard]] std::string value_plot(const driver::ProbabilityReport&);
 
 }  // namespace robochart::app

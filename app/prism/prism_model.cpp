@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "app/command/pipeline.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "driver/model/pipeline.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/emit/emit.hpp"
 #include "prism/emit/ranges.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 std::optional<diagnostics::SourceId> load_text(const std::string& path, LoadedModel& loaded) {
     std::string error;
-    const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
+    const std::optional<diagnostics::SourceId> source = driver::load_input(loaded.sources, path, error);
     if (!source)
         loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::escape_for_display(path), error});
     return source;
@@ -42,10 +42,10 @@ void note_left_out(std::string_view text, prism::CheckedModel& model) {
 /// The uniform scheduler chooses every combination of commands with equal probability, which gives a dtmc.
 void resolve_choices(const Options& options, LoadedModel& loaded) {
     if (loaded.model->kind != prism::ModelKind::mdp) return;
-    if (!options.scheduler.empty()) {
+    if (options.probability.scheduler == driver::Scheduler::uniform) {
         loaded.scheduled = true;
         loaded.model->kind = prism::ModelKind::dtmc;
-    } else if (options.sampling) {
+    } else if (options.prism.sampling) {
         throw UsageError("--sim: the model is an mdp, and paths depend on its scheduler: add --scheduler uniform");
     }
 }
@@ -53,15 +53,15 @@ void resolve_choices(const Options& options, LoadedModel& loaded) {
 }  // namespace
 
 void load_model(const Options& options, LoadedModel& loaded) {
-    const auto source = load_text(options.inputs.front(), loaded);
+    const auto source = load_text(options.load.inputs.front(), loaded);
     if (!source) return;
     const prism::ModelFile model = prism::read_model(loaded.sources, *source, loaded.diagnostics);
     if (loaded.diagnostics.ok() || model.kind_given) loaded.kind = model.kind;
     prism::PropertyFile properties;
-    for (std::size_t i = 1; i < options.inputs.size(); ++i)
-        if (const auto file = load_text(options.inputs[i], loaded))
+    for (std::size_t i = 1; i < options.load.inputs.size(); ++i)
+        if (const auto file = load_text(options.load.inputs[i], loaded))
             add(properties, prism::read_properties(loaded.sources, *file, loaded.diagnostics));
-    for (const std::string& text : options.properties) {
+    for (const std::string& text : options.prism.properties) {
         const auto id = loaded.sources.add("--property", text);
         add(properties, prism::read_properties(loaded.sources, id, loaded.diagnostics));
     }
@@ -78,7 +78,7 @@ Experiment make_experiment(const LoadedModel& loaded, const Options& options) {
     open.insert(open.end(), of_model.begin(), of_model.end());
     std::vector<prism::Series> model, properties;
     try {
-        for (const std::string& text : options.constants)
+        for (const std::string& text : options.instantiation.constants)
             for (prism::Series& each : prism::read_series(text, open)) {
                 const auto same = [&](const auto& other) { return other.name == each.name; };
                 if (std::ranges::any_of(model, same) || std::ranges::any_of(properties, same))

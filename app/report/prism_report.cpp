@@ -349,7 +349,7 @@ Exit exit_of(const PrismReport& report) {
 /// For one run: property by property. For several: one table per property.
 std::string prism_text(const PrismReport& report, const Options& options) {
     std::string text;
-    if (!options.quiet)
+    if (!options.output.quiet)
         for (const PrismRun& run : report.runs)
             if (run.explored) text += run_text(report, run) + "\n";
     for (std::size_t i = 0; i < report.properties.size(); ++i) {

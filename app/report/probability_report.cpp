@@ -111,7 +111,8 @@ std::string path_text(const Row& row, const std::string& indent) {
     return text;
 }
 
-std::vector<std::pair<std::string, std::string>> varying_constants(const ProbabilityReport& report, const Row& row) {
+std::vector<std::pair<std::string, std::string>> varying_constants(const driver::ProbabilityReport& report,
+                                                                   const Row& row) {
     std::vector<std::pair<std::string, std::string>> result;
     for (std::size_t i = 0; i < row.constants.size(); ++i)
         if (std::ranges::any_of(report.rows,
@@ -120,7 +121,7 @@ std::vector<std::pair<std::string, std::string>> varying_constants(const Probabi
     return result;
 }
 
-std::string reading_of(const ProbabilityReport& report) {
+std::string reading_of(const driver::ProbabilityReport& report) {
     const auto sampled = [](const Row& row) {
         return row.path ||
                std::ranges::any_of(row.results, [](const prism::Result& each) { return each.estimate.has_value(); });
@@ -135,7 +136,7 @@ std::string reading_of(const ProbabilityReport& report) {
     return fmt::format("in the timed CSP semantics, {}; bounds count time units", who);
 }
 
-std::string probability_text(const ProbabilityReport& report, const std::string& indent) {
+std::string probability_text(const driver::ProbabilityReport& report, const std::string& indent) {
     if (report.rows.empty()) return "";
     std::string text = fmt::format("{}{}:\n", indent, reading_of(report));
     for (const Row& row : report.rows) {
@@ -148,7 +149,7 @@ std::string probability_text(const ProbabilityReport& report, const std::string&
     return text;
 }
 
-Json probability_json(const ProbabilityReport& report) {
+Json probability_json(const driver::ProbabilityReport& report) {
     Json json{{"encoding", report.encoding}, {"rows", Json::array()}};
     if (!report.scheduler.empty()) json["scheduler"] = report.scheduler;
     for (const Row& row : report.rows) json["rows"].push_back(row_json(row));

@@ -183,7 +183,7 @@ private:
             json["acceptance"] = events_.event_numbers(least_acceptance(offered));
         }
         json["trace"] = events_.event_numbers(trace);
-        if (options_.reveal_taus) json["revealed_trace"] = events_.event_numbers(revealed);
+        if (options_.script.reveal_taus) json["revealed_trace"] = events_.event_numbers(revealed);
     }
 
     const refine::Counterexample& counterexample_;
@@ -213,12 +213,14 @@ Json script_result_json(const ScriptAssertion& a, EventMap& events, const Option
     constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
     const refine::Verdict& verdict = a.result.verdict;
     Json json{{"assertion_string", a.text}, {"errors", a.errors}, {"is_negated", a.result.negated ? 1 : 0}};
-    json["result"] = a.answer == Answer::holds ? Json(1) : a.answer == Answer::fails ? Json(0) : Json(nullptr);
+    json["result"] = a.answer == driver::Answer::holds   ? Json(1)
+                     : a.answer == driver::Answer::fails ? Json(0)
+                                                         : Json(nullptr);
     json["visited_states"] = verdict.statistics.states;
     json["visited_transitions"] = verdict.statistics.transitions;
     json["visited_plys"] = verdict.statistics.depth;
     json["counterexamples"] = Json::array();
-    if (verdict.counterexample && !options.brief)
+    if (verdict.counterexample && !options.script.brief)
         json["counterexamples"].push_back(script_counterexample_json(a, events, options));
     json["number"] = a.number;
     json["place"] = a.place;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/command/findings.hpp"
 #include "app/report/script_report.hpp"
 
 namespace robochart::app {
@@ -124,7 +125,7 @@ void write_part(const Behaviour& part, std::size_t indent, const Names& names, s
 std::string split_text(const ScriptAssertion& a, std::size_t indent, const Names& names, const Options& options) {
     if (!a.behaviour || a.behaviour->parts.empty()) return "";
     const std::size_t parts = count_parts(*a.behaviour);
-    if (parts > few_parts && !options.split)
+    if (parts > few_parts && !options.script.split)
         return fmt::format("{:{}}{} parts took part; --split shows what each did\n", "", indent, parts);
     std::string out = fmt::format("{:{}}each part did\n", "", indent);
     write_part(*a.behaviour, indent + 2, names, out);
@@ -181,18 +182,18 @@ std::string plain_counterexample(const ScriptAssertion& a, const Names& names, c
     return out + split_text(a, 16, names, options);
 }
 
-const char* sentence_of(Answer answer) {
-    if (answer == Answer::holds) return "Passed";
-    return answer == Answer::fails ? "Failed" : answer == Answer::error ? "Error" : "Inconclusive";
+const char* sentence_of(driver::Answer answer) {
+    if (answer == driver::Answer::holds) return "Passed";
+    return answer == driver::Answer::fails ? "Failed" : answer == driver::Answer::error ? "Error" : "Inconclusive";
 }
 
 }  // namespace
 
 std::string refines_plain(const ScriptAssertion& a, const process::EventTable& events, const Options& options) {
-    const Names names(events, options.reveal_taus);
+    const Names names(events, options.script.reveal_taus);
     const refine::Statistics& s = a.result.verdict.statistics;
     std::string out;
-    if (options.brief) {
+    if (options.script.brief) {
         out = fmt::format("{}: {}\n", a.text, sentence_of(a.answer));
     } else {
         out = fmt::format(
@@ -205,13 +206,13 @@ std::string refines_plain(const ScriptAssertion& a, const process::EventTable& e
 }
 
 std::string counterexample_text(const ScriptAssertion& a, const process::EventTable& events, const Options& options) {
-    const Names names(events, options.reveal_taus);
+    const Names names(events, options.script.reveal_taus);
     const refine::Counterexample& c = *a.result.verdict.counterexample;
     std::string out = fmt::format("                 trace {}\n", names.run_text(c.steps));
     out += fmt::format("                 {}\n", offence_text(c, names));
     if (!c.replayed_by_terms)
         out += "                 (replayed by the compiled rules alone: its terms are too many)\n";
-    if (!c.shortest) out += fmt::format("                 ({})\n", not_shortest);
+    if (!c.shortest) out += fmt::format("                 ({})\n", driver::not_shortest);
     return out + split_text(a, 17, names, options);
 }
 

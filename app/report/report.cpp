@@ -35,9 +35,9 @@ std::string padded_verdict(std::string_view word, Paint paint, bool color) {
                        widest - std::min(widest, word.size()));
 }
 
-Paint paint_of(Answer answer) {
-    if (answer == Answer::holds || answer == Answer::computed) return Paint::success;
-    return answer == Answer::fails || answer == Answer::error ? Paint::error : Paint::warning;
+Paint paint_of(driver::Answer answer) {
+    if (answer == driver::Answer::holds || answer == driver::Answer::computed) return Paint::success;
+    return answer == driver::Answer::fails || answer == driver::Answer::error ? Paint::error : Paint::warning;
 }
 
 Paint paint_of(conformance::Outcome outcome) {
@@ -50,9 +50,9 @@ std::string duration_text(double seconds) {
 }
 
 /// False for answers from random paths, which explore no states.
-bool has_statistics(const AssertionReport& a) {
+bool has_statistics(const driver::AssertionReport& a) {
     if (a.probability && a.statistics.states == 0) return false;
-    return a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0;
+    return a.answer == driver::Answer::holds || a.answer == driver::Answer::fails || a.statistics.states > 0;
 }
 
 /// The reduction by symmetry of equal components, if there are any.
@@ -76,12 +76,12 @@ struct SharedRun {
 };
 
 /// The run of the model with its raw events.
-std::string run_lines(const AssertionReport& a, const Options& options) {
+std::string run_lines(const driver::AssertionReport& a, const Options& options) {
     if (!a.run) return a.counterexample;
     std::string out = runs::text_of(*a.run, indent_of_runs);
     const std::vector<std::string> raw(a.run->raw.begin(),
                                        a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
-    if (options.show_internal && !raw.empty())
+    if (options.output.show_internal && !raw.empty())
         out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
     return out;
 }
@@ -90,7 +90,7 @@ std::string run_lines(const AssertionReport& a, const Options& options) {
 constexpr std::size_t listed_grounds = 8;
 
 /// The text after the verdict. A core property has no title, because it is listed under its component.
-std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
+std::string assertion_rest(const driver::AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options, const SharedRun& shared) {
     const std::size_t padded = has_statistics(a) ? width : 0;
     std::string out = fmt::format("{:<{}}", a.core && width > 0 ? a.core->property : a.title, padded);
@@ -114,7 +114,7 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
     return out;
 }
 
-std::string assertion_block(const AssertionReport& a, const std::string& subject, std::size_t width,
+std::string assertion_block(const driver::AssertionReport& a, const std::string& subject, std::size_t width,
                             const Options& options, bool color, const SharedRun& shared = {}) {
     return padded_verdict(answer_word(a.answer), paint_of(a.answer), color) +
            diagnostics::shown_lines(assertion_rest(a, subject, width, options, shared));
@@ -242,7 +242,7 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
     write_api_difference(out, r);
     write_asides(out, r);
-    if (options.show_internal && !r.raw.empty())
+    if (options.output.show_internal && !r.raw.empty())
         out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
     return out;
 }
@@ -260,37 +260,41 @@ void write_files(std::string& out, std::string_view title, const std::vector<Fil
             fmt::format("  {:<70} {:>9} bytes\n", diagnostics::escape_for_display(file.path), with_commas(file.bytes));
 }
 
-std::string size_text(const SizeReport::Size& size) {
+std::string size_text(const driver::SizeReport::Size& size) {
     if (!size.whole) return fmt::format("{:>10} states and more      ", with_commas(size.states));
     return fmt::format("{:>10} states {:>11} transitions", with_commas(size.states), with_commas(size.transitions));
 }
 
-void write_sizes(std::string& out, const std::vector<SizeReport>& sizes) {
+void write_sizes(std::string& out, const std::vector<driver::SizeReport>& sizes) {
     if (sizes.empty()) return;
     out += "\nsizes of the components, as they are and compressed\n";
-    for (const SizeReport& size : sizes)
+    for (const driver::SizeReport& size : sizes)
         out += fmt::format("  {:<7} {:<45} {} {}\n", size.time, size.component, size_text(size.process),
                            size_text(size.compressed));
 }
 
 std::string closing_line(const Report& report) {
-    const auto count = [&](Answer answer) { return report.count_answers(answer); };
+    const auto count = [&](driver::Answer answer) { return report.count_answers(answer); };
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
         const auto decisive = std::ranges::count_if(report.assertions, [](const auto& a) {
-            return a.answer != Answer::no_check && a.answer != Answer::computed && !(a.core && a.core->information);
+            return a.answer != driver::Answer::no_check && a.answer != driver::Answer::computed &&
+                   !(a.core && a.core->information);
         });
-        if (decisive > 0 || count(Answer::computed) == 0)
-            parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), decisive));
-        if (count(Answer::computed) > 0)
-            parts.push_back(
-                fmt::format("{} value{} computed", count(Answer::computed), count(Answer::computed) == 1 ? "" : "s"));
-        if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
-        if (count(Answer::inconclusive) > 0)
-            parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
-        if (count(Answer::error) > 0) parts.push_back(fmt::format("{} cannot be evaluated", count(Answer::error)));
-        if (count(Answer::unchecked) > 0) parts.push_back(fmt::format("{} not checked", count(Answer::unchecked)));
-        if (count(Answer::no_check) > 0) parts.push_back(fmt::format("{} without a check", count(Answer::no_check)));
+        if (decisive > 0 || count(driver::Answer::computed) == 0)
+            parts.push_back(fmt::format("{} of {} checks hold", count(driver::Answer::holds), decisive));
+        if (count(driver::Answer::computed) > 0)
+            parts.push_back(fmt::format("{} value{} computed", count(driver::Answer::computed),
+                                        count(driver::Answer::computed) == 1 ? "" : "s"));
+        if (count(driver::Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(driver::Answer::fails)));
+        if (count(driver::Answer::inconclusive) > 0)
+            parts.push_back(fmt::format("{} inconclusive", count(driver::Answer::inconclusive)));
+        if (count(driver::Answer::error) > 0)
+            parts.push_back(fmt::format("{} cannot be evaluated", count(driver::Answer::error)));
+        if (count(driver::Answer::unchecked) > 0)
+            parts.push_back(fmt::format("{} not checked", count(driver::Answer::unchecked)));
+        if (count(driver::Answer::no_check) > 0)
+            parts.push_back(fmt::format("{} without a check", count(driver::Answer::no_check)));
     }
     if (!report.conformance.empty()) {
         const auto good = std::ranges::count_if(
@@ -313,41 +317,31 @@ std::string closing_line(const Report& report) {
 
 }  // namespace
 
-std::string_view name_of(Answer answer) {
-    constexpr std::array<std::string_view, 7> names{"holds", "fails",       "inconclusive", "no check",
-                                                    "error", "not checked", "value"};
-    return names[static_cast<std::size_t>(answer)];
-}
-
 std::string_view name_of(conformance::Outcome outcome) {
     constexpr std::array<std::string_view, 6> names{"conforms",      "differs", "not schedulable",
                                                     "not generated", "error",   "inconclusive"};
     return names[static_cast<std::size_t>(outcome)];
 }
 
-std::string_view answer_word(Answer answer) {
-    return answer == Answer::fails ? "FAILS" : name_of(answer);
-}
-
 const std::string_view indent_of_runs = "                 ";
 
-std::size_t Report::count_answers(Answer answer) const {
+std::size_t Report::count_answers(driver::Answer answer) const {
     return static_cast<std::size_t>(std::ranges::count_if(
         assertions, [&](const auto& a) { return a.answer == answer && !(a.core && a.core->information); }));
 }
 
 bool Report::all_decided() const {
     return limit.empty() && refused.empty() && !nothing_checked &&
-           std::ranges::none_of(assertions, [](const AssertionReport& each) {
-               return each.answer == Answer::inconclusive || each.answer == Answer::error;
+           std::ranges::none_of(assertions, [](const driver::AssertionReport& each) {
+               return each.answer == driver::Answer::inconclusive || each.answer == driver::Answer::error;
            });
 }
 
 std::string Report::limit_advice() const {
     const auto met = [&](std::string_view words) {
         return limit.find(words) != std::string::npos ||
-               std::ranges::any_of(assertions, [&](const AssertionReport& each) {
-                   return each.answer == Answer::inconclusive && each.reason.find(words) != std::string::npos;
+               std::ranges::any_of(assertions, [&](const driver::AssertionReport& each) {
+                   return each.answer == driver::Answer::inconclusive && each.reason.find(words) != std::string::npos;
                });
     };
     std::vector<std::string> helps;
@@ -364,16 +358,17 @@ std::string Report::limit_advice() const {
 }
 
 Exit Report::exit_code() const {
-    const auto any = [&](Answer answer) { return count_answers(answer) > 0; };
+    const auto any = [&](driver::Answer answer) { return count_answers(answer) > 0; };
     const auto code = [&](conformance::Outcome outcome) {
         return std::ranges::any_of(conformance, [&](const auto& c) { return c.result.outcome == outcome; });
     };
-    if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated) ||
-        code(conformance::Outcome::error))
+    if (nothing_checked || !refused.empty() || any(driver::Answer::error) ||
+        code(conformance::Outcome::not_generated) || code(conformance::Outcome::error))
         return Exit::bad_input;
-    if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable))
+    if (any(driver::Answer::fails) || code(conformance::Outcome::differs) ||
+        code(conformance::Outcome::not_schedulable))
         return Exit::failed;
-    if (!limit.empty() || any(Answer::inconclusive) || any(Answer::unchecked) ||
+    if (!limit.empty() || any(driver::Answer::inconclusive) || any(driver::Answer::unchecked) ||
         code(conformance::Outcome::inconclusive))
         return Exit::inconclusive;
     return Exit::success;
@@ -390,17 +385,17 @@ std::string heading_text(const Report& report) {
     return out;
 }
 
-using Listed = std::vector<const AssertionReport*>;
+using Listed = std::vector<const driver::AssertionReport*>;
 
 /// Runs of core properties that several components share, by assertion.
-using SharedRuns = std::map<const AssertionReport*, SharedRun>;
+using SharedRuns = std::map<const driver::AssertionReport*, SharedRun>;
 
 /// A module, its controller and its machine often fail a property with the same run; it is printed only for the first
 /// of them.
 SharedRuns shared_runs(const Report& report, const Options& options) {
-    std::map<std::pair<std::string, std::string>, const AssertionReport*> first;  // by property and run
+    std::map<std::pair<std::string, std::string>, const driver::AssertionReport*> first;  // by property and run
     SharedRuns result;
-    for (const AssertionReport& a : report.assertions) {
+    for (const driver::AssertionReport& a : report.assertions) {
         if (!a.core || a.core->information || (!a.run && a.counterexample.empty())) continue;
         const auto [known, added] = first.try_emplace({a.core->property, run_lines(a, options)}, &a);
         if (added) continue;
@@ -414,12 +409,12 @@ SharedRuns shared_runs(const Report& report, const Options& options) {
 std::string blocks_text(const Listed& listed, const std::string& subject, const Options& options, bool color,
                         const SharedRuns& shared) {
     std::size_t width = 0;
-    for (const AssertionReport* a : listed)
+    for (const driver::AssertionReport* a : listed)
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
-    for (const AssertionReport* a : listed)
+    for (const driver::AssertionReport* a : listed)
         // Values are answers, and the basis of an answer belongs to it, so both are printed even with --quiet.
-        if (!options.quiet || a->answer != Answer::holds || !a->basis.empty()) {
+        if (!options.output.quiet || a->answer != driver::Answer::holds || !a->basis.empty()) {
             const auto elsewhere = shared.find(a);
             out += assertion_block(*a, subject, width, options, color,
                                    elsewhere == shared.end() ? SharedRun{} : elsewhere->second);
@@ -429,9 +424,9 @@ std::string blocks_text(const Listed& listed, const std::string& subject, const 
 
 std::string assertions_text(const Report& report, const Options& options, bool color) {
     Listed listed;
-    for (const AssertionReport& a : report.assertions)
+    for (const driver::AssertionReport& a : report.assertions)
         if (!a.core) listed.push_back(&a);
-    const std::string heading = listed.empty() || options.quiet ? "" : "\nassertions\n";
+    const std::string heading = listed.empty() || options.output.quiet ? "" : "\nassertions\n";
     return heading + blocks_text(listed, report.subject, options, color, {});
 }
 
@@ -439,17 +434,17 @@ std::string assertions_text(const Report& report, const Options& options, bool c
 std::string information_text(const Listed& information) {
     std::vector<std::string> words;
     std::size_t reached = 0;
-    for (const AssertionReport* a : information) {
+    for (const driver::AssertionReport* a : information) {
         const std::string& property = a->core->property;
         const bool state = property.ends_with(" is reachable");
         const std::string place = a->place.empty() ? "" : fmt::format(" ({})", a->place);
-        if (a->answer == Answer::holds && state)
+        if (a->answer == driver::Answer::holds && state)
             ++reached;
-        else if (a->answer == Answer::holds)
+        else if (a->answer == driver::Answer::holds)
             words.push_back(property);
-        else if (property == "every transition fires" && a->answer == Answer::fails)
+        else if (property == "every transition fires" && a->answer == driver::Answer::fails)
             words.push_back(a->reason);
-        else if (a->answer != Answer::fails)
+        else if (a->answer != driver::Answer::fails)
             words.push_back(fmt::format("{}: not known", property));
         else if (state)
             words.push_back(fmt::format("{} is never reached{}", property.substr(0, property.find(" is")), place));
@@ -464,7 +459,7 @@ std::string information_text(const Listed& information) {
 std::string core_text(const Report& report, const Options& options, bool color) {
     std::vector<std::string> components;
     std::map<std::string, std::pair<Listed, Listed>> parts;  // required properties, and informative ones
-    for (const AssertionReport& a : report.assertions) {
+    for (const driver::AssertionReport& a : report.assertions) {
         if (!a.core) continue;
         const auto [part, added] = parts.try_emplace(a.core->component);
         if (added) components.push_back(a.core->component);
@@ -474,9 +469,9 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     std::string out;
     for (const std::string& component : components) {
         const std::string required = blocks_text(parts[component].first, report.subject, options, color, shared);
-        if (!required.empty() || !options.quiet)
+        if (!required.empty() || !options.output.quiet)
             out += fmt::format("  {}\n{}", diagnostics::escape_for_display(component), required);
-        if (!options.quiet) out += diagnostics::shown_lines(information_text(parts[component].second));
+        if (!options.output.quiet) out += diagnostics::shown_lines(information_text(parts[component].second));
     }
     if (out.empty()) return out;
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
@@ -484,8 +479,9 @@ std::string core_text(const Report& report, const Options& options, bool color) 
 
 /// Explains the word that is printed in place of the seconds, if the report contains it.
 std::string legend_text(const Report& report, const Options& options) {
-    const auto shown = [&](const AssertionReport& a) {
-        return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds || !a.basis.empty());
+    const auto shown = [&](const driver::AssertionReport& a) {
+        return !(a.core && a.core->information) &&
+               (!options.output.quiet || a.answer != driver::Answer::holds || !a.basis.empty());
     };
     const bool known = std::ranges::any_of(report.assertions,
                                            [&](const auto& a) { return shown(a) && has_statistics(a) && !a.searched; });
@@ -507,25 +503,25 @@ std::string files_text(const Report& report) {
 
 std::string render_text(const Report& report, const Options& options) {
     using diagnostics::shown_lines;
-    const bool color = color_wanted(options.color, STDOUT_FILENO);
-    std::string out = options.quiet ? "" : shown_lines(heading_text(report));
+    const bool color = color_wanted(options.output.color, STDOUT_FILENO);
+    std::string out = options.output.quiet ? "" : shown_lines(heading_text(report));
     out += assertions_text(report, options, color) + core_text(report, options, color) + legend_text(report, options);
     std::string found;
     write_sizes(found, report.sizes);
     out += shown_lines(found);
-    if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
+    if (!report.conformance.empty() && !options.output.quiet) out += "\nconformance of the generated C++\n";
     for (const ConformanceReport& c : report.conformance)
-        if (!options.quiet || c.result.outcome != conformance::Outcome::conforms)
+        if (!options.output.quiet || c.result.outcome != conformance::Outcome::conforms)
             out += conformance_block(c, options, color);
-    if (!options.quiet) out += shown_lines(files_text(report));
+    if (!options.output.quiet) out += shown_lines(files_text(report));
     if (const std::string advice = report.limit_advice(); !advice.empty())
-        out += fmt::format("{}{}\n", options.quiet ? "" : "\n", advice);
+        out += fmt::format("{}{}\n", options.output.quiet ? "" : "\n", advice);
     if (const std::string last = closing_line(report); !last.empty())
-        out += shown_lines(fmt::format("{}{}\n", options.quiet ? "" : "\n", last));
+        out += shown_lines(fmt::format("{}{}\n", options.output.quiet ? "" : "\n", last));
     return out;
 }
 
-std::string assertion_text(const AssertionReport& assertion, const std::string& subject) {
+std::string assertion_text(const driver::AssertionReport& assertion, const std::string& subject) {
     return assertion_block(assertion, subject, 0, {}, false);
 }
 

@@ -12,9 +12,9 @@
 
 namespace robochart::app {
 
-diagnostics::Json grounds_json(const Basis& basis) {
+diagnostics::Json grounds_json(const driver::Basis& basis) {
     diagnostics::Json json = diagnostics::Json::array();
-    for (const Ground& ground : basis) {
+    for (const driver::Ground& ground : basis) {
         diagnostics::Json& one =
             json.emplace_back(diagnostics::Json{{"kind", name_of(ground.kind)}, {"text", ground.text}});
         if (!ground.element.empty()) one["element"] = ground.element;
@@ -44,12 +44,12 @@ Json run_counterexample_json(const runs::Run& run) {
     return json;
 }
 
-Json assertion_json(const AssertionReport& a) {
+Json assertion_json(const driver::AssertionReport& a) {
     Json json{{"title", a.title},
               {"place", a.place},
               {"answer", name_of(a.answer)},
               {"statistics", statistics_json(a.statistics)}};
-    const bool decided = a.answer == Answer::holds || a.answer == Answer::fails;
+    const bool decided = a.answer == driver::Answer::holds || a.answer == driver::Answer::fails;
     if (decided && !a.searched) json["known"] = true;
     if (a.core)
         json["core"] = {
@@ -131,7 +131,7 @@ Json conformance_json(const ConformanceReport& c) {
     return json;
 }
 
-Json size(const SizeReport::Size& size) {
+Json size(const driver::SizeReport::Size& size) {
     return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}};
 }
 
@@ -153,12 +153,12 @@ std::string render_json(const Report& report) {
     if (!report.limit.empty()) json["limit"] = report.limit;
     if (const std::string advice = report.limit_advice(); !advice.empty()) json["advice"] = advice;
     json["assertions"] = Json::array();
-    for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion_json(a));
+    for (const driver::AssertionReport& a : report.assertions) json["assertions"].push_back(assertion_json(a));
     json["bounds"] = Json::array();
-    for (const BoundReport& b : report.bounds)
+    for (const driver::BoundReport& b : report.bounds)
         json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
     if (!report.sizes.empty()) json["sizes"] = Json::array();
-    for (const SizeReport& s : report.sizes)
+    for (const driver::SizeReport& s : report.sizes)
         json["sizes"].push_back({{"component", s.component},
                                  {"time", s.time},
                                  {"process", size(s.process)},

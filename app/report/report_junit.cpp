@@ -9,37 +9,37 @@
 namespace robochart::app {
 namespace {
 
-using Kind = JunitCase::Kind;
+using CaseKind = JunitCase::Kind;
 
-Kind kind_of(Answer answer) {
+CaseKind kind_of(driver::Answer answer) {
     switch (answer) {
-        case Answer::holds:
-        case Answer::computed:
-            return Kind::passed;
-        case Answer::fails:
-            return Kind::failed;
-        case Answer::no_check:
-        case Answer::unchecked:
-            return Kind::skipped;
-        case Answer::inconclusive:
-        case Answer::error:
-            return Kind::error;
+        case driver::Answer::holds:
+        case driver::Answer::computed:
+            return CaseKind::passed;
+        case driver::Answer::fails:
+            return CaseKind::failed;
+        case driver::Answer::no_check:
+        case driver::Answer::unchecked:
+            return CaseKind::skipped;
+        case driver::Answer::inconclusive:
+        case driver::Answer::error:
+            return CaseKind::error;
     }
-    return Kind::error;
+    return CaseKind::error;
 }
 
-std::string reason_of(const AssertionReport& a) {
+std::string reason_of(const driver::AssertionReport& a) {
     if (!a.reason.empty()) return a.reason;
     return a.run ? a.run->end.why : "it does not hold";
 }
 
-JunitCase case_of(const AssertionReport& a, const std::string& subject) {
+JunitCase case_of(const driver::AssertionReport& a, const std::string& subject) {
     JunitCase made;
     made.group = a.place.empty() ? "assertions" : a.place.substr(0, a.place.rfind(':'));
     made.name = a.title;
     made.kind = kind_of(a.answer);
     made.seconds = a.statistics.seconds;
-    if (made.kind == Kind::passed) {
+    if (made.kind == CaseKind::passed) {
         if (!a.basis.empty()) made.text = assertion_text(a, subject);
         return made;
     }
@@ -57,7 +57,7 @@ JunitCase case_of(const ConformanceReport& c) {
     if (c.result.outcome == Outcome::conforms) return made;
     const bool unknown = c.result.outcome == Outcome::inconclusive || c.result.outcome == Outcome::not_generated ||
                          c.result.outcome == Outcome::error;
-    made.kind = unknown ? Kind::error : Kind::failed;
+    made.kind = unknown ? CaseKind::error : CaseKind::failed;
     made.message = c.result.reason.empty() ? "the code does not conform" : c.result.reason;
     made.text = conformance_text(c);
     return made;
@@ -65,14 +65,14 @@ JunitCase case_of(const ConformanceReport& c) {
 
 /// A case about the run as a whole.
 JunitCase about_run(const std::string& name, const std::string& message, const std::string& text) {
-    return {"run", name, Kind::error, message, text, 0};
+    return {"run", name, CaseKind::error, message, text, 0};
 }
 
 }  // namespace
 
 std::string render_junit(const Report& report) {
     std::vector<JunitCase> cases;
-    for (const AssertionReport& each : report.assertions)
+    for (const driver::AssertionReport& each : report.assertions)
         if (!each.core || !each.core->information) cases.push_back(case_of(each, report.subject));
     for (const ConformanceReport& each : report.conformance) cases.push_back(case_of(each));
     for (const RefusedReport& each : report.refused)

@@ -74,8 +74,8 @@ Json sarif_result(Rule rule, std::string_view kind, const std::string& message, 
 }
 
 /// Adds the basis of the verdict to the message and to the locations.
-void add_basis(const Basis& basis, std::string& message, Json& related) {
-    for (const Ground& ground : basis) {
+void add_basis(const driver::Basis& basis, std::string& message, Json& related) {
+    for (const driver::Ground& ground : basis) {
         message += fmt::format("; it rests on: {}", ground_text(ground));
         if (!ground.region) continue;
         related.push_back({{"id", related.size() + 1},
@@ -83,23 +83,23 @@ void add_basis(const Basis& basis, std::string& message, Json& related) {
                            {"message", sarif_text(ground.text)}});
     }
     std::set<std::string> remedies;
-    for (const Ground& ground : basis)
+    for (const driver::Ground& ground : basis)
         if (!ground.remedy.empty() && remedies.insert(ground.remedy).second) message += "; " + ground.remedy;
 }
 
-std::string_view kind_in_log(Answer answer) {
-    if (answer == Answer::holds) return informational;
-    return answer == Answer::fails || answer == Answer::error ? failure : left_open;
+std::string_view kind_in_log(driver::Answer answer) {
+    if (answer == driver::Answer::holds) return informational;
+    return answer == driver::Answer::fails || answer == driver::Answer::error ? failure : left_open;
 }
 
-std::string_view words_of(Answer answer) {
-    if (answer == Answer::holds || answer == Answer::fails) return name_of(answer);
-    return answer == Answer::error ? "cannot be evaluated" : "is not decided";
+std::string_view words_of(driver::Answer answer) {
+    if (answer == driver::Answer::holds || answer == driver::Answer::fails) return name_of(answer);
+    return answer == driver::Answer::error ? "cannot be evaluated" : "is not decided";
 }
 
-void add(const AssertionReport& a, const std::string& file, Json& results) {
-    if (a.answer == Answer::no_check || a.answer == Answer::computed) return;
-    if (a.answer == Answer::holds && a.basis.empty()) return;
+void add(const driver::AssertionReport& a, const std::string& file, Json& results) {
+    if (a.answer == driver::Answer::no_check || a.answer == driver::Answer::computed) return;
+    if (a.answer == driver::Answer::holds && a.basis.empty()) return;
     const std::string why = !a.reason.empty() ? a.reason : a.run ? a.run->end.why : "";
     std::string message = fmt::format("{}: {}{}{}", a.title, words_of(a.answer), why.empty() ? "" : ": ", why);
     Json related = Json::array();
@@ -136,7 +136,7 @@ std::string render_sarif(const Report& report, const std::string& verb) {
     run.what = fmt::format("{}/{}", verb, report.model);
     run.rules = sarif_rules();
     const std::string file = report.file.empty() ? report.model : report.file;
-    for (const AssertionReport& each : report.assertions)
+    for (const driver::AssertionReport& each : report.assertions)
         if (!each.core || !each.core->information) add(each, file, run.results);
     for (const ConformanceReport& each : report.conformance) add(each, file, run.results);
     run.limit = why_incomplete(report);

@@ -102,25 +102,25 @@ std::string closing_text(const RulesReport& report) {
     return text + "\n";
 }
 
-const char* verdict_word(RuleVerdict::Kind kind) {
+const char* verdict_word(driver::RuleVerdict::Kind kind) {
     switch (kind) {
-        case RuleVerdict::Kind::obeyed:
+        case driver::RuleVerdict::Kind::obeyed:
             return "obeyed";
-        case RuleVerdict::Kind::broken:
+        case driver::RuleVerdict::Kind::broken:
             return "broken";
-        case RuleVerdict::Kind::never_asked:
+        case driver::RuleVerdict::Kind::never_asked:
             return "never asked";
-        case RuleVerdict::Kind::not_applicable:
+        case driver::RuleVerdict::Kind::not_applicable:
             return "not applicable";
-        case RuleVerdict::Kind::not_decided:
+        case driver::RuleVerdict::Kind::not_decided:
             return "not decided";
-        case RuleVerdict::Kind::error:
+        case driver::RuleVerdict::Kind::error:
             break;
     }
     return "error";
 }
 
-std::string verdict_text(const RulesReport& report, const RuleVerdict& verdict) {
+std::string verdict_text(const RulesReport& report, const driver::RuleVerdict& verdict) {
     std::string text = fmt::format("{} by {}: {}{}{}\n", report.rules[verdict.rule].name, verdict.component,
                                    verdict_word(verdict.kind), verdict.reason.empty() ? "" : ": ", verdict.reason);
     for (const std::string& line : verdict.lines) text += fmt::format("  {}\n", line);
@@ -130,13 +130,13 @@ std::string verdict_text(const RulesReport& report, const RuleVerdict& verdict) 
 std::string verdicts_text(const RulesReport& report, bool quiet) {
     std::string text;
     std::size_t broken = 0, undecided = 0, errors = report.errors.size();
-    for (const RuleVerdict& each : report.verdicts) {
-        const bool failed = each.kind == RuleVerdict::Kind::error;
-        const bool wrong =
-            failed || each.kind == RuleVerdict::Kind::broken || each.kind == RuleVerdict::Kind::not_decided;
+    for (const driver::RuleVerdict& each : report.verdicts) {
+        const bool failed = each.kind == driver::RuleVerdict::Kind::error;
+        const bool wrong = failed || each.kind == driver::RuleVerdict::Kind::broken ||
+                           each.kind == driver::RuleVerdict::Kind::not_decided;
         if (wrong || !quiet) text += verdict_text(report, each);
-        if (each.kind == RuleVerdict::Kind::broken) ++broken;
-        if (each.kind == RuleVerdict::Kind::not_decided) ++undecided;
+        if (each.kind == driver::RuleVerdict::Kind::broken) ++broken;
+        if (each.kind == driver::RuleVerdict::Kind::not_decided) ++undecided;
         if (failed) ++errors;
     }
     for (const std::string& each : report.errors) text += fmt::format("error: {}\n", each);
@@ -148,7 +148,7 @@ std::string verdicts_text(const RulesReport& report, bool quiet) {
                               undecided, errors == 0 ? "" : ", " + number_of(errors, "error"));
 }
 
-Json verdict_json(const RulesReport& report, const RuleVerdict& verdict) {
+Json verdict_json(const RulesReport& report, const driver::RuleVerdict& verdict) {
     Json json{{"rule", report.rules[verdict.rule].name},
               {"component", verdict.component},
               {"verdict", verdict_word(verdict.kind)}};
@@ -202,10 +202,10 @@ Exit exit_of(const RulesReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     bool failed = !report.time_stops.empty();
     bool undecided = !report.limit.empty() || !report.not_read.empty() || !report.time_open.empty();
-    for (const RuleVerdict& each : report.verdicts) {
-        if (each.kind == RuleVerdict::Kind::error) return Exit::bad_input;
-        failed = failed || each.kind == RuleVerdict::Kind::broken;
-        undecided = undecided || each.kind == RuleVerdict::Kind::not_decided;
+    for (const driver::RuleVerdict& each : report.verdicts) {
+        if (each.kind == driver::RuleVerdict::Kind::error) return Exit::bad_input;
+        failed = failed || each.kind == driver::RuleVerdict::Kind::broken;
+        undecided = undecided || each.kind == driver::RuleVerdict::Kind::not_decided;
     }
     for (const RuleConflict& each : report.conflicts) (each.decided ? failed : undecided) = true;
     for (const RuleProperty& each : report.properties) (each.decided ? failed : undecided) = true;
@@ -217,9 +217,9 @@ Exit exit_of(const RulesReport& report) {
 }
 
 std::string rules_text(const RulesReport& report, const Options& options) {
-    if (!report.model.empty()) return verdicts_text(report, options.quiet);
+    if (!report.model.empty()) return verdicts_text(report, options.output.quiet);
     std::string text;
-    if (!options.quiet && report.as_sleec_tk) {
+    if (!options.output.quiet && report.as_sleec_tk) {
         text += fmt::format("{}: as SLEEC-TK has it\n", report.file);
         for (const std::string& each : report.ranges) text += fmt::format("  numeric values: {}\n", each);
     }
@@ -251,7 +251,7 @@ std::string rules_json(const RulesReport& report) {
     if (!report.model.empty()) {
         json["model"] = report.model;
         json["verdicts"] = Json::array();
-        for (const RuleVerdict& each : report.verdicts) json["verdicts"].push_back(verdict_json(report, each));
+        for (const driver::RuleVerdict& each : report.verdicts) json["verdicts"].push_back(verdict_json(report, each));
         json["timeStops"] = report.time_stops;
         if (!report.time_open.empty()) json["timeNotDecided"] = report.time_open;
         json["inputsCount"] = "taken";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command/options.hpp"
+#include "driver/results/rule_verdict.hpp"
 
 namespace robochart::app {
 
@@ -50,23 +51,12 @@ struct ComparedPair {
     std::optional<bool> deadline_missed, only_time_passes, first_redundant, second_redundant;
 };
 
-/// The verdict about a rule and a component of a model.
-struct RuleVerdict {
-    enum class Kind { obeyed, broken, never_asked, not_applicable, not_decided, error };
-    std::string component;
-    std::size_t rule = 0;
-    Kind kind = Kind::not_decided;
-    std::string reason;              ///< not applicable, not decided, error: the reason
-    std::vector<std::string> lines;  ///< broken: the violation
-    std::uint64_t states = 0;
-};
-
 struct RulesReport {
     std::string file, dialect;
-    std::string model;                    ///< "": only rules
-    std::vector<RuleVerdict> verdicts;    ///< about a model
-    std::vector<std::string> time_stops;  ///< components in which time can stop
-    std::vector<std::string> time_open;   ///< "whether time can stop in C: why it is not decided"
+    std::string model;                          ///< "": only rules
+    std::vector<driver::RuleVerdict> verdicts;  ///< about a model
+    std::vector<std::string> time_stops;        ///< components in which time can stop
+    std::vector<std::string> time_open;         ///< "whether time can stop in C: why it is not decided"
     bool as_sleec_tk = false;
     std::string without_limit;
     std::vector<RuleName> rules;

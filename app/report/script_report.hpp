@@ -22,9 +22,9 @@ struct ScriptAssertion {
     std::string place;
     std::string specification;  ///< of a refinement
     std::string process;        ///< the implementation, or the subject of a property
-    Answer answer = Answer::inconclusive;
+    driver::Answer answer = driver::Answer::inconclusive;
     std::vector<std::string> errors;  ///< why there is no answer
-    Basis basis = {};                 ///< what the answer rests on
+    driver::Basis basis = {};         ///< what the answer rests on
     cspm::AssertionResult result;
     std::map<process::Event, std::string> events = {};  ///< names of the events in its JSON
     std::optional<process::Behaviour> behaviour;        ///< of a counterexample to show: the behaviour of each part
@@ -45,7 +45,7 @@ struct ScriptReport {
 };
 
 /// The grounds of a verdict in JSON, as in every report.
-[[nodiscard]] diagnostics::Json grounds_json(const Basis&);
+[[nodiscard]] diagnostics::Json grounds_json(const driver::Basis&);
 /// Stores the names of the events in the JSON of an assertion, because the JSON may be printed while the table grows.
 void name_events(ScriptAssertion&, const process::EventTable&, const Options&);
 /// One JSON object on one line, with the fields of FDR 4's `refines --format json` and additional ones (docs/cli.md).

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/command/run.hpp"
+#include "app/rules/show_findings.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "cpp_emit/files/trace_names.hpp"
 
@@ -68,7 +69,7 @@ public:
                        rc_drive_result result) override {
         if (other_ != nullptr) other_->observe_cycle(robot, step, inputs, outputs, result);
         while (robots_.size() <= robot)
-            robots_.push_back({RuleRun({all_.rules_, all_.loaded_->sources}, sleec::WithoutLimit::eventually)});
+            robots_.push_back({driver::RuleRun({all_.rules_, all_.loaded_->sources}, sleec::WithoutLimit::eventually)});
         if (robots_[robot].given_up) return;
         try {
             follow_cycle(robots_[robot].run, inputs, outputs);
@@ -90,12 +91,12 @@ public:
 
 private:
     struct Robot {
-        RuleRun run;
+        driver::RuleRun run;
         bool given_up = false;  ///< the rules demand more than a monitor can follow
     };
 
     /// Follows one cycle.
-    void follow_cycle(RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
+    void follow_cycle(driver::RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
         const auto& emission = all_.emission_;
         for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
             if (inputs[i].present != 0) take_port(run, all_.inputs_[i], emission.inputs[i], inputs[i].value);
@@ -107,14 +108,14 @@ private:
         if (run.is_broken()) set_objection(run);
     }
 
-    void take_port(RuleRun& run, const Linked& linked, const cpp_emit::Port& port, rc_value value) const {
+    void take_port(driver::RuleRun& run, const Linked& linked, const cpp_emit::Port& port, rc_value value) const {
         for (const std::size_t measure : linked.measures)
             run.read(measure,
                      port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, value) : std::nullopt);
         for (const std::size_t event : linked.events) run.add_event(event);
     }
 
-    void set_objection(const RuleRun& run) {
+    void set_objection(const driver::RuleRun& run) {
         objection_.cause = fmt::format("{}", fmt::join(run.violation_text(), "; "));
         objection_.place = all_.loaded_->sources.path_and_line(run.violation_place());
     }
@@ -125,7 +126,8 @@ private:
     simulation::Objection objection_;
 };
 
-RuleGuard::RuleGuard(std::unique_ptr<LoadedRules> loaded, const cpp_emit::DriveEmission& emission, std::uint32_t units)
+RuleGuard::RuleGuard(std::unique_ptr<driver::LoadedRules> loaded, const cpp_emit::DriveEmission& emission,
+                     std::uint32_t units)
     : loaded_(std::move(loaded)),
       emission_(emission),
       units_(units),
@@ -137,7 +139,7 @@ RuleGuard::RuleGuard(std::unique_ptr<LoadedRules> loaded, const cpp_emit::DriveE
 }
 
 std::vector<RuleGuard::Linked> RuleGuard::link_ports(const std::vector<cpp_emit::Port>& ports) {
-    const RuleWords words(*loaded_->rules);
+    const driver::RuleWords words(*loaded_->rules);
     std::vector<std::string> exported;
     for (const cpp_emit::Port& port : ports) exported.push_back(port.exported);
     std::vector<Linked> result;
@@ -182,9 +184,9 @@ std::string RuleGuard::summary_lines() const {
 
 std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_emit::DriveEmission& emission,
                                            std::uint32_t units, const Options& options, std::string& error) {
-    auto loaded = std::make_unique<LoadedRules>();
+    auto loaded = std::make_unique<driver::LoadedRules>();
     loaded->diagnostics.set_budget(&options.run->budget());
-    for (const std::string& code : options.allowed) loaded->diagnostics.allow_code(code);
+    for (const std::string& code : options.load.allowed) loaded->diagnostics.allow_code(code);
     load_rules(file, *loaded);
     show_rule_findings(*loaded, options);
     if (!loaded->rules) {

@@ -9,9 +9,10 @@
 #include <mutex>
 #include <string>
 
-#include "app/rules/rule_claims.hpp"
-#include "app/rules/rule_run.hpp"
+#include "app/command/options.hpp"
 #include "cpp_emit/simulator_api.hpp"
+#include "driver/rules/rule_claims.hpp"
+#include "driver/rules/rule_run.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::app {
@@ -20,7 +21,8 @@ namespace robochart::app {
 class RuleGuard final : public simulation::Guard {
 public:
     /// `units`: time units of the model in one cycle.
-    RuleGuard(std::unique_ptr<LoadedRules> loaded, const cpp_emit::DriveEmission& emission, std::uint32_t units);
+    RuleGuard(std::unique_ptr<driver::LoadedRules> loaded, const cpp_emit::DriveEmission& emission,
+              std::uint32_t units);
 
     [[nodiscard]] Maker make_observer(Maker other) override;
     [[nodiscard]] std::string summary_lines() const override;
@@ -36,7 +38,7 @@ private:
     [[nodiscard]] std::vector<Linked> link_ports(const std::vector<cpp_emit::Port>& ports);
     void leave_out();
 
-    std::unique_ptr<LoadedRules> loaded_;
+    std::unique_ptr<driver::LoadedRules> loaded_;
     const cpp_emit::DriveEmission& emission_;
     std::uint32_t units_;
     sleec::CheckedRules rules_;  ///< the monitored rules of the file

@@ -6,17 +6,17 @@
 #include <optional>
 #include <string>
 
-#include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
 #include "counterexample/stepper.hpp"
+#include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
 /// The subject of stepping.
 struct Stepped {
-    std::string name;                  ///< of the component, "P::M"; for a script, the process as given
-    std::string model;                 ///< the file or folder
-    const Project* project = nullptr;  ///< null: a process of a script
+    std::string name;                          ///< of the component, "P::M"; for a script, the process as given
+    std::string model;                         ///< the file or folder
+    const driver::Project* project = nullptr;  ///< null: a process of a script
     csp_emit::Time time = csp_emit::Time::timed;
     bool any_constants = false;  ///< also follow logs of the model with other constants
 };

@@ -283,7 +283,7 @@ std::string counts_text(const Exploration& space) {
                                : fmt::format("{}; {}; found and left out: {}", states, space.limit, space.left_out);
 }
 
-std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<Part>& parts) {
+std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<driver::Part>& parts) {
     diagnostics::Budget drawing;  // separate, so that a limit that ended the exploration does not prevent the page
     const PartDiagrams diagrams(parts, drawing);
     const std::vector<Instance> instances = instances_of(space);

@@ -20,9 +20,9 @@ const cspm::ExprPtr& process_of(const csp_emit::Emission& emission, const std::s
 
 }  // namespace
 
-SteppedComponent::SteppedComponent(Project& project, const std::string& name, csp_emit::Time time,
+SteppedComponent::SteppedComponent(driver::Project& project, const std::string& name, csp_emit::Time time,
                                    const Options& options)
-    : emission_(emit_csp(project, options, time)),
+    : emission_(emit_csp(project, options.claims, options.swarm, time)),
       session_(emission_.script, &options.run->budget()),
       context_{emission_.provenance, project.system, project.instantiation, project.sources, session_},
       reader_(context_),

@@ -4,9 +4,10 @@
 
 #include <string>
 
-#include "app/command/pipeline.hpp"
+#include "app/command/options.hpp"
 #include "checker/cspm/session.hpp"
 #include "counterexample/stepper.hpp"
+#include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
@@ -14,7 +15,7 @@ namespace robochart::app {
 class SteppedComponent {
 public:
     /// `name`: qualified. Throws UsageError if the component has no process, and the exceptions of cspm::Session.
-    SteppedComponent(Project& project, const std::string& name, csp_emit::Time time, const Options& options);
+    SteppedComponent(driver::Project& project, const std::string& name, csp_emit::Time time, const Options& options);
     SteppedComponent(const SteppedComponent&) = delete;
     SteppedComponent& operator=(const SteppedComponent&) = delete;
 

@@ -45,7 +45,7 @@ private:
     }
 
     const Options& options_;
-    std::map<std::pair<Project*, std::string>, std::unique_ptr<SteppedComponent>> components_;
+    std::map<std::pair<driver::Project*, std::string>, std::unique_ptr<SteppedComponent>> components_;
 };
 
 /// "logged turn!3 in cycle 2 of run by hand; allowed: ..."
@@ -57,13 +57,13 @@ std::string reason_of(const conformance::RunReport& wrong) {
            "; allowed: " + (wrong.allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(wrong.allowed, ", or ")));
 }
 
-AssertionReport report_of(const ComparedLog& log) {
-    AssertionReport one;
+driver::AssertionReport report_of(const ComparedLog& log) {
+    driver::AssertionReport one;
     one.title =
         fmt::format("the runs of {} ({}) are runs of {}", log.path, count_text(log.counts.runs, "run"), log.component);
-    one.answer = log.counts.rejected > 0       ? Answer::fails
-                 : log.counts.inconclusive > 0 ? Answer::inconclusive
-                                               : Answer::holds;
+    one.answer = log.counts.rejected > 0       ? driver::Answer::fails
+                 : log.counts.inconclusive > 0 ? driver::Answer::inconclusive
+                                               : driver::Answer::holds;
     if (log.wrong) {
         one.place = fmt::format("{}:{}", log.path, log.wrong->at_line);
         one.reason = reason_of(*log.wrong);
@@ -73,11 +73,11 @@ AssertionReport report_of(const ComparedLog& log) {
 
 }  // namespace
 
-std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts, const Options& options,
-                       const std::string& limit) {
+std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<driver::Part>& parts,
+                       const Options& options, const std::string& limit) {
     Report report;
     report.limit = limit;
-    report.model = options.inputs.empty() ? "" : options.inputs.front();
+    report.model = options.load.inputs.empty() ? "" : options.load.inputs.front();
     report.summary = fmt::format("{} compared with the model; the first run of each is stepped through",
                                  count_text(logs.size(), "log"));
     if (logs.size() > most_replayed) report.notes.push_back(fmt::format("of the first {} logs", most_replayed));
@@ -87,7 +87,7 @@ std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<P
         if (i < most_replayed && limit.empty()) report.assertions.back().run = replays.run_of_log(logs[i]);
     }
     if (limit.empty()) return render_html(report, parts, options.run->budget());
-    return last_page(parts, true, [&](const std::vector<Part>& drawn, diagnostics::Budget& budget) {
+    return last_page(parts, true, [&](const std::vector<driver::Part>& drawn, diagnostics::Budget& budget) {
         return render_html(report, drawn, budget);
     });
 }

@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "app/command/pipeline.hpp"
+#include "app/command/options.hpp"
 #include "conformance/traces/trace_check.hpp"
+#include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
 /// A log after the comparison with its component.
 struct ComparedLog {
     std::string path;
-    Project* project = nullptr;
+    driver::Project* project = nullptr;
     std::string component;  ///< qualified
     conformance::LogReport counts;
     std::optional<conformance::RunReport> wrong;  ///< the first run that is not accepted
@@ -23,7 +24,7 @@ struct ComparedLog {
 /// The page. `limit`: why not all logs were compared (no run is replayed then); "" if all were. A run is shown as far
 /// as the model can follow it; of many logs only the first ones are replayed. Polls the budget. Throws the exceptions
 /// of runs::Stepper.
-[[nodiscard]] std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<Part>& parts,
+[[nodiscard]] std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<driver::Part>& parts,
                                      const Options& options, const std::string& limit);
 
 }  // namespace robochart::app

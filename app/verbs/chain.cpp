@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/command/answer.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
@@ -13,6 +14,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "driver/settings/rules.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
 #include "prism/assertions/process/following.hpp"
 #include "simulation/chain/chain_report.hpp"
@@ -28,10 +30,10 @@ public:
 
     Exit run() {
         for (const auto& [given, option] :
-             {std::pair(!options_.html.empty(), "--html"), std::pair(!options_.log.empty(), "--log"),
-              std::pair(options_.monitor, "--monitor")})
+             {std::pair(!options_.output.html.empty(), "--html"), std::pair(!options_.simulate.log.empty(), "--log"),
+              std::pair(options_.simulate.monitor, "--monitor")})
             if (given)
-                project_.diagnostics.report(rules::bad_option, {},
+                project_.diagnostics.report(driver::rules::bad_option, {},
                                             {fmt::format("{} takes a scenario without a chain", option)});
         if (!project_.diagnostics.ok()) return show_refusal();
         controller_ = build_controller(simulation_, options_);
@@ -112,11 +114,11 @@ private:
         diagnostics::Budget& budget = options_.run->budget();
         const diagnostics::Budget::Phase phase(budget, "finding what robots may do between two states of the chain");
         const std::uint64_t units = scenario_.steps_between_samples() * scenario_.units_per_step;
-        const ir::ComponentRef component = code_components(project_.system, scenario_.component.text).front();
+        const ir::ComponentRef component = driver::code_components(project_.system, scenario_.component.text).front();
         probability::check_finite(project_.system, component);
         const auto process =
             probability::explore_process(project_.system, component, project_.instantiation, {}, project_.sources,
-                                         {std::min(options_.max_states, most_states), most_states, &budget});
+                                         {std::min(options_.limits.max_states, most_states), most_states, &budget});
         const probability::Following found =
             probability::find_following(*process, project_.system, component, states, units, [&] { budget.poll(); });
         result_.proof = fmt::format("what {} time units of {} admit, by {} states of its semantics", units,
@@ -132,7 +134,7 @@ private:
         simulation::Plan plan = simulation_.plan;
         plan.scenario = &all;
         simulation::RunOptions wanted;
-        wanted.threads = stage_.parallel ? options_.threads : 1;
+        wanted.threads = stage_.parallel ? options_.limits.threads : 1;
         wanted.stage = stage_.make;
         wanted.record = false;
         wanted.interrupted = when_a_limit_is_reached(options_);
@@ -176,7 +178,7 @@ private:
 
     Exit write_report() {
         std::vector<std::string> files;
-        if (options_.pictures && counts_ && !result_.answers.empty()) {
+        if (options_.simulate.pictures && counts_ && !result_.answers.empty()) {
             const double error = (1 - result_.answers.front().asked.confidence) / 2;
             add("chain.csv", simulation::transitions_csv(*states_, permitted_, *counts_, error), files);
             add("chain-checks.csv", simulation::checks_csv(result_), files);
@@ -191,7 +193,7 @@ private:
         app::output_document(options_, [&](Format) {
             return simulation::chain_json(scenario_, *states_, result_, files, static_cast<int>(exit));
         });
-        if (options_.format == Format::json) return exit;
+        if (options_.output.format == Format::json) return exit;
         show_diagnostics(project_, options_);
         print_text(files);
         return exit;
@@ -199,13 +201,13 @@ private:
 
     void add(const std::string& name, const std::string& text, std::vector<std::string>& files) {
         const std::string path = "simulation/" + scenario_.name.text + "/" + name;
-        const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
+        const std::string error = diagnostics::write_below(options_.output.folder, path, text, &options_.run->budget());
         if (!error.empty()) project_.diagnostics.report(rules::unwritable, {}, {error});
-        if (error.empty()) files.push_back(options_.out + "/" + path);
+        if (error.empty()) files.push_back(options_.output.folder + "/" + path);
     }
 
     void print_text(const std::vector<std::string>& files) const {
-        if (!options_.quiet) {
+        if (!options_.output.quiet) {
             print("{}\n", simulation::study_text(scenario_, *states_, result_));
             print("answers, if robots in one state behave alike whatever was before\n{}\n",
                   simulation::answers_text(result_));
@@ -219,7 +221,7 @@ private:
     }
 
     Simulation& simulation_;
-    Project& project_;
+    driver::Project& project_;
     const Options& options_;
     const OtherStage& stage_;
     std::unique_ptr<simulation::Controller> controller_;

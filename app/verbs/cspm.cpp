@@ -11,10 +11,8 @@
 #include <functional>
 #include <optional>
 
-#include "app/base/claim_selection.hpp"
 #include "app/claims/script_claims.hpp"
 #include "app/command/answer.hpp"
-#include "app/command/limits.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/command/script.hpp"
@@ -28,6 +26,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "driver/settings/claim_selection.hpp"
 
 namespace robochart::app {
 namespace {
@@ -44,34 +43,34 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
 
 /// Prints the answer about a script. If it is the answer of the run, a limit must not print a second document.
 void print_answer(const std::string& text, const Options& options) {
-    if (options.inputs.size() == 1) options.run->finish();
-    const auto edit = options.run->lock_for_edit();
+    if (options.load.inputs.size() == 1) options.run->finish();
+    const auto edit = options.run->edit();
     print_exact(text);
 }
 
 /// Stores the text for the file of --json.
 void keep_json(const std::string& text, const Options& options) {
-    if (const auto file = options.files.find(Format::json); file != options.files.end())
+    if (const auto file = options.output.files.find(Format::json); file != options.output.files.end())
         options.run->keep_for(file->second, text);
 }
 
 void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
     keep_json(types_json(path, loaded), options);
-    if (options.format == Format::json) {
+    if (options.output.format == Format::json) {
         print_answer(types_json(path, loaded), options);
-    } else if (options.types) {
+    } else if (options.script.types) {
         for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
-    } else if (!options.quiet) {
+    } else if (!options.output.quiet) {
         print("{}: the types of {} names are in order\n", diagnostics::escape_for_display(path), loaded.types.size());
     }
 }
 
 Exit check_types(const Options& options) {
     Exit exit = Exit::success;
-    for (const std::string& path : options.inputs) {
+    for (const std::string& path : options.load.inputs) {
         options.run->last_word([path, &options](const std::string& why) {
             keep_json(types_json(path, {}, why), options);
-            if (options.format == Format::json) print_exact(types_json(path, {}, why));
+            if (options.output.format == Format::json) print_exact(types_json(path, {}, why));
             print_error("robochart-verify: {}; the types of {} are not known\n", why,
                         diagnostics::escape_for_display(path));
             return Exit::inconclusive;
@@ -102,7 +101,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
         printed.expression = cspm::print(statement->body);
         try {
             const diagnostics::Budget::Phase phase(options.run->budget(), "printing " + printed.expression);
-            printed.value = session.evaluate(statement->body, limits_of_check(options, printed.expression));
+            printed.value = session.evaluate(statement->body, limits(options, printed.expression));
         } catch (const diagnostics::LimitReached& limit) {
             printed.error = fmt::format(
                 "{}: {}", diagnostics::escape_for_display(sources.path_and_line(statement->span)), limit.what());
@@ -118,7 +117,8 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
 }
 
 void show_prints(const ScriptReport& script, const Options& options) {
-    if (options.quiet || (options.format != Format::text && options.format != Format::plain)) return;
+    if (options.output.quiet || (options.output.format != Format::text && options.output.format != Format::plain))
+        return;
     for (const ScriptPrint& each : script.prints)
         print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
 }
@@ -150,8 +150,8 @@ void note_no_assertions(const LoadedScript& loaded, const Options& options, Scri
     script.warnings.push_back(fmt::format(
         "{}: there are no assertions; its names and types are right{}", path,
         beside.empty() ? "" : fmt::format(", and assertions are in {}", diagnostics::escape_for_display(beside))));
-    const bool text = options.format == Format::text || options.format == Format::plain;
-    if (text || options.format == Format::junit) print_error("{}\n", script.warnings.back());
+    const bool text = options.output.format == Format::text || options.output.format == Format::plain;
+    if (text || options.output.format == Format::junit) print_error("{}\n", script.warnings.back());
 }
 
 /// The indices of the assertions that --assertion selects.
@@ -159,10 +159,10 @@ std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions,
                                    const std::string& path) {
     std::vector<std::string> texts;
     for (const cspm::DeclPtr& assertion : assertions) texts.push_back(text_of(*assertion));
-    ClaimSelection selection = select_claims(options.claims, texts);
+    driver::ClaimSelection selection = driver::select_claims(options.claims.names, texts);
     if (!selection.lost.empty())
-        throw UsageError(
-            fmt::format("--assertion {}: {}", selection.lost.front(), why_lost(selection.lost.front(), texts, path)));
+        throw UsageError(fmt::format("--assertion {}: {}", selection.lost.front(),
+                                     driver::why_lost(selection.lost.front(), texts, path)));
     return selection.chosen;
 }
 
@@ -178,9 +178,9 @@ struct Known {
 /// One assertion, in the formats that do not wait for the others.
 void print_decided(const ScriptAssertion& decided, const process::EventTable& events, const Options& options,
                    const ScriptReport& script) {
-    if (options.format != Format::plain && options.format != Format::framed_json) return;
-    const auto edit = options.run->lock_for_edit();  // so that the last word is not printed in between
-    if (options.format == Format::plain) {
+    if (options.output.format != Format::plain && options.output.format != Format::framed_json) return;
+    const auto edit = options.run->edit();  // so that the last word is not printed in between
+    if (options.output.format == Format::plain) {
         print_text(refines_plain(decided, events, options));
     } else {
         ScriptReport frame = script;
@@ -195,7 +195,7 @@ void decide_all(const LoadedScript& loaded, OpenScript& open, const Options& opt
     ScriptReport& script = known.script;
     const std::vector<std::size_t> chosen = chosen_of(assertions, options, script.path);
     {
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         if (assertions.empty() && script.prints.empty()) note_no_assertions(loaded, options, script);
         std::string& summary = known.report.summary;
         summary += fmt::format("{}{} assertions", summary.empty() ? "" : ", ", assertions.size());
@@ -223,21 +223,21 @@ Report with_refused(const Known& known) {
 
 /// Stores the contents of the files of --json (per script) and --junit (for the run).
 void keep_object(const ScriptReport& script, const Options& options) {
-    if (options.files.contains(Format::json)) keep_json(refines_json(script, options), options);
+    if (options.output.files.contains(Format::json)) keep_json(refines_json(script, options), options);
 }
 void keep_cases(const Known& known, const Options& options) {
-    if (const auto file = options.files.find(Format::junit); file != options.files.end())
+    if (const auto file = options.output.files.find(Format::junit); file != options.output.files.end())
         options.run->keep_for(file->second, render_junit(with_refused(known)));
 }
 
 void note_refused(const ScriptReport& script, const Options& options, Known& known) {
-    const auto edit = options.run->lock_for_edit();
+    const auto edit = options.run->edit();
     known.refused.push_back({script.path, "", fmt::format("{}", fmt::join(script.errors, "\n"))});
 }
 
 /// Prints the report over all scripts.
 void print_report(const Known& known, const Options& options) {
-    if (options.format == Format::junit)
+    if (options.output.format == Format::junit)
         print_exact(render_junit(with_refused(known)));
     else
         print_styled(wrap_lines(render_text(known.report, options), line_width(STDOUT_FILENO)));
@@ -246,7 +246,7 @@ void print_report(const Known& known, const Options& options) {
 /// Prints the rest of the output about a script. It is printed completely, and the last word does not print it again.
 void print_last(const std::string& text, const Options& options, Known& known) {
     if (known.last) options.run->finish();
-    const auto edit = options.run->lock_for_edit();
+    const auto edit = options.run->edit();
     known.script = {};
     print_exact(text);
     finish_output();
@@ -254,8 +254,8 @@ void print_last(const std::string& text, const Options& options, Known& known) {
 
 /// Prints the object of a script, in the formats that have one.
 void print_object(const Options& options, Known& known) {
-    const bool json = options.format == Format::json || options.format == Format::framed_json;
-    const auto edit = options.run->lock_for_edit();
+    const bool json = options.output.format == Format::json || options.output.format == Format::framed_json;
+    const auto edit = options.run->edit();
     keep_object(known.script, options);
     print_last(json ? refines_json(known.script, options) : "", options, known);
 }
@@ -277,7 +277,7 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
     std::vector<ScriptPrint> prints = print_statements(open.open_session(), loaded, options, stopped);
     const bool failed = std::ranges::any_of(prints, [](const ScriptPrint& each) { return each.failed; });
     {
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         script.prints = std::move(prints);
     }
     show_prints(script, options);
@@ -287,8 +287,8 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
     for (const std::string& error : script.errors) print_error("{}\n", error);
     if (!script.errors.empty()) return refuse_script(options, known);
     // Frames belong to assertions; a script with only print statements gets one frame.
-    if (options.format == Format::framed_json && asserts) {
-        const auto edit = options.run->lock_for_edit();
+    if (options.output.format == Format::framed_json && asserts) {
+        const auto edit = options.run->edit();
         keep_object(script, options);
         print_last("", options, known);
     } else {
@@ -309,7 +309,7 @@ Exit decide_script(const Options& options, Known& known) {
     }
     show_findings(loaded, options);
     {
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         take_findings(loaded, known.script);
     }
     if (!loaded.diagnostics.ok()) return refuse_script(options, known);
@@ -322,7 +322,7 @@ Exit decide_script(const Options& options, Known& known) {
         print_object(options, known);
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         known.script.errors.push_back(fmt::format(
             "{}: {}", diagnostics::escape_for_display(loaded.sources.path_and_line(error.span)), error.what()));
         print_error("{}\n", known.script.errors.back());
@@ -357,23 +357,23 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
 Exit print_partial_result(const std::string& why, const Options& options, Known& known) {
     Report& report = known.report;
     report.limit = why;
-    for (AssertionReport& each : report.assertions)
-        if (each.reason == undecided_at_limit) each.reason = fmt::format("not decided: {}", why);
+    for (driver::AssertionReport& each : report.assertions)
+        if (each.reason == driver::undecided_at_limit) each.reason = fmt::format("not decided: {}", why);
     ScriptReport& script = known.script;
     for (ScriptAssertion& each : script.assertions)
-        if (each.errors == std::vector<std::string>{undecided_at_limit}) each.errors = {"not decided: " + why};
+        if (each.errors == std::vector<std::string>{driver::undecided_at_limit}) each.errors = {"not decided: " + why};
     script.errors.push_back(why);
     const bool is_open = !script.path.empty();
     if (is_open) keep_object(script, options);
     keep_cases(known, options);
-    if (options.format == Format::text || options.format == Format::junit) {
+    if (options.output.format == Format::text || options.output.format == Format::junit) {
         print_report(known, options);
-    } else if (options.format == Format::plain) {
+    } else if (options.output.format == Format::plain) {
         print_error("robochart-verify: {}\n", why);
     } else if (is_open) {
-        if (options.format == Format::framed_json)
+        if (options.output.format == Format::framed_json)
             std::erase_if(script.assertions,
-                          [](const ScriptAssertion& each) { return each.answer != Answer::inconclusive; });
+                          [](const ScriptAssertion& each) { return each.answer != driver::Answer::inconclusive; });
         print_exact(refines_json(script, options));
     }
     return report.exit_code();
@@ -389,10 +389,10 @@ void load_script(const std::string& path, LoadedScript& loaded) {
 
 void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
-    const bool types_only = options.typecheck || options.types;
+    const bool types_only = options.script.typecheck || options.script.types;
     if (types_only && !loaded.diagnostics.ok())
         keep_json(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
-    if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
+    if (options.output.format == Format::json && types_only && !loaded.diagnostics.ok()) {
         print_answer(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
     } else {
         print_error("{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
@@ -400,23 +400,23 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 }
 
 Exit run_cspm(const Options& options) {
-    if ((options.typecheck || options.types) && is_requested(options, Format::junit))
+    if ((options.script.typecheck || options.script.types) && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support types; use text or json");
-    if (options.typecheck || options.types) return check_types(options);
-    if (!options.exported.empty()) return export_process(options);
+    if (options.script.typecheck || options.script.types) return check_types(options);
+    if (options.script.exported) return export_process(options);
     const auto known = std::make_shared<Known>();
     Report& report = known->report;
-    report.model = fmt::format("{}", fmt::join(options.inputs, " "));
+    report.model = fmt::format("{}", fmt::join(options.load.inputs, " "));
     report.subject = "process";
     options.run->last_word(
         [known, &options](const std::string& why) { return print_partial_result(why, options, *known); });
     Exit exit = Exit::success;
-    for (const std::string& path : options.inputs) {
+    for (const std::string& path : options.load.inputs) {
         {
-            const auto edit = options.run->lock_for_edit();
+            const auto edit = options.run->edit();
             known->script = {};
             known->script.path = path;
-            known->last = &path == &options.inputs.back();
+            known->last = &path == &options.load.inputs.back();
         }
         exit = worse_exit(exit, decide_script(options, *known));
         if (!report.limit.empty()) break;
@@ -428,7 +428,8 @@ Exit run_cspm(const Options& options) {
     }
     const bool some = exit != Exit::bad_input || !report.assertions.empty();
     keep_cases(*known, options);
-    if (options.format == Format::junit || (options.format == Format::text && some)) print_report(*known, options);
+    if (options.output.format == Format::junit || (options.output.format == Format::text && some))
+        print_report(*known, options);
     const Exit all = worse_exit(exit, report.exit_code());
     if ((all == Exit::success || all == Exit::failed) && report.all_decided()) options.run->end_questions();
     return all;

@@ -5,11 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <optional>
 
 #include "app/base/numbers.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
@@ -35,13 +37,13 @@ bool is_called(const diagrams::Subject& subject, const std::string& name) {
 class DiagramWriter {
 public:
     explicit DiagramWriter(const Options& options) : options_(options) {
-        options_.inputs = {options.inputs.front()};
-        wanted_.assign(options.inputs.begin() + 1, options.inputs.end());
-        if (!options_.out_given) options_.out = "out/diagrams";
+        options_.load.inputs = {options.load.inputs.front()};
+        wanted_.assign(options.load.inputs.begin() + 1, options.load.inputs.end());
+        if (!options_.output.folder_given) options_.output.folder = "out/diagrams";
     }
 
     Exit run() {
-        parts_ = read_parts(options_);
+        parts_ = driver::read_parts(options_.load, options_.run->budget());
         diagrams_.emplace(parts_, options_.run->budget());
         choose_subjects();
         if (has_places() && !parts_.empty()) parts_.front().project->diagnostics.add(diagrams_->stored_findings());
@@ -50,9 +52,9 @@ public:
         phase.reset();
         options_.run->finish();
         bool good = written_;
-        for (const Part& part : parts_) {
+        for (const driver::Part& part : parts_) {
             show_findings(*part.project, options_);
-            good = good && is_acceptable(*part.project, options_);
+            good = good && is_acceptable(*part.project, options_.load);
         }
         if (chosen_.empty() && good) print_error("robochart-verify: there is nothing to draw\n");
         return good && !chosen_.empty() ? Exit::success : Exit::bad_input;
@@ -86,22 +88,31 @@ private:
     /// The diagram in the selected format; no value, with a diagnostic, if it cannot be made.
     std::optional<std::string> text_of(const PartSubject& drawn) {
         diagrams::SvgOptions style;
-        if (options_.theme == "light" || options_.picture != "svg") style.theme = diagrams::Theme::light;
-        if (options_.theme == "dark") style.theme = diagrams::Theme::dark;
+        if (options_.draw.theme == Theme::light || options_.draw.picture != PictureFormat::svg)
+            style.theme = diagrams::Theme::light;
+        if (options_.draw.theme == Theme::dark) style.theme = diagrams::Theme::dark;
         try {
             const diagrams::Picture picture = diagrams::draw_subject(
                 drawn.subject, {*drawn.elements, nullptr, &options_.run->budget(), layout_of(drawn)});
-            if (options_.picture == "mermaid") return diagrams::render_mermaid(picture);
-            if (options_.picture == "dot") return diagrams::render_dot(picture);
+            if (options_.draw.picture == PictureFormat::mermaid) return diagrams::render_mermaid(picture);
+            if (options_.draw.picture == PictureFormat::dot) return diagrams::render_dot(picture);
             const std::string text = diagrams::render_svg(picture, *drawn.elements, style);
-            return options_.picture == "svg" ? text : convert_svg(drawn, text);
+            return options_.draw.picture == PictureFormat::svg ? text : convert_svg(drawn, text);
         } catch (const diagrams::layout::TooLarge& large) {
             return report_unwritable(drawn, fmt::format("{}: {}", drawn.subject.name, large.what()));
         }
     }
 
+    /// The ending of files in the selected format.
+    [[nodiscard]] const char* ending() const {
+        constexpr std::array<const char*, 5> endings{"svg", "png", "pdf", "mmd", "dot"};
+        return endings[static_cast<std::size_t>(options_.draw.picture)];
+    }
+
     /// False for formats whose layout another program computes.
-    [[nodiscard]] bool has_places() const { return options_.picture != "mermaid" && options_.picture != "dot"; }
+    [[nodiscard]] bool has_places() const {
+        return options_.draw.picture != PictureFormat::mermaid && options_.draw.picture != PictureFormat::dot;
+    }
 
     /// The layout that a person drew, if any.
     [[nodiscard]] const diagrams::StoredLayout* layout_of(const PartSubject& drawn) const {
@@ -125,8 +136,8 @@ private:
         const std::string made = folder.path() + "/diagram";
         const std::string log = folder.path() + "/log";
         const int status = cpp_emit::run_program(
-            {"rsvg-convert", "--format", options_.picture, "--output", made, folder.path() + "/diagram.svg"}, log,
-            error, budget);
+            {"rsvg-convert", "--format", ending(), "--output", made, folder.path() + "/diagram.svg"}, log, error,
+            budget);
         if (status < 0)
             return report_unwritable(
                 drawn,
@@ -147,21 +158,20 @@ private:
         const PartSubject& drawn = *chosen_.front();
         const auto text = text_of(drawn);
         if (!text) return false;
-        if (options_.out_given && options_.out != "-") {
-            const std::string error = diagnostics::replace_file(options_.out, *text, &options_.run->budget());
+        if (options_.output.folder_given && options_.output.folder != "-") {
+            const std::string error = diagnostics::replace_file(options_.output.folder, *text, &options_.run->budget());
             if (!error.empty()) report_unwritable(drawn, error);
             return error.empty();
         }
-        const bool binary = options_.picture == "png" || options_.picture == "pdf";
+        const bool binary = options_.draw.picture == PictureFormat::png || options_.draw.picture == PictureFormat::pdf;
         if (binary && output_is_a_terminal())
-            throw UsageError(
-                fmt::format("a terminal cannot show {}; write it to a file with --out FILE", options_.picture));
+            throw UsageError(fmt::format("a terminal cannot show {}; write it to a file with --out FILE", ending()));
         print_exact(*text);
         return true;
     }
 
     bool draw_all() {
-        const std::string extension = options_.picture == "mermaid" ? "mmd" : options_.picture;
+        const std::string extension = ending();
         bool good = true;
         for (const PartSubject* each : chosen_) {
             const PartSubject& drawn = *each;
@@ -171,14 +181,15 @@ private:
                 good = false;
                 continue;
             }
-            if (!options_.quiet) print("  {:<60} {:>12} bytes\n", options_.out + "/" + file, with_commas(text->size()));
+            if (!options_.output.quiet)
+                print("  {:<60} {:>12} bytes\n", options_.output.folder + "/" + file, with_commas(text->size()));
         }
         return good;
     }
 
     Options options_;
     std::vector<std::string> wanted_;
-    std::vector<Part> parts_;
+    std::vector<driver::Part> parts_;
     std::optional<PartDiagrams> diagrams_;
     std::vector<const PartSubject*> chosen_;  ///< elements of diagrams_
     bool written_ = false;

@@ -5,9 +5,7 @@
 #include <stdexcept>
 
 #include "app/base/numbers.hpp"
-#include "app/command/limits.hpp"
 #include "app/command/output.hpp"
-#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
@@ -16,6 +14,7 @@
 #include "base/diagnostics/files.hpp"
 #include "conformance/testgen/test_suite.hpp"
 #include "counterexample/evaluation_failure.hpp"
+#include "driver/model/places.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -33,15 +32,16 @@ std::string suite_summary(const Made& made, const Options& options, const ir::Co
             "{}: {} states over control cycles, with choices; the tests follow what the implementation does",
             component.path, made.states);
     return fmt::format("{}: {} states over control cycles, {} more allowed; {} runs, {} cycles", component.path,
-                       made.states, options.extra_states, with_commas(made.tests), with_commas(made.cycles));
+                       made.states, options.conform.extra_states, with_commas(made.tests), with_commas(made.cycles));
 }
 
 /// Throws std::length_error if there is no test suite.
-Made make_suite(Project& project, const Options& options, const ir::ComponentRef& component,
+Made make_suite(driver::Project& project, const Options& options, const ir::ComponentRef& component,
                 const refine::Limits& bounds) {
     std::string error;
-    const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle,
-                                                      bounds, project.sources, project.diagnostics, error);
+    const auto model =
+        conformance::CyclicModel::load(project.system, project.instantiation, component, options.code.cycle, bounds,
+                                       project.sources, project.diagnostics, error);
     if (model == nullptr) throw std::length_error(error);
     const auto choices = conformance::choice_automaton(*model, bounds);
     const std::string name = file_name(project, component);
@@ -49,34 +49,34 @@ Made make_suite(Project& project, const Options& options, const ir::ComponentRef
     if (!choices.is_deterministic()) {
         Made made{conformance::adaptive_sources(name), choices.state_count(), 0, 0, true};
         made.files.push_back(
-            {name + ".graph", conformance::choice_graph(choices, *model, qualified, options.extra_states)});
+            {name + ".graph", conformance::choice_graph(choices, *model, qualified, options.conform.extra_states)});
         return made;
     }
     const auto machine = conformance::cycle_automaton(*model, bounds);
-    const auto tests = conformance::complete_suite(machine, options.extra_states);
+    const auto tests = conformance::complete_suite(machine, options.conform.extra_states);
     Made made{conformance::suite_sources(name), machine.state_count(), tests.size(), 0};
     for (const auto& test : tests) made.cycles += test.size();
     made.files.push_back(
-        {name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.extra_states)});
+        {name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.conform.extra_states)});
     return made;
 }
 
 }  // namespace
 
-bool write_tests(Project& project, const Options& options, Report& report) {
-    const auto components = code_components(project.system, options.component);
+bool write_tests(driver::Project& project, const Options& options, Report& report) {
+    const auto components = driver::code_components(project.system, options.load.component);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
-                                   {options.component.empty() ? "the model" : options.component});
+                                   {options.load.component.empty() ? "the model" : options.load.component});
     for (const ir::ComponentRef& component : components) {
-        const refine::Limits bounds = limits_of_check(options, "tests of " + component.path);
+        const refine::Limits bounds = limits(options, "tests of " + component.path);
         std::string refused;
         diagnostics::Span place;
         try {
             const Made made = make_suite(project, options, component, bounds);
             const std::string below = fmt::format("tests/{}{}/", project.folder, file_name(project, component));
             if (!write_all(below, made.files, report.test_files, options, project)) return false;
-            const auto edit = options.run->lock_for_edit();
+            const auto edit = options.run->edit();
             report.remarks.push_back(project.label + suite_summary(made, options, component));
         } catch (const std::length_error& large) {
             refused = large.what();
@@ -88,7 +88,7 @@ bool write_tests(Project& project, const Options& options, Report& report) {
         }
         if (!refused.empty())
             project.diagnostics.report(rules::no_monitor,
-                                       place.is_known() ? place : declared_at(project.system, component),
+                                       place.is_known() ? place : driver::declared_at(project.system, component),
                                        {component.path, refused});
     }
     return project.diagnostics.ok();

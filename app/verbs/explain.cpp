@@ -78,12 +78,12 @@ std::string_view list_of_rules() {
 }  // namespace
 
 Exit run_explain(const Options& options) {
-    const bool color = color_wanted(options.color, STDOUT_FILENO);
-    if (options.inputs.empty()) print_styled(render_page(list_of_rules(), color));
+    const bool color = color_wanted(options.output.color, STDOUT_FILENO);
+    if (options.load.inputs.empty()) print_styled(render_page(list_of_rules(), color));
     Exit exit = Exit::success;
-    for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    for (std::size_t i = 0; i < options.load.inputs.size(); ++i) {
         if (i > 0) print("\n");
-        if (!explain_code(options.inputs[i], color)) exit = Exit::usage;
+        if (!explain_code(options.load.inputs[i], color)) exit = Exit::usage;
     }
     return exit;
 }

@@ -7,16 +7,15 @@
 #include <memory>
 #include <sstream>
 
-#include "app/command/limits.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/command/script.hpp"
-#include "app/report/state_space.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/lts/graph.hpp"
+#include "driver/claims/state_space.hpp"
 
 namespace robochart::app {
 
@@ -59,26 +58,33 @@ void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, cons
 }
 
 Exit export_from(LoadedScript& loaded, const Options& options) {
-    const std::string& format = options.exported[0];
-    const cspm::DeclPtr asked = parse_process(loaded, options.exported[1], "--export");
+    const cspm::DeclPtr asked = parse_process(loaded, options.script.exported_process, "--export");
     if (!asked) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
     cspm::Session session(loaded.script, &options.run->budget());
-    const refine::Limits bounds = limits_of_check(options, options.exported[1]);
+    const refine::Limits bounds = limits(options, options.script.exported_process);
     const cspm::ExprPtr& process = asked->assertion.specification;
     const auto system = session.system(process, bounds);
     std::size_t known = 0;
-    const lts::Graph graph = explore_graph(*system, bounds, known);
+    const lts::Graph graph = driver::explore_graph(*system, bounds, known);
     options.run->finish();
     // Formatted for people only if it is small; otherwise written as it is made.
     std::ostringstream seen;
     std::ostream& out = output_is_a_terminal() ? seen : std::cout;
     errno = 0;
-    if (format == "aut") lts::write_aut(graph, session.event_table(), out);
-    if (format == "dot") lts::write_dot(graph, session.event_table(), out);
-    if (format == "csp") write_script(loaded, process, graph, session.event_table(), out);
+    switch (options.script.exported.value()) {
+        case GraphFormat::aut:
+            lts::write_aut(graph, session.event_table(), out);
+            break;
+        case GraphFormat::dot:
+            lts::write_dot(graph, session.event_table(), out);
+            break;
+        case GraphFormat::csp:
+            write_script(loaded, process, graph, session.event_table(), out);
+            break;
+    }
     print_exact(seen.str());
     std::cout.flush();
     if (!std::cout) throw OutputError(errno);
@@ -88,18 +94,18 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
 }  // namespace
 
 Exit export_process(const Options& options) {
-    if (options.inputs.size() != 1) {
+    if (options.load.inputs.size() != 1) {
         print_error("robochart-verify: --export takes one script\n");
         return Exit::usage;
     }
     options.run->last_word([&options](const std::string& why) {
         print_error("robochart-verify: {} before all states of {} were known; nothing is written\n", why,
-                    options.exported[1]);
+                    options.script.exported_process);
         return Exit::inconclusive;
     });
     LoadedScript loaded;
     loaded.diagnostics.set_budget(&options.run->budget());
-    load_script(options.inputs.front(), loaded);
+    load_script(options.load.inputs.front(), loaded);
     if (!loaded.diagnostics.ok()) {
         show_findings(loaded, options);
         return Exit::bad_input;

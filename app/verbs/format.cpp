@@ -94,11 +94,11 @@ void Formatting::standard_input() {
     std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
     if (!error.empty()) return report_failure(syntax::unreadable, {"-", error});
     const auto source = sources_.add("<stdin>", std::move(text));
-    const auto result = format(source, options_.assertions ? Language::assertions : Language::model);
+    const auto result = format(source, options_.formatting.assertions ? Language::assertions : Language::model);
     if (!result) return;
     ++files_;
     const std::string_view before = sources_.source_text(source);
-    if (options_.check || options_.diff) {
+    if (options_.formatting.check || options_.formatting.diff) {
         if (*result != before) handle_change("<stdin>", before, *result);
     } else {
         print_exact(*result);
@@ -107,12 +107,13 @@ void Formatting::standard_input() {
 
 void Formatting::handle_change(const fs::path& path, std::string_view before, const std::string& after) {
     ++changed_;
-    if (options_.diff) return print_exact(unified_diff(path.string(), before, after));
-    if (!options_.check) {
+    if (options_.formatting.diff) return print_exact(unified_diff(path.string(), before, after));
+    if (!options_.formatting.check) {
         const std::string error = diagnostics::replace_text(path.string(), after, &options_.run->budget());
         if (!error.empty()) return report_failure(rules::unwritable, {error});
     }
-    if (options_.check || !options_.quiet) print("{}\n", diagnostics::escape_for_display(path.string()));
+    if (options_.formatting.check || !options_.output.quiet)
+        print("{}\n", diagnostics::escape_for_display(path.string()));
 }
 
 void Formatting::format_file(const fs::path& path) {
@@ -144,18 +145,19 @@ void Formatting::format_input(const std::string& path) {
 
 std::string Formatting::closing_line() const {
     const auto count = [](std::size_t n) { return fmt::format("{} file{}", n, n == 1 ? "" : "s"); };
-    const char* const verdict = options_.check || options_.diff ? "would change" : "changed";
+    const char* const verdict = options_.formatting.check || options_.formatting.diff ? "would change" : "changed";
     return changed_ == 0 ? fmt::format("{} in the standard layout", count(files_))
                          : fmt::format("{} of {} {}", changed_, count(files_), verdict);
 }
 
 Exit Formatting::run() {
-    for (const std::string& path : options_.inputs) format_input(path);
-    const bool filters = options_.inputs == std::vector<std::string>{"-"};
+    for (const std::string& path : options_.load.inputs) format_input(path);
+    const bool filters = options_.load.inputs == std::vector<std::string>{"-"};
     finish_output();  // so that the summary comes last if both streams are the same
-    if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing_line());
+    if (!options_.output.quiet && !failed_ && !(filters && !options_.formatting.check))
+        print_error("{}\n", closing_line());
     if (failed_) return Exit::bad_input;
-    return options_.check && changed_ > 0 ? Exit::failed : Exit::success;
+    return options_.formatting.check && changed_ > 0 ? Exit::failed : Exit::success;
 }
 
 }  // namespace

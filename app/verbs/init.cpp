@@ -78,17 +78,17 @@ std::string made_fit(const std::string& name) {
 
 std::vector<NewFile> files_of(const std::string& name, const Options& options) {
     std::string commands;
-    if (options.simulation)
+    if (options.init.simulation)
         commands += fmt::format("robochart-verify simulate {}.scenario  # the controller in a simulated arena\n", name);
-    if (options.ros2)
+    if (options.init.ros2)
         commands +=
             fmt::format("robochart-verify emit cpp . --target ros2 --mapping {}.ros2  # a package for ROS 2\n", name);
     const auto text = [&](std::string_view path) {
         return diagnostics::fill_template(template_text(path), {{"COMMANDS", commands}, {"NAME", name}});
     };
     std::vector<NewFile> files{{name + ".rct", text("model.rct")}, {name + ".assertions", text("model.assertions")}};
-    if (options.simulation) files.push_back({name + ".scenario", text("model.scenario")});
-    if (options.ros2) files.push_back({name + ".ros2", text("model.ros2")});
+    if (options.init.simulation) files.push_back({name + ".scenario", text("model.scenario")});
+    if (options.init.ros2) files.push_back({name + ".ros2", text("model.ros2")});
     files.push_back({"README.md", text("README.md"), true});
     files.push_back({".gitignore", text("gitignore"), true});
     return files;
@@ -139,7 +139,7 @@ std::string name_of(const std::string& last, const fs::path& folder, const Optio
     const std::string why = reason_unfit(last);
     if (why.empty()) return last;
     const std::string meant = made_fit(last);
-    if (options.inputs.empty() && !meant.empty()) return meant;
+    if (options.load.inputs.empty() && !meant.empty()) return meant;
     const fs::path above = (folder.filename().empty() ? folder.parent_path() : folder).parent_path();
     const std::string instead =
         meant.empty() ? std::string() : fmt::format("; did you mean '{}'?", (above / meant).string());
@@ -149,8 +149,8 @@ std::string name_of(const std::string& last, const fs::path& folder, const Optio
 }  // namespace
 
 Exit run_init(const Options& options) {
-    if (options.inputs.size() > 1) throw UsageError("init makes one project, so it takes one NAME");
-    const std::string given = options.inputs.empty() ? "." : options.inputs.front();
+    if (options.load.inputs.size() > 1) throw UsageError("init makes one project, so it takes one NAME");
+    const std::string given = options.load.inputs.empty() ? "." : options.load.inputs.front();
     std::error_code code;
     const fs::path whole = fs::absolute(given, code).lexically_normal();
     const std::string last = (whole.filename().empty() ? whole.parent_path() : whole).filename().string();

@@ -9,17 +9,19 @@
 #include <utility>
 
 #include "app/base/numbers.hpp"
-#include "app/command/limits.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
-#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/rules/rule_guard.hpp"
+#include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "checker/process/term.hpp"
 #include "counterexample/evaluation_failure.hpp"
+#include "driver/model/places.hpp"
+#include "driver/settings/rules.hpp"
 #include "simulation/trial/kind_traces.hpp"
 #include "sleec/emit/monitor_file.hpp"
 #include "sleec/obligations/samples.hpp"
@@ -28,15 +30,16 @@ namespace robochart::app {
 namespace {
 
 /// The tables of one component; null with a diagnostic.
-std::unique_ptr<conformance::MonitorBuild> build_monitor(Project& project, const Options& options,
+std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& project, const Options& options,
                                                          const ir::ComponentRef& component,
                                                          std::uint32_t cycle_length) {
     const auto refuse = [&](const std::string& why, diagnostics::Span place = {}) {
-        project.diagnostics.report(rules::no_monitor, place.is_known() ? place : declared_at(project.system, component),
+        project.diagnostics.report(rules::no_monitor,
+                                   place.is_known() ? place : driver::declared_at(project.system, component),
                                    {component.path, why});
         return nullptr;
     };
-    const refine::Limits bounds = limits_of_check(options, "monitor of " + component.path);
+    const refine::Limits bounds = limits(options, "monitor of " + component.path);
     try {
         std::string error;
         const auto model =
@@ -140,7 +143,7 @@ std::string Monitors::summary_lines() const {
 }
 
 std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& options) {
-    const auto components = code_components(simulation.project->system, simulation.scenario.component.text);
+    const auto components = driver::code_components(simulation.project->system, simulation.scenario.component.text);
     auto made = build_monitor(*simulation.project, options, components.front(), simulation.scenario.units_per_step);
     return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
 }
@@ -171,38 +174,38 @@ private:
 };
 
 /// The guard of one component. Errors are reported in the simulation's project.
-std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, Project& project,
+std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Project& project,
                                             const cpp_emit::DriveEmission& emission, const std::string& component,
                                             const Options& options) {
     const std::uint32_t cycle = simulation.scenario.units_per_step;
-    if (options.guarding_rules.empty()) {
-        auto made = build_monitor(project, options, code_components(project.system, component).front(), cycle);
+    if (options.simulate.guarding_rules.empty()) {
+        auto made = build_monitor(project, options, driver::code_components(project.system, component).front(), cycle);
         if (made == nullptr && project.diagnostics.ok())
-            simulation.project->diagnostics.report(rules::bad_option, {},
+            simulation.project->diagnostics.report(driver::rules::bad_option, {},
                                                    {fmt::format("--monitor: there is no monitor of {}", component)});
         for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
             if (&project != simulation.project.get() && each.rule->severity == diagnostics::Severity::error)
-                simulation.project->diagnostics.report(rules::bad_option, {},
+                simulation.project->diagnostics.report(driver::rules::bad_option, {},
                                                        {fmt::format("--monitor: {}: {}", component, each.message())});
         return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), emission);
     }
     std::string error;
-    auto guard = make_rule_guard(options.guarding_rules, emission, cycle, options, error);
+    auto guard = make_rule_guard(options.simulate.guarding_rules, emission, cycle, options, error);
     if (guard == nullptr)
         simulation.project->diagnostics.report(
-            rules::bad_option, {},
-            {fmt::format("--monitor {}: {}", diagnostics::escape_for_display(options.guarding_rules), error)});
+            driver::rules::bad_option, {},
+            {fmt::format("--monitor {}: {}", diagnostics::escape_for_display(options.simulate.guarding_rules), error)});
     return guard;
 }
 
 }  // namespace
 
 std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Options& options) {
-    if (!options.monitor) return nullptr;
+    if (!options.simulate.monitor) return nullptr;
     const simulation::Scenario& scenario = simulation.scenario;
     std::vector<std::unique_ptr<simulation::Guard>> guards;
     for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) {
-        Project& project = kind == 0 ? *simulation.project : *simulation.others[kind - 1].project;
+        driver::Project& project = kind == 0 ? *simulation.project : *simulation.others[kind - 1].project;
         guards.push_back(guard_of(simulation, project, simulation.emission_of(kind),
                                   scenario.kind_at(kind).component.text, options));
         if (guards.back() == nullptr) return nullptr;
@@ -214,19 +217,19 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
 namespace {
 
 /// Writes the monitor of one rule file. Returns false, after printing the error, if there is none.
-bool write_rule_monitor(const std::string& file, Project& output, const Options& options, Report& report) {
-    LoadedRules loaded;
+bool write_rule_monitor(const std::string& file, driver::Project& output, const Options& options, Report& report) {
+    driver::LoadedRules loaded;
     loaded.diagnostics.set_budget(&options.run->budget());
-    for (const std::string& code : options.allowed) loaded.diagnostics.allow_code(code);
+    for (const std::string& code : options.load.allowed) loaded.diagnostics.allow_code(code);
     load_rules(file, loaded);
     show_rule_findings(loaded, options);
-    if (!loaded.rules || (options.deny_warnings && loaded.diagnostics.warning_count() > 0)) return false;
+    if (!loaded.rules || (options.load.deny_warnings && loaded.diagnostics.warning_count() > 0)) return false;
     try {
         const std::string below = fmt::format("monitor/{}/", sleec::monitor_name(file));
         const auto files = sleec::monitor_files(*loaded.rules, file, loaded.sources, sleec::WithoutLimit::eventually);
         return write_all(below, files, report.monitor_files, options, output);
     } catch (const sleec::NotDecided& error) {
-        output.diagnostics.report(rules::bad_option, {},
+        output.diagnostics.report(driver::rules::bad_option, {},
                                   {fmt::format("{}: {}", diagnostics::escape_for_display(file), error.what())});
         return false;
     }
@@ -235,29 +238,29 @@ bool write_rule_monitor(const std::string& file, Project& output, const Options&
 }  // namespace
 
 bool write_rule_monitors(const Options& options, Report& report) {
-    if (!options.component.empty() || options.cycle_given || !options.print.empty())
+    if (!options.load.component.empty() || options.code.cycle_given || options.output.phase != Phase::none)
         throw UsageError("--component, --cycle and --print apply to models, not to rules");
-    Project output;
+    driver::Project output;
     output.diagnostics.set_budget(&options.run->budget());
     bool written = true;
-    for (const std::string& file : options.inputs)
+    for (const std::string& file : options.load.inputs)
         written = write_rule_monitor(file, output, options, report) && written;
     show_findings(output, options);
     return written;
 }
 
-bool write_monitors(Project& project, const Options& options, Report& report) {
-    const auto components = code_components(project.system, options.component);
+bool write_monitors(driver::Project& project, const Options& options, Report& report) {
+    const auto components = driver::code_components(project.system, options.load.component);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
-                                   {options.component.empty() ? "the model" : options.component});
+                                   {options.load.component.empty() ? "the model" : options.load.component});
     for (const ir::ComponentRef& component : components) {
-        const auto made = build_monitor(project, options, component, options.cycle);
+        const auto made = build_monitor(project, options, component, options.code.cycle);
         if (made == nullptr) return false;
         const std::string below = fmt::format("monitor/{}{}/", project.folder, file_name(project, component));
         const auto files = conformance::monitor_files(made->tables(), file_name(project, component));
         if (!write_all(below, files, report.monitor_files, options, project)) return false;
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         report.remarks.push_back(fmt::format("{}{}: {} states, {} columns, {} bytes of table", project.label,
                                              component.path, made->tables().states, made->tables().columns,
                                              with_commas(made->table_bytes())));

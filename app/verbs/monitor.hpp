@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command/options.hpp"
 #include "app/verbs/simulate.hpp"
 #include "conformance/monitor/cycle_cache.hpp"
 #include "conformance/monitor/monitor.hpp"

@@ -36,7 +36,7 @@ void show_findings(const LoadedModel& loaded, const Options& options) {
 void print_report(const PrismReport& report, const Options& options) {
     output_document(options,
                     [&](Format format) { return format == Format::csv ? prism_csv(report) : prism_json(report); });
-    if (options.format == Format::text) print_text(prism_text(report, options));
+    if (options.output.format == Format::text) print_text(prism_text(report, options));
 }
 
 NamedValues named_values(const prism::Values& values) {
@@ -62,24 +62,24 @@ public:
     PrismVerb(const Options& options, std::shared_ptr<PrismReport> report)
         : options_(options), report_(std::move(report)) {
         loaded_.diagnostics.set_budget(&options.run->budget());
-        for (const std::string& code : options.allowed) loaded_.diagnostics.allow_code(code);
+        for (const std::string& code : options.load.allowed) loaded_.diagnostics.allow_code(code);
     }
 
     Exit operator()() {
         {
-            const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
+            const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.load.inputs.front());
             load_model(options_, loaded_);
             if (!loaded_.diagnostics.ok()) return end_refused();
         }
         begin_report();
         const Experiment wanted = make_experiment(loaded_, options_);
-        if (!options_.exported_space.empty()) return export_result(wanted);
+        if (options_.prism.exported != SpaceExport::none) return export_result(wanted);
         run_all(wanted);
         options_.run->finish();
         show_findings(loaded_, options_);
         if (!loaded_.diagnostics.ok() && report_->errors.empty()) note_errors();
         print_report(*report_, options_);
-        return options_.plot.empty() ? exit_of(*report_) : write_plot();
+        return options_.prism.plot.empty() ? exit_of(*report_) : write_plot();
     }
 
 private:
@@ -87,14 +87,14 @@ private:
         const std::string picture = prism_plot(*report_);
         if (picture.empty())
             throw UsageError("--plot: there is no number for several values of a constant: --const NAME=LOW:HIGH");
-        const std::string error = diagnostics::replace_file(options_.plot, picture, &options_.run->budget());
+        const std::string error = diagnostics::replace_file(options_.prism.plot, picture, &options_.run->budget());
         if (error.empty()) return exit_of(*report_);
         print_error("robochart-verify: {}\n", error);
         return Exit::bad_input;
     }
 
     void note_errors() {
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted_findings())
             if (each.rule->severity == diagnostics::Severity::error)
                 report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.path_and_line(each.span),
@@ -113,9 +113,9 @@ private:
     void note_kind() { report_->kind = loaded_.kind; }
 
     void begin_report() {
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         note_kind();
-        report_->scheduler = loaded_.scheduled ? options_.scheduler : "";
+        report_->scheduler = loaded_.scheduled ? "uniform" : "";
         report_->sources = &loaded_.sources;
         for (const prism::Property& each : loaded_.properties.properties)
             report_->properties.push_back({each.name.text, prism::print(each.expression)});
@@ -125,16 +125,16 @@ private:
     void run_all(const Experiment& wanted) {
         const std::size_t count = wanted.of_model.size();
         {
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             report_->runs.resize(count);
             for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named_values(wanted.of_model[i]);
         }
         std::vector<diagnostics::Diagnostics> findings(count);
-        threads_ = diagnostics::threads_wanted(options_.threads);
+        threads_ = diagnostics::threads_wanted(options_.limits.threads);
         const diagnostics::Budget::Phase phase(
             options_.run->budget(),
-            count == 1 ? "deciding " + options_.inputs.front()
-                       : fmt::format("deciding {} for {} sets of constants", options_.inputs.front(), count));
+            count == 1 ? "deciding " + options_.load.inputs.front()
+                       : fmt::format("deciding {} for {} sets of constants", options_.load.inputs.front(), count));
         std::size_t done = count;
         try {
             diagnostics::in_parallel(count, threads_, [&](std::size_t number, unsigned) {
@@ -142,7 +142,7 @@ private:
             });
         } catch (const WrongModel& first) {
             done = first.number() + 1;
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             report_->runs.resize(done);
         }
         for (std::size_t i = 0; i < done; ++i) loaded_.diagnostics.add(findings[i]);
@@ -151,17 +151,17 @@ private:
     /// Returns false if the model is wrong.
     bool run_for_constants(std::size_t number, const Experiment& wanted, diagnostics::Diagnostics& findings) {
         findings.set_budget(&options_.run->budget());
-        for (const std::string& code : options_.allowed) findings.allow_code(code);
+        for (const std::string& code : options_.load.allowed) findings.allow_code(code);
         const prism::Values& constants = wanted.of_model[number];
         const unsigned threads = wanted.of_model.size() == 1 ? threads_ : 1;
         try {
-            if (options_.sampling) {
+            if (options_.prism.sampling) {
                 sample_paths(number, prism::Instance(*loaded_.model, constants), wanted, findings, threads);
                 return true;
             }
             std::optional<diagnostics::Budget::Phase> phase;
             if (wanted.of_model.size() == 1)
-                phase.emplace(options_.run->budget(), "exploring " + options_.inputs.front());
+                phase.emplace(options_.run->budget(), "exploring " + options_.load.inputs.front());
             const auto begin = std::chrono::steady_clock::now();
             const prism::StateSpace space(*loaded_.model, constants, explore_options(), findings);
             phase.reset();
@@ -183,7 +183,7 @@ private:
     /// Answers by random paths: `threads` paths at once, one property after another.
     void sample_paths(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
                       diagnostics::Diagnostics& findings, unsigned threads) {
-        const prism::SamplingOptions sampling{*options_.sampling, options_.seed.value_or(0), threads,
+        const prism::SamplingOptions sampling{*options_.prism.sampling, options_.probability.seed, threads,
                                               &options_.run->budget()};
         answer_all(
             number, wanted, 1, findings,
@@ -232,14 +232,14 @@ private:
             const bool violated = !failed && answer.result.kind == prism::Result::Kind::truth && !answer.result.truth;
             std::vector<PrismAnswer>& reported = report_->runs[number].answers;
             {
-                const auto edit = options_.run->lock_for_edit();
+                const auto edit = options_.run->edit();
                 answers[at] = std::move(answer);
                 while (reported.size() < answers.size() && answers[reported.size()])
                     reported.push_back(*answers[reported.size()]);
             }
             if (!violated) return;
             std::optional<prism::Counterexample> found = explain(property, values);
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             (reported.size() > at ? reported[at] : *answers[at]).counterexample = std::move(found);
         });
         for (const std::optional<prism::EvaluationError>& each : failures)
@@ -260,7 +260,7 @@ private:
     }
 
     void note_size(const prism::StateSpace& space, std::size_t number, double seconds) {
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         PrismRun& run = report_->runs[number];
         run.explored = true;
         run.states = space.chain().states();
@@ -272,35 +272,56 @@ private:
     }
 
     [[nodiscard]] prism::ExploreOptions explore_options() const {
-        return {options_.max_states, options_.exact, &options_.run->budget()};
+        return {options_.limits.max_states, options_.probability.exact, &options_.run->budget()};
     }
     [[nodiscard]] prism::SessionOptions session_options() const {
-        return {options_.epsilon, options_.exact, &options_.run->budget()};
+        return {options_.probability.epsilon, options_.probability.exact, &options_.run->budget()};
+    }
+
+    /// Returns why there is nothing to export; "" if something was.
+    std::string export_part(const prism::StateSpace& space, const Experiment& wanted, const prism::TextSink& sink) {
+        switch (options_.prism.exported) {
+            case SpaceExport::none:
+                break;
+            case SpaceExport::transitions:
+                prism::export_transitions(space, sink);
+                break;
+            case SpaceExport::states:
+                prism::export_states(space, sink);
+                break;
+            case SpaceExport::labels:
+                prism::export_labels(space, sink);
+                break;
+            case SpaceExport::graph:
+                prism::export_graph(space, sink);
+                break;
+            case SpaceExport::strategy:
+            case SpaceExport::counterexample:
+                return export_answer(space, wanted.of_properties.front(), sink);
+        }
+        return "";
     }
 
     /// Exports the state space, or the result for one property.
     Exit export_result(const Experiment& wanted) {
-        if (options_.sampling) throw UsageError("--export and --sim exclude each other");
-        const std::string& format = options_.exported_space;
-        const bool of_property = format == "strategy" || format == "counterexample";
+        if (options_.prism.sampling) throw UsageError("--export and --sim exclude each other");
+        const SpaceExport wanted_part = options_.prism.exported;
+        const bool of_property = wanted_part == SpaceExport::strategy || wanted_part == SpaceExport::counterexample;
         if (wanted.of_model.size() != 1 || (of_property && wanted.of_properties.size() != 1))
             throw UsageError("--export needs one value for each constant");
         if (of_property && loaded_.properties.properties.size() != 1)
-            throw UsageError("--export " + format + " needs exactly one property");
+            throw UsageError(fmt::format("--export {} needs exactly one property",
+                                         wanted_part == SpaceExport::strategy ? "strategy" : "counterexample"));
         std::string nothing;
         try {
-            const diagnostics::Budget::Phase phase(options_.run->budget(), "exploring " + options_.inputs.front());
+            const diagnostics::Budget::Phase phase(options_.run->budget(), "exploring " + options_.load.inputs.front());
             const prism::StateSpace space(*loaded_.model, wanted.of_model.front(), explore_options(),
                                           loaded_.diagnostics);
             const prism::TextSink sink = [this](std::string_view text) {
                 options_.run->finish();
                 print_exact(text);
             };
-            if (format == "tra") prism::export_transitions(space, sink);
-            if (format == "sta") prism::export_states(space, sink);
-            if (format == "lab") prism::export_labels(space, sink);
-            if (format == "dot") prism::export_graph(space, sink);
-            if (of_property) nothing = export_answer(space, wanted.of_properties.front(), sink);
+            nothing = export_part(space, wanted, sink);
         } catch (const prism::EvaluationError& error) {
             report_error(error, loaded_.diagnostics);
         }
@@ -317,7 +338,7 @@ private:
                               const prism::TextSink& sink) {
         const prism::Session session(space, loaded_.properties, session_options());
         try {
-            if (options_.exported_space == "strategy") {
+            if (options_.prism.exported == SpaceExport::strategy) {
                 prism::export_strategy(space, session.best_choices(0, values), loaded_.sources, sink);
                 return "";
             }
@@ -345,7 +366,7 @@ private:
 
 Exit run_prism(const Options& options) {
     const auto report = std::make_shared<PrismReport>();
-    report->model = options.inputs.front();
+    report->model = options.load.inputs.front();
     options.run->last_word([report, &options](const std::string& why) {
         report->limit = why;
         print_report(*report, options);

@@ -13,13 +13,14 @@
 #include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
-#include "app/rules/rule_claims.hpp"
-#include "app/rules/rule_run.hpp"
+#include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
 #include "conformance/traces/trace_text.hpp"
+#include "driver/rules/rule_claims.hpp"
+#include "driver/rules/rule_run.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/rules.hpp"
 
@@ -46,7 +47,7 @@ constexpr std::size_t most_reported = 100;
 /// One log and one rule file.
 class RuleLog {
 public:
-    RuleLog(const LoadedRules& of, std::string path, RuleLogReport& report, const Options& options)
+    RuleLog(const driver::LoadedRules& of, std::string path, RuleLogReport& report, const Options& options)
         : of_{*of.rules, of.sources}, words_(*of.rules), path_(std::move(path)), report_(report), options_(options) {}
 
     void read(std::istream& in) {
@@ -90,7 +91,7 @@ private:
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
-        run_.emplace(of_, options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually);
+        run_.emplace(of_, options_.rules.without_limit);
     }
 
     void follow_tokens(const std::vector<TraceToken>& tokens, std::uint64_t line) {
@@ -129,12 +130,12 @@ private:
         run_.reset();
     }
 
-    RulesOf of_;
-    RuleWords words_;
+    driver::RulesOf of_;
+    driver::RuleWords words_;
     std::string path_;
     RuleLogReport& report_;
     const Options& options_;
-    std::optional<RuleRun> run_;
+    std::optional<driver::RuleRun> run_;
     std::string name_;
     std::uint64_t begun_ = 0;
     std::string hidden_;  ///< an event of the rules that is not in the log; "": there is none
@@ -142,7 +143,7 @@ private:
 
 std::vector<std::string> log_files(const Options& options, RuleLogReport& report) {
     std::vector<std::string> result;
-    for (const std::string& given : options.traces) {
+    for (const std::string& given : options.conform.traces) {
         std::error_code error;
         if (!std::filesystem::is_directory(given, error)) {
             result.push_back(given);
@@ -155,7 +156,7 @@ std::vector<std::string> log_files(const Options& options, RuleLogReport& report
     return result;
 }
 
-void read_log(const LoadedRules& of, const std::string& path, RuleLogReport& report, const Options& options) {
+void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogReport& report, const Options& options) {
     std::error_code error;
     std::ifstream in;
     if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);
@@ -220,8 +221,8 @@ std::string logs_json(const RuleLogReport& report) {
 Exit conform_rules(const Options& options) {
     RuleLogReport report;
     const std::vector<std::string> logs = log_files(options, report);
-    for (const std::string& file : options.inputs) {
-        LoadedRules loaded;
+    for (const std::string& file : options.load.inputs) {
+        driver::LoadedRules loaded;
         loaded.diagnostics.set_budget(&options.run->budget());
         load_rules(file, loaded);
         show_rule_findings(loaded, options);
@@ -237,7 +238,7 @@ Exit conform_rules(const Options& options) {
     }
     options.run->finish();
     output_document(options, [&](Format) { return logs_json(report); });
-    if (options.format == Format::text) print_logs(report);
+    if (options.output.format == Format::text) print_logs(report);
     return exit_of(report);
 }
 

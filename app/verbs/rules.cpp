@@ -8,15 +8,16 @@
 #include <optional>
 
 #include "app/command/answer.hpp"
-#include "app/command/limits.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
-#include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
 #include "app/report/rules_report.hpp"
-#include "app/rules/model_rules.hpp"
-#include "app/rules/rule_claims.hpp"
+#include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "driver/model/pipeline.hpp"
+#include "driver/rules/model_rules.hpp"
+#include "driver/rules/rule_claims.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/analysis/properties.hpp"
 #include "sleec/analysis/suggest.hpp"
@@ -27,7 +28,7 @@ namespace {
 
 void print_report(const RulesReport& report, const Options& options) {
     output_document(options, [&](Format) { return rules_json(report); });
-    if (options.format == Format::text) print_text(rules_text(report, options));
+    if (options.output.format == Format::text) print_text(rules_text(report, options));
 }
 
 /// Decides everything, and keeps the report up to date for the last word.
@@ -36,19 +37,19 @@ public:
     RulesVerb(const Options& options, std::shared_ptr<RulesReport> report)
         : options_(options), report_(std::move(report)) {
         loaded_.diagnostics.set_budget(&options.run->budget());
-        for (const std::string& code : options.allowed) loaded_.diagnostics.allow_code(code);
+        for (const std::string& code : options.load.allowed) loaded_.diagnostics.allow_code(code);
     }
 
     Exit operator()() {
-        const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
-        load_rules(options_.inputs.front(), loaded_);
+        const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.load.inputs.front());
+        load_rules(options_.load.inputs.front(), loaded_);
         show_rule_findings(loaded_, options_);
-        if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warning_count() > 0))
+        if (!loaded_.rules || (options_.load.deny_warnings && loaded_.diagnostics.warning_count() > 0))
             return end_refused(loaded_.diagnostics, loaded_.sources, Exit::bad_input);
         describe_rules();
-        if (options_.inputs.size() > 1) {
+        if (options_.load.inputs.size() > 1) {
             if (const auto exit = judge_model()) return *exit;
-        } else if (options_.as_sleec_tk)
+        } else if (options_.rules.as_sleec_tk)
             compare_rules();
         else
             analyse_rules();
@@ -70,7 +71,7 @@ private:
     }
 
     void describe_rules() {
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         report_->dialect = sleec::dialect_name(rules().file->dialect);
         for (const sleec::CheckedRule& each : rules().rules)
             report_->rules.push_back({each.written->name.text, loaded_.sources.path_and_line(each.written->span)});
@@ -81,9 +82,8 @@ private:
     void analyse_rules() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules");
         sleec::AnalysisOptions analysis;
-        analysis.without_limit =
-            options_.without_limit == "now" ? sleec::WithoutLimit::now : sleec::WithoutLimit::eventually;
-        analysis.limits = limits_of_check(options_);
+        analysis.without_limit = options_.rules.without_limit;
+        analysis.limits = limits(options_);
         analysis.budget = &options_.run->budget();
         sleec::for_each_question(rules(), analysis,
                                  [&](const sleec::ConflictAnswer& answer) { note_conflict(answer, analysis); });
@@ -107,7 +107,7 @@ private:
             found.lines = sleec::history_lines(answer.history, property, rules());
         if (found.decided && answer.possible != wanted && !concern)
             found.excluded = sleec::excluding_rules(rules(), property, analysis);
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         ++(concern ? report_->concerns : report_->purposes);
         if (answer.possible != wanted) report_->properties.push_back(std::move(found));
     }
@@ -116,10 +116,10 @@ private:
         RuleConflict conflict{answer.rules, answer.conflict == sleec::Answer::yes, answer.reason, {}, {},
                               answer.states};
         if (answer.example) conflict.lines = sleec::explain_conflict(*answer.example, rules(), loaded_.sources);
-        if (answer.example && options_.suggest)
+        if (answer.example && options_.rules.suggest)
             for (const sleec::Suggestion& each : sleec::suggest_defeaters(rules(), answer.rules, analysis))
                 conflict.suggested.push_back(fmt::format("{} ... {}", rules().name(each.rule), each.text));
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         ++report_->questions;
         if (answer.conflict != sleec::Answer::no) report_->conflicts.push_back(std::move(conflict));
     }
@@ -128,7 +128,7 @@ private:
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             try {
                 if (sleec::makes_no_demand(rules(), i, analysis)) {
-                    const auto edit = options_.run->lock_for_edit();
+                    const auto edit = options_.run->edit();
                     report_->asking_nothing.push_back(i);
                     continue;
                 }
@@ -144,12 +144,12 @@ private:
         for (std::size_t by = 0; by < rules().rules.size(); ++by) {
             if (by == rule || !sleec::is_redundant(rules(), rule, by, analysis)) continue;
             alone = true;
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             report_->redundant.push_back({rule, {by}});
         }
         if (alone || rules().rules.size() < 3) return;
         const sleec::Implication found = sleec::check_implied(rules(), rule, analysis);
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         if (found.implied != sleec::Answer::no) report_->redundant.push_back({rule, found.by, found.reason});
     }
 
@@ -163,7 +163,7 @@ private:
                 (void)encoding.process_declarations({i});
                 result.push_back(i);
             } catch (const sleec::NotDecided& error) {
-                const auto edit = options_.run->lock_for_edit();
+                const auto edit = options_.run->edit();
                 report_->not_read.push_back(fmt::format("{}: {}", report_->rules[i].name, error.what()));
             }
         }
@@ -171,7 +171,7 @@ private:
     }
 
     void note_ranges(const sleec::Encoding& encoding) {
-        const auto edit = options_.run->lock_for_edit();
+        const auto edit = options_.run->edit();
         for (std::size_t i = 0; i < rules().file->measures.size(); ++i)
             if (rules().measure(i).type == sleec::MeasureType::numeric)
                 report_->ranges.push_back(fmt::format("{} in {{{}}}", rules().measure(i).name.text,
@@ -184,7 +184,7 @@ private:
         try {
             encoding.emplace(rules());
         } catch (const sleec::NotDecided& error) {
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             report_->not_read.emplace_back(error.what());
             return;
         }
@@ -195,7 +195,7 @@ private:
             for (std::size_t k = i + 1; k < asked.size(); ++k)
                 if (encoding->are_related(asked[i], asked[k])) pairs.emplace_back(asked[i], asked[k]);
         {
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             for (const auto& [first, second] : pairs) report_->pairs.push_back({first, second, {}, {}, {}, {}});
         }
         if (!pairs.empty()) decide_pairs(*encoding, pairs);
@@ -206,7 +206,7 @@ private:
         if (diagnostics::Cache* const cache = options_.run->cache()) session.set_cache(*cache);
         const auto assertions = session.assertions();
         const auto holds = [&](std::size_t i) -> std::optional<bool> {
-            const refine::Outcome outcome = session.check(*assertions[i], limits_of_check(options_)).verdict.outcome;
+            const refine::Outcome outcome = session.check(*assertions[i], limits(options_)).verdict.outcome;
             if (outcome == refine::Outcome::inconclusive) return std::nullopt;
             return outcome == refine::Outcome::holds;
         };
@@ -216,7 +216,7 @@ private:
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             ComparedPair pair{pairs[i].first,   pairs[i].second, negated(holds(4 * i)), negated(holds(4 * i + 1)),
                               holds(4 * i + 2), holds(4 * i + 3)};
-            const auto edit = options_.run->lock_for_edit();
+            const auto edit = options_.run->edit();
             report_->pairs[i] = pair;
         }
     }
@@ -225,34 +225,36 @@ private:
 
     /// The exit code if the model is refused, or has nothing of the name that --component gives.
     std::optional<Exit> judge_model() {
-        Options of_model = options_;
-        of_model.inputs.erase(of_model.inputs.begin());
-        of_model.verb = Verb::check;
-        of_model.times = Times::timed;
-        const std::unique_ptr<Project> project = app::load_project(of_model);
+        driver::Settings of_model = options_;
+        of_model.load.inputs.erase(of_model.load.inputs.begin());
+        of_model.load.claims = driver::ClaimUse::decide;
+        of_model.claims.times = driver::Times::timed;
+        const std::unique_ptr<driver::Project> project = driver::load_project(of_model, options_.run->budget());
         const csp_emit::Emission* emission = nullptr;
-        if (project->diagnostics.ok()) emission = &emit_csp(*project, of_model, csp_emit::Time::timed);
+        if (project->diagnostics.ok())
+            emission = &emit_csp(*project, of_model.claims, of_model.swarm, csp_emit::Time::timed);
         app::show_findings(*project, options_);
-        if (emission == nullptr || !is_acceptable(*project, of_model))
+        if (emission == nullptr || !is_acceptable(*project, of_model.load))
             return end_refused(project->diagnostics, project->sources, refusal_code(*project));
-        for (const ir::ComponentRef& each : code_components(project->system, options_.component))
+        for (const ir::ComponentRef& each : driver::code_components(project->system, options_.load.component))
             for (const csp_emit::ComponentProcesses& component : emission->components)
                 if (component.path == each.path || component.path == each.package + "::" + each.path)
                     judge_component(*project, *emission, component);
         return std::nullopt;
     }
 
-    void judge_component(const Project& project, const csp_emit::Emission& emission,
+    void judge_component(const driver::Project& project, const csp_emit::Emission& emission,
                          const csp_emit::ComponentProcesses& component) {
-        const ModelRules asked({rules(), loaded_.sources}, project, emission, component, options_);
+        const driver::ModelRules asked({rules(), loaded_.sources}, project, emission, component,
+                                       search_context(options_));
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             if (rules().rules[i].assumed) continue;
-            RuleVerdict verdict = asked.judge_rule(i).verdict;
-            const auto edit = options_.run->lock_for_edit();
+            driver::RuleVerdict verdict = asked.judge_rule(i).verdict;
+            const auto edit = options_.run->edit();
             report_->verdicts.push_back(std::move(verdict));
         }
-        const TimeStops time = asked.time_stops();
-        const auto edit = options_.run->lock_for_edit();
+        const driver::TimeStops time = asked.time_stops();
+        const auto edit = options_.run->edit();
         if (time.stops) report_->time_stops.push_back(component.path);
         if (time.unknown.empty()) return;
         const std::string why = fmt::format("whether time can stop in {}: {}", component.path, time.unknown);
@@ -263,19 +265,19 @@ private:
 
     const Options& options_;
     std::shared_ptr<RulesReport> report_;
-    LoadedRules loaded_;
+    driver::LoadedRules loaded_;
 };
 
 }  // namespace
 
 Exit run_rules(const Options& options) {
     const auto report = std::make_shared<RulesReport>();
-    report->file = options.inputs.front();
-    report->as_sleec_tk = options.as_sleec_tk;
-    if (options.inputs.size() > 1) report->model = options.inputs[1];
-    if (options.as_sleec_tk && !report->model.empty())
+    report->file = options.load.inputs.front();
+    report->as_sleec_tk = options.rules.as_sleec_tk;
+    if (options.load.inputs.size() > 1) report->model = options.load.inputs[1];
+    if (options.rules.as_sleec_tk && !report->model.empty())
         throw UsageError("--as-sleec-tk does not apply to a check of a model");
-    report->without_limit = options.without_limit;
+    report->without_limit = options.rules.without_limit == sleec::WithoutLimit::now ? "now" : "eventually";
     options.run->last_word([report, &options](const std::string& why) {
         report->limit = why;
         print_report(*report, options);

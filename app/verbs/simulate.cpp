@@ -14,6 +14,7 @@
 #include <set>
 
 #include "app/command/answer.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
@@ -25,6 +26,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "driver/settings/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/scenario/read_scenario.hpp"
@@ -35,17 +37,18 @@
 namespace robochart::app {
 namespace fs = std::filesystem;
 
-simulation::Scenario read_scenario_of(Project& project, const Options& options) {
+simulation::Scenario read_scenario_of(driver::Project& project, const Options& options) {
     std::string error;
-    const auto source = project.sources.load_file(options.inputs.front(), error);
+    const auto source = project.sources.load_file(options.load.inputs.front(), error);
     if (!source) {
-        project.diagnostics.report(frontend::syntax::unreadable, {},
-                                   {options.inputs.front(), error + files_inside(options.inputs.front(), ".scenario")});
+        project.diagnostics.report(
+            frontend::syntax::unreadable, {},
+            {options.load.inputs.front(), error + driver::files_inside(options.load.inputs.front(), ".scenario")});
         return {};
     }
     simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
-    if (options.trials > 0) scenario.set_trials(options.trials);
-    if (options.seed && options.verb == Verb::simulate) scenario.seed = *options.seed;
+    if (options.simulate.trials > 0) scenario.set_trials(options.simulate.trials);
+    if (options.simulate.seed) scenario.seed = *options.simulate.seed;
     return scenario;
 }
 
@@ -64,14 +67,14 @@ std::string name_in(const std::string& constant) {
 }
 
 /// Reports names in `--const` that are not controllers of the scenario.
-void check_addresses(Project& project, const simulation::Scenario& scenario, const Options& options) {
-    for (const std::string& each : options.constants) {
+void check_addresses(driver::Project& project, const simulation::Scenario& scenario, const Options& options) {
+    for (const std::string& each : options.instantiation.constants) {
         if (simulation::find_constant_address(scenario, name_in(each))) continue;
         const std::vector<std::string> known = simulation::controller_names(scenario);
         const std::string given = each.substr(0, each.find('.'));
         const std::string meant = diagnostics::nearest_spelling(given, known);
         project.diagnostics.report(
-            rules::bad_option, {},
+            driver::rules::bad_option, {},
             {fmt::format("--const {}: there is no kind of robots called {} in the scenario{}",
                          diagnostics::escape_for_display(each), diagnostics::escape_for_display(given),
                          !meant.empty()  ? fmt::format(", did you mean {}?", meant)
@@ -82,20 +85,20 @@ void check_addresses(Project& project, const simulation::Scenario& scenario, con
 
 }  // namespace
 
-Options options_for(const simulation::Scenario& scenario, Options options, std::size_t controller) {
+driver::Settings settings_for(const simulation::Scenario& scenario, driver::Settings settings, std::size_t controller) {
     std::vector<std::string> own;
-    for (const std::string& each : options.constants) {
+    for (const std::string& each : settings.instantiation.constants) {
         const auto address = simulation::find_constant_address(scenario, name_in(each));
         if (address && address->controller == controller)
             own.push_back(address->constant + each.substr(std::min(each.find('='), each.size())));
     }
-    options.inputs = {model_of(scenario, options.inputs.front(), controller)};
-    options.constants = std::move(own);
-    options.weaker_constants = scenario.controller_at(controller).constants;
-    return options;
+    settings.load.inputs = {model_of(scenario, settings.load.inputs.front(), controller)};
+    settings.instantiation.constants = std::move(own);
+    settings.instantiation.weaker_constants = scenario.controller_at(controller).constants;
+    return settings;
 }
 
-std::vector<std::string> constants_of(const Project& project) {
+std::vector<std::string> constants_of(const driver::Project& project) {
     std::vector<std::string> result;
     for (const auto& [name, value] : project.asked.constants) result.push_back(fmt::format("{}={}", name, value));
     return result;
@@ -115,9 +118,9 @@ std::string controllers_text(const simulation::Scenario& scenario) {
 }
 
 /// The emission of one component. Errors are reported in the scenario's project.
-cpp_emit::DriveEmission emit_component(Simulation& simulation, Project& project, const Name& component,
+cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& project, const Name& component,
                                        const std::string& model) {
-    const auto components = code_components(project.system, component.text);
+    const auto components = driver::code_components(project.system, component.text);
     if (components.empty()) {
         simulation.project->diagnostics.report(simulation::rules::no_controller, component.span,
                                                {component.text, model});
@@ -134,13 +137,13 @@ cpp_emit::DriveEmission emit_component(Simulation& simulation, Project& project,
 /// are shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
-    const Options wanted = options_for(simulation.scenario, options, number);
-    other.model = wanted.inputs.front();
-    other.project = load_project(wanted);
-    if (is_acceptable(*other.project, wanted))
+    const driver::Settings wanted = settings_for(simulation.scenario, options, number);
+    other.model = wanted.load.inputs.front();
+    other.project = driver::load_project(wanted, options.run->budget());
+    if (is_acceptable(*other.project, wanted.load))
         other.emission = emit_component(simulation, *other.project, simulation.scenario.controller_at(number).component,
                                         other.model);
-    const bool good = is_acceptable(*other.project, wanted);
+    const bool good = is_acceptable(*other.project, wanted.load);
     if (!good) simulation.project = std::move(other.project);
     simulation.others.push_back(std::move(other));
     return good && simulation.project->diagnostics.ok();
@@ -156,7 +159,7 @@ void emit_controllers(Simulation& simulation, const std::string& model, const Op
     for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind)
         emissions.kinds.push_back(&simulation.emission_of(kind));
     if (scenario.environment) emissions.environment = &simulation.others.back().emission;
-    Project& project = *simulation.project;
+    driver::Project& project = *simulation.project;
     simulation.plan = simulation::bind_scenario(simulation.scenario, emissions, project.diagnostics);
     // Computing the first start finds robots that do not fit, before anything is compiled.
     if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
@@ -176,7 +179,7 @@ std::function<bool()> when_a_limit_is_reached(const Options& options) {
 
 std::function<void(const simulation::RunProgress&)> progress_reports(const Options& options,
                                                                      const std::string& subject) {
-    if (options.progress == ProgressMode::json)
+    if (options.output.progress == ProgressMode::json)
         return [subject](const simulation::RunProgress& p) {
             using diagnostics::round_to_places;
             print_error_styled(diagnostics::json_text({{"event", "progress"},
@@ -189,7 +192,7 @@ std::function<void(const simulation::RunProgress&)> progress_reports(const Optio
                                                        {"totalSeconds", round_to_places(p.total_seconds, 1)}}) +
                                "\n");
         };
-    if (!progress_line_wanted(options)) return {};
+    if (!progress_line_wanted(options.output)) return {};
     return [](const simulation::RunProgress& p) {
         redraw_error_line(p.trials_done == p.trials ? std::string() : with_progress(p));
     };
@@ -208,7 +211,7 @@ Exit before_trials(const Options& options, const std::string& why) {
     const diagnostics::Json none = diagnostics::Json::array();
     output_document(options, [&](Format) {
         return diagnostics::json_text({{"schema", "robochart-verify/simulation/1"},
-                                       {"scenario", options.inputs.front()},
+                                       {"scenario", options.load.inputs.front()},
                                        {"trials", none},
                                        {"interrupted", true},
                                        {"limit", why},
@@ -217,7 +220,7 @@ Exit before_trials(const Options& options, const std::string& why) {
                                        {"exit", static_cast<int>(Exit::inconclusive)}}) +
                "\n";
     });
-    if (options.format == Format::json) {
+    if (options.output.format == Format::json) {
         print_error_text(text);
     } else {
         app::print_text(text);
@@ -228,7 +231,7 @@ Exit before_trials(const Options& options, const std::string& why) {
 void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options,
                 const OtherStage& stage, const std::vector<std::string>& files, const std::string& notes) {
     const simulation::Scenario& scenario = simulation.scenario;
-    if (!options.quiet) {
+    if (!options.output.quiet) {
         print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text,
               scenario.all_robots(), scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
               stage.name.empty() ? "" : ", in " + stage.name, controllers_text(scenario));
@@ -258,9 +261,9 @@ struct LogFailure {
 simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t kind, const Options& options,
                                       LogFailure& failure) {
     simulation::TraceLogOptions wanted;
-    wanted.folder = options.log;
+    wanted.folder = options.simulate.log;
     wanted.component = simulation.scenario.kind_at(kind).component.text;
-    wanted.model = model_of(simulation.scenario, options.inputs.front(), kind);
+    wanted.model = model_of(simulation.scenario, options.load.inputs.front(), kind);
     wanted.constants = constants_of(simulation.project_of(kind));
     wanted.first = simulation.scenario.first_robot(kind);
     wanted.scenario = simulation.scenario.name.text;
@@ -333,7 +336,7 @@ void show_all_diagnostics(const Simulation& simulation, const Options& options) 
     (void)show_diagnostics(*simulation.project, options);
     std::set<std::string> shown;
     // Findings that two kinds of one model share are shown once.
-    const auto is_new = [&](const Project& project) {
+    const auto is_new = [&](const driver::Project& project) {
         bool found = false;
         for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings()) {
             const std::string path = each.span.is_known() ? std::string(project.sources.path(each.span.source)) : "";
@@ -350,17 +353,17 @@ void show_all_diagnostics(const Simulation& simulation, const Options& options) 
 
 std::unique_ptr<Simulation> load_simulation(const Options& options) {
     auto simulation = std::make_unique<Simulation>();
-    simulation->project = std::make_unique<Project>();
+    simulation->project = std::make_unique<driver::Project>();
     simulation->scenario = read_scenario_of(*simulation->project, options);
-    if (options.inputs.size() != 1)
-        simulation->project->diagnostics.report(rules::bad_option, {}, {"one scenario at a time"});
+    if (options.load.inputs.size() != 1)
+        simulation->project->diagnostics.report(driver::rules::bad_option, {}, {"one scenario at a time"});
     if (simulation->project->diagnostics.ok()) check_addresses(*simulation->project, simulation->scenario, options);
     if (!simulation->project->diagnostics.ok()) return simulation;
-    const Options model = options_for(simulation->scenario, options, 0);
-    simulation->project = load_project(model);
-    if (!is_acceptable(*simulation->project, options)) return simulation;
+    const driver::Settings model = settings_for(simulation->scenario, options, 0);
+    simulation->project = driver::load_project(model, options.run->budget());
+    if (!is_acceptable(*simulation->project, options.load)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);
-    emit_controllers(*simulation, model.inputs.front(), options);
+    emit_controllers(*simulation, model.load.inputs.front(), options);
     return simulation;
 }
 
@@ -375,26 +378,27 @@ void write_page(Simulation& simulation, const simulation::RunResult& result, con
         kinds.push_back({simulation.others[kind - 1].project.get(), &simulation.emission_of(kind)});
     const std::string page = render_simulation_html(
         {kinds, simulation.scenario, machines, result, simulator, monitors, notes, files}, options);
-    const std::string error = diagnostics::replace_file(options.html, page, &options.run->budget());
+    const std::string error = diagnostics::replace_file(options.output.html, page, &options.run->budget());
     if (!error.empty()) simulation.project->diagnostics.report(rules::unwritable, {}, {error});
 }
 
 Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     if (!simulation->scenario.variations.empty()) return sweep(options, stage);
-    Project& project = *simulation->project;
-    if (!options.compare.empty())
-        project.diagnostics.report(rules::bad_option, {}, {"--compare takes a scenario in which something varies"});
-    if (!is_acceptable(project, options)) return show_diagnostics(project, options), refusal_code(project);
+    driver::Project& project = *simulation->project;
+    if (!options.simulate.compare.empty())
+        project.diagnostics.report(driver::rules::bad_option, {},
+                                   {"--compare takes a scenario in which something varies"});
+    if (!is_acceptable(project, options.load)) return show_diagnostics(project, options), refusal_code(project);
     if (simulation->scenario.abstraction) return study_chain(*simulation, options, stage);
     const auto controller = build_controller(*simulation, options);
     if (controller == nullptr || !project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;
-    wanted.threads = stage.parallel ? options.threads : 1;
+    wanted.threads = stage.parallel ? options.limits.threads : 1;
     wanted.stage = stage.make;
-    wanted.record = options.pictures || !options.html.empty();
+    wanted.record = options.simulate.pictures || !options.output.html.empty();
     LogFailure failure;
-    if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
+    if (!options.simulate.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
     const auto monitors = make_guard(*simulation, options);
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     if (monitors != nullptr) wanted.trace = monitors->make_observer(wanted.trace);
@@ -408,23 +412,23 @@ Exit simulate(const Options& options, const OtherStage& stage) {
         return show_diagnostics(project, options), Exit::bad_input;
     std::string notes = monitors == nullptr ? "" : monitors->summary_lines();
     std::vector<std::string> files;
-    if (options.pictures && !result.interrupted)
+    if (options.simulate.pictures && !result.interrupted)
         files = write_simulation_files(*simulation, result, machines, options, notes);
-    if (!options.html.empty() && !result.interrupted)
+    if (!options.output.html.empty() && !result.interrupted)
         write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->summary_lines(),
                    notes, files, options);
     options.run->finish();
     // The only errors at this point are stopped trials and files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.has_stopped_trial();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
-    if (unwritable && options.format == Format::json) return show_diagnostics(project, options), exit;
+    if (unwritable && options.output.format == Format::json) return show_diagnostics(project, options), exit;
     if (!unwritable)
         output_document(options, [&](Format) {
             return simulation::result_json(simulation->scenario, result,
                                            simulation::guard_json(monitors.get(), result.watched), files,
                                            static_cast<int>(exit));
         });
-    if (options.format == Format::json) return exit;
+    if (options.output.format == Format::json) return exit;
     show_all_diagnostics(*simulation, options);
     print_text(*simulation, result, options, stage, files, notes);
     return exit;
@@ -433,14 +437,14 @@ Exit simulate(const Options& options, const OtherStage& stage) {
 /// A rule file among the inputs defines the guard of the trials.
 Options with_guarding_rules(Options options) {
     const auto is_rules = [](const std::string& input) { return input.ends_with(".sleec"); };
-    for (const std::string& input : options.inputs) {
+    for (const std::string& input : options.load.inputs) {
         if (!is_rules(input)) continue;
-        if (!options.monitor) throw UsageError("RULES.sleec needs --monitor");
-        if (!options.guarding_rules.empty()) throw UsageError("--monitor takes one file of rules");
-        options.guarding_rules = input;
+        if (!options.simulate.monitor) throw UsageError("RULES.sleec needs --monitor");
+        if (!options.simulate.guarding_rules.empty()) throw UsageError("--monitor takes one file of rules");
+        options.simulate.guarding_rules = input;
     }
-    std::erase_if(options.inputs, is_rules);
-    if (options.inputs.empty()) throw UsageError("simulate needs a scenario");
+    std::erase_if(options.load.inputs, is_rules);
+    if (options.load.inputs.empty()) throw UsageError("simulate needs a scenario");
     return options;
 }
 

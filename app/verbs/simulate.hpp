@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/command/pipeline.hpp"
-#include "app/tune/certificate.hpp"
+#include "app/command/options.hpp"
 #include "base/cache/digest.hpp"
+#include "driver/evidence/certificate.hpp"
+#include "driver/model/pipeline.hpp"
 #include "simulation/report/run.hpp"
 #include "simulation/scenario/plan.hpp"
 #include "simulation/trial/controller.hpp"
@@ -19,21 +20,21 @@ namespace robochart::app {
 
 /// The model and controller of another kind of robots, or of the environment.
 struct OtherController {
-    std::unique_ptr<Project> project;
+    std::unique_ptr<driver::Project> project;
     std::string model;  ///< its path
     cpp_emit::DriveEmission emission;
     std::unique_ptr<simulation::Controller> controller;
 };
 
 struct Simulation {
-    std::unique_ptr<Project> project;  ///< the model; its sources also contain the scenario
+    std::unique_ptr<driver::Project> project;  ///< the model; its sources also contain the scenario
     simulation::Scenario scenario;
     cpp_emit::DriveEmission emission;
     std::vector<OtherController> others;  ///< for the scenario's other kinds and its environment
     simulation::Plan plan;                ///< refers to the scenario
 
     /// The model of a controller (see Scenario::controller_at).
-    [[nodiscard]] const Project& project_of(std::size_t controller) const {
+    [[nodiscard]] const driver::Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project : *others[controller - 1].project;
     }
     /// The emission that drives the robots of a kind (see Scenario::kind_at).
@@ -46,7 +47,7 @@ struct Simulation {
 [[nodiscard]] std::unique_ptr<Simulation> load_simulation(const Options&);
 
 /// Reads the scenario; its text is added to the project's sources.
-[[nodiscard]] simulation::Scenario read_scenario_of(Project&, const Options&);
+[[nodiscard]] simulation::Scenario read_scenario_of(driver::Project&, const Options&);
 /// Builds the controllers. Returns that of the first kind of robots and stores the others. On failure the result is
 /// null, and the project's diagnostics contain the reason.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
@@ -62,25 +63,25 @@ void add_trials(const Simulation&, diagnostics::Hasher&);
 /// scenario.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
-/// The options for the model of one controller: its path, and its constants. These are the constants of `--const` for
+/// The settings for the model of one controller: its path, and its constants. These are the constants of `--const` for
 /// this controller and, for constants without a value there, those of the scenario (`const ...` in `robots` and
 /// `environment`). The robots are simulated with these constants, so all claims about the models are decided with them.
-[[nodiscard]] Options options_for(const simulation::Scenario&, Options, std::size_t controller);
+[[nodiscard]] driver::Settings settings_for(const simulation::Scenario&, driver::Settings, std::size_t controller);
 /// "NAME=VALUE" for all constants that were given to the model.
-[[nodiscard]] std::vector<std::string> constants_of(const Project&);
+[[nodiscard]] std::vector<std::string> constants_of(const driver::Project&);
 
 /// Shows the findings about the scenario and its model, and those about the models of the other controllers.
 void show_all_diagnostics(const Simulation&, const Options&);
 
-/// The three functions add to the evidence what is decided with the constants of options_for. The first adds the
+/// The three functions add to the evidence what is decided with the constants of settings_for. The first adds the
 /// assertions of the scenario's models and the digests of their files. The second adds whether the code of each
 /// controller conforms. The third adds the scenario's claims; it returns false if the scenario cannot be run, and the
 /// simulation's project contains the reason. Results about controllers other than the first have the controller's name
 /// in front, "leaders: A1". Two controllers with the same model and constants are decided once. Throw
 /// diagnostics::LimitReached.
-void decide_assertions(const Options&, const simulation::Scenario&, Evidence&);
-void decide_conformance(const Options&, const simulation::Scenario&, Evidence&);
-[[nodiscard]] bool decide_claims(const Options&, Evidence&, std::unique_ptr<Simulation>&);
+void decide_assertions(const Options&, const simulation::Scenario&, driver::Evidence&);
+void decide_conformance(const Options&, const simulation::Scenario&, driver::Evidence&);
+[[nodiscard]] bool decide_claims(const Options&, driver::Evidence&, std::unique_ptr<Simulation>&);
 
 /// A simulator that replaces the built-in world.
 struct OtherStage {

@@ -47,7 +47,7 @@ public:
         : scenario_(simulation.scenario),
           project_(*simulation.project),
           result_(result),
-          out_(options.out),
+          out_(options.output.folder),
           below_("simulation/" + simulation.scenario.name.text + "/"),
           machines_(machines) {}
 
@@ -172,7 +172,7 @@ private:
     }
 
     const simulation::Scenario& scenario_;
-    Project& project_;
+    driver::Project& project_;
     const simulation::RunResult& result_;
     std::string out_, below_;
     std::unique_ptr<diagnostics::TemporaryFolder> work_;

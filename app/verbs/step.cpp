@@ -12,9 +12,9 @@
 #include <optional>
 #include <sstream>
 
+#include "app/command/findings.hpp"
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
-#include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
 #include "app/command/script.hpp"
 #include "app/report/structure_text.hpp"
@@ -30,6 +30,7 @@
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/stepper.hpp"
 #include "counterexample/text.hpp"
+#include "driver/model/pipeline.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -373,17 +374,17 @@ Exit Console::run() {
 /// Writes the page of `--html`. If a limit is reached while the states are explored, the page contains the states found
 /// so far.
 Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& stepped,
-                const std::vector<Part>& parts) {
+                const std::vector<driver::Part>& parts) {
     diagnostics::Budget& budget = options.run->budget();
     const runs::Exploration space = runs::explore_process(stepper.reader(), stepper.current_term(), {}, budget);
     const std::string reached = budget.reached_limit();
     options.run->finish();
-    const std::string error = diagnostics::replace_file(options.html, step_page(space, stepped, parts), &budget);
+    const std::string error = diagnostics::replace_file(options.output.html, step_page(space, stepped, parts), &budget);
     if (!error.empty()) {
         print_error("robochart-verify: {}\n", error);
         return Exit::bad_input;
     }
-    print("{}: {}\n", options.html, counts_text(space));
+    print("{}: {}\n", options.output.html, counts_text(space));
     const auto wrong = std::ranges::find_if(space.states, [](const auto& each) { return !each.error.empty(); });
     if (wrong != space.states.end()) {
         print_error("robochart-verify: {}\n", wrong->error);
@@ -394,25 +395,26 @@ Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& s
 
 /// Steps in the terminal, or writes the page.
 Exit run_stepper(runs::Stepper& stepper, const Options& options, const Stepped& stepped,
-                 const std::vector<Part>& parts) {
-    return options.html.empty() ? Console(stepper, options, stepped).run()
-                                : write_page(stepper, options, stepped, parts);
+                 const std::vector<driver::Part>& parts) {
+    return options.output.html.empty() ? Console(stepper, options, stepped).run()
+                                       : write_page(stepper, options, stepped, parts);
 }
 
 /// The components that can be stepped through, each with its part.
-using Candidates = std::vector<std::pair<Project*, ir::ComponentRef>>;
+using Candidates = std::vector<std::pair<driver::Project*, ir::ComponentRef>>;
 
-Candidates candidate_components(const std::vector<Part>& parts, const std::string& wanted) {
+Candidates candidate_components(const std::vector<driver::Part>& parts, const std::string& wanted) {
     Candidates result;
-    for (const Part& part : parts)
+    for (const driver::Part& part : parts)
         if (part.project->diagnostics.ok() && !part.again)
-            for (const ir::ComponentRef& each : code_components(part.project->system, wanted))
+            for (const ir::ComponentRef& each : driver::code_components(part.project->system, wanted))
                 result.emplace_back(part.project.get(), each);
     return result;
 }
 
 /// The selected component. Throws UsageError if there is none, or several.
-std::pair<Project*, ir::ComponentRef> find_meant_component(const std::vector<Part>& parts, const std::string& wanted) {
+std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::vector<driver::Part>& parts,
+                                                                   const std::string& wanted) {
     const Candidates found = candidate_components(parts, wanted);
     if (found.size() == 1) return found.front();
     std::vector<std::string> names;
@@ -427,14 +429,16 @@ std::pair<Project*, ir::ComponentRef> find_meant_component(const std::vector<Par
 }
 
 Exit step_component(const Options& options) {
-    Options model = options;
-    model.inputs.resize(1);
-    const std::vector<Part> parts = load_parts(model);
-    for (const Part& part : parts)
+    driver::Settings model = options;
+    model.load.inputs.resize(1);
+    const std::vector<driver::Part> parts = driver::load_parts(model, options.run->budget());
+    for (const driver::Part& part : parts)
         if (!show_diagnostics(*part.project, options)) return refusal_code(*part.project);
-    const auto [project, component] = find_meant_component(parts, options.inputs.size() > 1 ? options.inputs[1] : "");
-    const csp_emit::Time time = options.times == Times::untimed ? csp_emit::Time::untimed : csp_emit::Time::timed;
-    (void)emit_csp(*project, options, time);
+    const auto [project, component] =
+        find_meant_component(parts, options.load.inputs.size() > 1 ? options.load.inputs[1] : "");
+    const csp_emit::Time time =
+        options.claims.times == driver::Times::untimed ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    (void)emit_csp(*project, options.claims, options.swarm, time);
     if (!project->diagnostics.ok()) {
         show_findings(*project, options);
         return refusal_code(*project);
@@ -442,7 +446,7 @@ Exit step_component(const Options& options) {
     const std::string name = ir::qualified_name(component);
     try {
         SteppedComponent stepped(*project, name, time, options);
-        return run_stepper(stepped.stepper(), options, {name, options.inputs.front(), project, time}, parts);
+        return run_stepper(stepped.stepper(), options, {name, options.load.inputs.front(), project, time}, parts);
     } catch (const cspm::EvaluationError& error) {
         print_error("robochart-verify: {}\n", runs::placed_failure(error, project->system, project->sources));
         return Exit::bad_input;
@@ -450,12 +454,12 @@ Exit step_component(const Options& options) {
 }
 
 Exit step_script(const Options& options) {
-    if (options.inputs.size() < 2) throw UsageError("step needs a process of the script: `step FILE.csp PROCESS`");
+    if (options.load.inputs.size() < 2) throw UsageError("step needs a process of the script: `step FILE.csp PROCESS`");
     LoadedScript loaded;
     loaded.diagnostics.set_budget(&options.run->budget());
-    load_script(options.inputs.front(), loaded);
+    load_script(options.load.inputs.front(), loaded);
     const cspm::DeclPtr asked =
-        loaded.diagnostics.ok() ? parse_process(loaded, options.inputs[1], options.inputs[1]) : nullptr;
+        loaded.diagnostics.ok() ? parse_process(loaded, options.load.inputs[1], options.load.inputs[1]) : nullptr;
     if (!asked) {
         show_findings(loaded, options);
         return Exit::bad_input;
@@ -469,7 +473,7 @@ Exit step_script(const Options& options) {
         runs::StepReader reader(context);
         runs::Stepper stepper(reader, session.process(asked->assertion.specification));
         return run_stepper(stepper, options,
-                           {options.inputs[1], options.inputs.front(), nullptr, csp_emit::Time::untimed}, {});
+                           {options.load.inputs[1], options.load.inputs.front(), nullptr, csp_emit::Time::untimed}, {});
     } catch (const cspm::EvaluationError& error) {
         print_error("robochart-verify: {}\n", runs::placed_failure(error, no_system, loaded.sources));
         return Exit::bad_input;
@@ -479,12 +483,13 @@ Exit step_script(const Options& options) {
 }  // namespace
 
 Exit run_step(const Options& options) {
-    if (options.inputs.size() > 2) throw UsageError("step takes a model and a component, or a script and a process");
+    if (options.load.inputs.size() > 2)
+        throw UsageError("step takes a model and a component, or a script and a process");
     options.run->last_word([](const std::string& why) {
         print_error("robochart-verify: {}\n", why);
         return Exit::inconclusive;
     });
-    const std::string extension = std::filesystem::path(options.inputs.front()).extension().string();
+    const std::string extension = std::filesystem::path(options.load.inputs.front()).extension().string();
     const bool script = extension == ".csp" || extension == ".cspm" || extension == ".fdr3";
     return script ? step_script(options) : step_component(options);
 }

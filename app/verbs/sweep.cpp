@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command/answer.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
@@ -17,6 +18,7 @@
 #include "app/verbs/simulate.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "driver/settings/rules.hpp"
 #include "semantics/rules.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/scenario/rules.hpp"
@@ -37,7 +39,7 @@ struct Prepared {
 
 class Sweep {
 public:
-    Sweep(const Options& options, const OtherStage& stage, std::unique_ptr<Project> project,
+    Sweep(const Options& options, const OtherStage& stage, std::unique_ptr<driver::Project> project,
           simulation::Scenario scenario)
         : options_(options), stage_(stage), project_(std::move(project)), scenario_(std::move(scenario)) {}
 
@@ -67,8 +69,8 @@ private:
         if (until_proved() &&
             std::ranges::all_of(scenario_.claims, [](const simulation::Claim& claim) { return claim.estimate; }))
             missing("what is to be proved (accept probability)");
-        if (!options_.compare.empty()) read_table();
-        if (!options_.guarding_rules.empty()) read_rules();
+        if (!options_.simulate.compare.empty()) read_table();
+        if (!options_.simulate.guarding_rules.empty()) read_rules();
         std::size_t points = 1;
         for (const simulation::Variation& each : scenario_.variations) points *= each.values.size();
         if (points > most_points)
@@ -79,7 +81,7 @@ private:
     /// Reads the table of `--compare`; its errors are reported in the table's text.
     void read_table() {
         std::string error;
-        const auto source = project_->sources.load_file(options_.compare, error);
+        const auto source = project_->sources.load_file(options_.simulate.compare, error);
         if (source) {
             auto table = simulation::read_table(project_->sources.source_text(*source), scenario_, error);
             if (table) table_ = std::move(*table);
@@ -89,18 +91,20 @@ private:
         if (error.empty() && !estimates) error = "the scenario has no estimate";
         if (!error.empty())
             project_->diagnostics.report(
-                rules::bad_option, {},
-                {fmt::format("--compare {}: {}", diagnostics::escape_for_display(options_.compare), error)});
+                driver::rules::bad_option, {},
+                {fmt::format("--compare {}: {}", diagnostics::escape_for_display(options_.simulate.compare), error)});
     }
 
     /// Errors of the file are reported when it is used.
     void read_rules() {
         std::string error;
-        if (const auto source = project_->sources.load_file(options_.guarding_rules, error))
+        if (const auto source = project_->sources.load_file(options_.simulate.guarding_rules, error))
             rules_text_ = project_->sources.source_text(*source);
     }
 
-    Exit show_refusal(Project& project) const { return show_diagnostics(project, options_), refusal_code(project); }
+    Exit show_refusal(driver::Project& project) const {
+        return show_diagnostics(project, options_), refusal_code(project);
+    }
 
     [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
 
@@ -128,7 +132,7 @@ private:
             }
         simulation::Plan plan = prepared_.simulation->plan;
         plan.scenario = &scenario;
-        Project& project = *prepared_.simulation->project;
+        driver::Project& project = *prepared_.simulation->project;
         const simulation::RunResult found =
             simulation::run_trials(plan, drives_of(*prepared_.simulation, *prepared_.controller),
                                    run_options(point.point), project.diagnostics);
@@ -145,7 +149,7 @@ private:
     }
 
     /// If the model does not have a constant that varies, this is an error of the scenario, reported at its place.
-    void find_unknown(const Project& refused) {
+    void find_unknown(const driver::Project& refused) {
         for (const simulation::Variation& each : scenario_.variations) {
             if (each.what != simulation::Varied::constant) continue;
             const auto address = simulation::find_constant_address(scenario_, each.constant);
@@ -160,10 +164,11 @@ private:
     std::optional<Exit> prepare_controller(const std::vector<std::string>& constants) {
         if (prepared_.controller != nullptr && prepared_.constants == constants) return std::nullopt;
         Options options = options_;
-        options.constants.insert(options.constants.end(), constants.begin(), constants.end());
+        options.instantiation.constants.insert(options.instantiation.constants.end(), constants.begin(),
+                                               constants.end());
         prepared_ = {constants, load_simulation(options), nullptr, nullptr};
-        Project& project = *prepared_.simulation->project;
-        if (!is_acceptable(project, options)) {
+        driver::Project& project = *prepared_.simulation->project;
+        if (!is_acceptable(project, options.load)) {
             find_unknown(project);
             return show_refusal(project_->diagnostics.ok() ? project : *project_);
         }
@@ -186,7 +191,7 @@ private:
         hasher.add(simulation.scenario.seed);
         hasher.add(simulation.scenario.trials);
         hasher.add(result_.points.size());
-        hasher.add(std::uint64_t{options_.monitor ? 1U : 0U});
+        hasher.add(std::uint64_t{options_.simulate.monitor ? 1U : 0U});
         hasher.add(rules_text_);
         hasher.add(stage_.name);
         return hasher.finish();
@@ -194,7 +199,7 @@ private:
 
     [[nodiscard]] simulation::RunOptions run_options(const simulation::Point& point) {
         simulation::RunOptions wanted;
-        wanted.threads = stage_.parallel ? options_.threads : 1;
+        wanted.threads = stage_.parallel ? options_.limits.threads : 1;
         wanted.stage = stage_.make;
         wanted.record = false;
         wanted.comparisons = static_cast<std::uint32_t>(result_.points.size());
@@ -208,20 +213,21 @@ private:
     }
 
     void redraw_progress(const std::string& line) const {
-        if (options_.progress != ProgressMode::json && progress_line_wanted(options_)) redraw_error_line(line);
+        if (options_.output.progress != ProgressMode::json && progress_line_wanted(options_.output))
+            redraw_error_line(line);
     }
 
     Exit write_report() {
         const std::vector<simulation::SweepPlot> plots = simulation::sweep_plots(scenario_, result_);
         std::vector<std::string> files;
-        if (options_.pictures) {
+        if (options_.simulate.pictures) {
             add("sweep.csv", simulation::sweep_csv(scenario_, result_), files);
             add("sweep-trials.csv", simulation::sweep_trials_csv(scenario_, result_), files);
             for (const simulation::SweepPlot& plot : plots) add("sweep-" + plot.name + ".svg", plot.svg, files);
         }
-        if (!options_.html.empty())
-            report_unwritable(diagnostics::replace_file(options_.html, render_sweep_html(scenario_, result_, plots),
-                                                        &options_.run->budget()));
+        if (!options_.output.html.empty())
+            report_unwritable(diagnostics::replace_file(
+                options_.output.html, render_sweep_html(scenario_, result_, plots), &options_.run->budget()));
         options_.run->finish();
         if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
         const Exit exit = exit_code();
@@ -230,15 +236,15 @@ private:
                                           simulation::guard_json(prepared_.monitors.get(), result_.watched), files,
                                           static_cast<int>(exit));
         });
-        if (options_.format == Format::text) print_text(files);
+        if (options_.output.format == Format::text) print_text(files);
         return exit;
     }
 
     void add(const std::string& name, const std::string& text, std::vector<std::string>& files) {
         const std::string path = "simulation/" + scenario_.name.text + "/" + name;
-        const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
+        const std::string error = diagnostics::write_below(options_.output.folder, path, text, &options_.run->budget());
         report_unwritable(error);
-        if (error.empty()) files.push_back(options_.out + "/" + path);
+        if (error.empty()) files.push_back(options_.output.folder + "/" + path);
     }
 
     void report_unwritable(const std::string& error) {
@@ -265,7 +271,7 @@ private:
     }
 
     void print_text(const std::vector<std::string>& files) const {
-        if (!options_.quiet) {
+        if (!options_.output.quiet) {
             print("sweep of {}: {} points, seed {} and on at each; controller {}\n{:.1f} CPU seconds{}\n\n",
                   scenario_.name.text, result_.points.size(), scenario_.seed, scenario_.component.text,
                   result_.cpu_seconds,
@@ -279,14 +285,14 @@ private:
             if (!files.empty()) print("\n");
         }
         if (result_.interrupted) print("{}: the rest is open\n", options_.run->budget().reached_limit());
-        if (!result_.watched) print("{}{}", options_.quiet ? "" : unwatched_, not_all_watched);
+        if (!result_.watched) print("{}{}", options_.output.quiet ? "" : unwatched_, not_all_watched);
         for (const std::string& line : simulation::least_lines(scenario_, result_)) print("{}\n", line);
-        if (!options_.compare.empty()) print("{}\n", simulation::comparison_summary(scenario_, compared_));
+        if (!options_.simulate.compare.empty()) print("{}\n", simulation::comparison_summary(scenario_, compared_));
     }
 
     const Options& options_;
     const OtherStage& stage_;
-    std::unique_ptr<Project> project_;  ///< contains only the scenario's text
+    std::unique_ptr<driver::Project> project_;  ///< contains only the scenario's text
     simulation::Scenario scenario_;
     Prepared prepared_;
     bool shown_ = false;
@@ -301,7 +307,7 @@ private:
 }  // namespace
 
 Exit sweep(const Options& options, const OtherStage& stage) {
-    auto project = std::make_unique<Project>();
+    auto project = std::make_unique<driver::Project>();
     simulation::Scenario scenario = read_scenario_of(*project, options);
     if (!project->diagnostics.ok()) return show_diagnostics(*project, options), refusal_code(*project);
     return Sweep(options, stage, std::move(project), std::move(scenario)).run();

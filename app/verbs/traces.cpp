@@ -14,9 +14,8 @@
 
 #include "app/base/numbers.hpp"
 #include "app/command/answer.hpp"
-#include "app/command/limits.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
-#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/step/trace_page.hpp"
@@ -27,6 +26,8 @@
 #include "conformance/model/rules.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "counterexample/evaluation_failure.hpp"
+#include "driver/model/places.hpp"
+#include "driver/settings/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/ir/element_at.hpp"
 #include "semantics/ir/query.hpp"
@@ -56,7 +57,7 @@ constexpr std::size_t max_reported = 100;
 /// The files, and the logs in folders, in order.
 std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diagnostics& diagnostics) {
     std::vector<std::string> result;
-    for (const std::string& given : options.traces) {
+    for (const std::string& given : options.conform.traces) {
         std::error_code error;
         if (!fs::is_directory(given, error)) {
             result.push_back(given);
@@ -69,7 +70,7 @@ std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diag
         for (const std::string& path : found.files)
             if (fs::path(path).extension() == ".trace") inside.push_back(path);
         if (inside.empty() && found.unreadable.empty())
-            diagnostics.report(rules::bad_option, {},
+            diagnostics.report(driver::rules::bad_option, {},
                                {fmt::format("--traces {}: there are no .trace files in the folder", given)});
         result.insert(result.end(), inside.begin(), inside.end());
     }
@@ -79,12 +80,12 @@ std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diag
 /// The checkers by component and cycle length, made when the first log needs one.
 class Checkers {
 public:
-    Checkers(const std::vector<Part>& parts, const Options& options)
-        : parts_(parts), options_(options), limits_(limits_of_check(options, "traces")) {}
+    Checkers(const std::vector<driver::Part>& parts, const Options& options)
+        : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
 
     /// A component and the checker that compares logs with it.
     struct Found {
-        Project* project = nullptr;
+        driver::Project* project = nullptr;
         std::string component;  ///< qualified
         conformance::TraceChecker* checker = nullptr;
     };
@@ -93,8 +94,8 @@ public:
 
     /// No value, with a finding, if there is no such component.
     std::optional<Found> find_checker(const conformance::TraceHeader& header) {
-        const std::string wanted = !options_.component.empty() ? options_.component : header.component;
-        const std::vector<Part>* const parts = model_with(header.constants);
+        const std::string wanted = !options_.load.component.empty() ? options_.load.component : header.component;
+        const std::vector<driver::Part>* const parts = model_with(header.constants);
         if (parts == nullptr) return std::nullopt;
         std::vector<Candidate> all = first_components(*parts, wanted);
         if (all.empty()) all = first_components(*parts, "");
@@ -104,20 +105,20 @@ public:
         const auto& [part, component] = all.front();
         if (!wanted.empty() && all.size() > 1 && all[1].first != part)
             return report_refusal(
-                parts_.front(), rules::bad_option,
+                parts_.front(), driver::rules::bad_option,
                 {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
                              part->project->name, all[1].first->project->name, wanted)});
-        const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
+        const std::uint32_t cycle = options_.code.cycle_given ? options_.code.cycle : header.cycle;
         Entry& entry = entries_[{part, ir::qualified_name(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load_entry(entry, *part->project, component, cycle);
         if (!entry.error.empty())
             return report_refusal(parts_.front(), rules::no_monitor, {ir::qualified_name(component), entry.error},
-                                  declared_at(part->project->system, component));
+                                  driver::declared_at(part->project->system, component));
         return Found{part->project.get(), ir::qualified_name(component), entry.checker.get()};
     }
 
 private:
-    using Candidate = std::pair<const Part*, ir::ComponentRef>;
+    using Candidate = std::pair<const driver::Part*, ir::ComponentRef>;
     struct Entry {
         std::unique_ptr<conformance::CyclicModel> model;
         std::unique_ptr<conformance::TraceChecker> checker;
@@ -126,16 +127,16 @@ private:
 
     /// The model with the log's constants, unless the options set them: like `--component` and `--cycle`, `--const` has
     /// priority over the log. Null, with a finding, if the model cannot be read with them.
-    const std::vector<Part>* model_with(const std::vector<std::string>& constants) {
+    const std::vector<driver::Part>* model_with(const std::vector<std::string>& constants) {
         if (constants.empty()) return &parts_;
         auto [known, fresh] = others_.try_emplace(constants);
-        std::vector<Part>& parts = known->second;
+        std::vector<driver::Part>& parts = known->second;
         if (fresh) {
-            Options wanted = options_;
-            wanted.weaker_constants = constants;
-            parts = load_parts(wanted);
+            driver::Settings wanted = options_;
+            wanted.instantiation.weaker_constants = constants;
+            parts = driver::load_parts(wanted, options_.run->budget());
         }
-        for (const Part& part : parts)
+        for (const driver::Part& part : parts)
             for (const diagnostics::Diagnostic& each : part.project->diagnostics.sorted_findings())
                 if (each.rule->severity == diagnostics::Severity::error) {
                     (void)report_refusal(parts_.front(), conformance::rules::log_of_other,
@@ -146,21 +147,21 @@ private:
         return &parts;
     }
     /// The first component of this name in each part.
-    [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<Part>& parts,
+    [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<driver::Part>& parts,
                                                                  const std::string& wanted) {
         std::vector<Candidate> result;
-        for (const Part& part : parts)
-            if (const auto components = code_components(part.project->system, wanted);
+        for (const driver::Part& part : parts)
+            if (const auto components = driver::code_components(part.project->system, wanted);
                 !part.again && !components.empty())
                 result.emplace_back(&part, components.front());
         return result;
     }
-    static std::nullopt_t report_refusal(const Part& part, const diagnostics::Rule& rule,
+    static std::nullopt_t report_refusal(const driver::Part& part, const diagnostics::Rule& rule,
                                          std::vector<std::string> arguments, diagnostics::Span place = {}) {
         part.project->diagnostics.report(rule, place, std::move(arguments));
         return std::nullopt;
     }
-    void load_entry(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
+    void load_entry(Entry& entry, driver::Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
         entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_,
                                                      project.sources, project.diagnostics, entry.error);
         if (entry.model == nullptr) return;
@@ -169,11 +170,11 @@ private:
             project.sources);
     }
 
-    const std::vector<Part>& parts_;
+    const std::vector<driver::Part>& parts_;
     const Options& options_;
     refine::Limits limits_;
-    std::map<std::vector<std::string>, std::vector<Part>> others_;  ///< the model with the constants of logs
-    std::map<std::tuple<const Part*, std::string, std::uint32_t>, Entry> entries_;
+    std::map<std::vector<std::string>, std::vector<driver::Part>> others_;  ///< the model with the constants of logs
+    std::map<std::tuple<const driver::Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 
 /// Reads only the header, up to its first fault: the component and the constants of the log. Throws
@@ -198,7 +199,7 @@ conformance::TraceHeader peek_header(const std::string& path, diagnostics::Budge
 }
 
 /// Reports the fault in a text that contains only this line, at its line number.
-void report_fault(Project& project, const std::string& path, const conformance::LogFault& found) {
+void report_fault(driver::Project& project, const std::string& path, const conformance::LogFault& found) {
     const std::uint64_t above = std::min<std::uint64_t>(found.line > 0 ? found.line - 1 : 0, 50'000'000);
     const auto source = project.sources.add(path, std::string(above, '\n') + found.text + "\n");
     const auto begin = static_cast<std::uint32_t>(above + std::min<std::size_t>(found.fault.column, found.text.size()));
@@ -207,7 +208,7 @@ void report_fault(Project& project, const std::string& path, const conformance::
     project.diagnostics.report(*found.fault.rule, {source, begin, std::max(begin, end)}, found.fault.arguments);
 }
 
-void check_log(const std::string& path, Project& project, Checkers& checkers, Totals& totals) {
+void check_log(const std::string& path, driver::Project& project, Checkers& checkers, Totals& totals) {
     std::error_code error;
     std::ifstream in;
     // A log is read twice, so it must be a regular file.
@@ -265,9 +266,9 @@ Exit exit_of(const Totals& totals) {
 }
 
 void print_totals(const Totals& totals, const Options& options) {
-    for (const ReportedRun& reported : totals.reported) print_run(reported, options.quiet);
-    if (!totals.reported.empty() && !options.quiet) print("\n");
-    if (totals.replaced > 0 && !options.quiet)
+    for (const ReportedRun& reported : totals.reported) print_run(reported, options.output.quiet);
+    if (!totals.reported.empty() && !options.output.quiet) print("\n");
+    if (totals.replaced > 0 && !options.output.quiet)
         print(
             "{} outside the finite instantiation replaced, as the model only passes such values on (docs/traces.md)\n",
             count_text(totals.replaced, "value"));
@@ -310,27 +311,28 @@ namespace {
 
 /// The component of the logs, if only the command line names it.
 std::string subject_text(const Options& options) {
-    return options.component.empty() ? "the model" : options.component;
+    return options.load.component.empty() ? "the model" : options.load.component;
 }
 
 /// The part that contains a place; the first part if the place is unknown.
-const Project& part_at(const std::vector<Part>& parts, diagnostics::Span place) {
-    for (const Part& part : parts)
+const driver::Project& part_at(const std::vector<driver::Part>& parts, diagnostics::Span place) {
+    for (const driver::Part& part : parts)
         if (!ir::element_at(part.project->system, place).empty()) return *part.project;
     return *parts.front().project;
 }
 
 }  // namespace
 
-Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
+Exit conform_traces(const std::vector<driver::Part>& parts, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    Project& project = *parts.front().project;  // receives the findings about logs; the texts are shared by all parts
+    driver::Project& project =
+        *parts.front().project;  // receives the findings about logs; the texts are shared by all parts
     Totals totals;
     options.run->last_word([options](const std::string& why) {
         Totals none;
         none.limit = why;
         output_document(options, [&](Format) { return totals_json(none, Exit::inconclusive); });
-        if (options.format == Format::text) print_totals(none, options);
+        if (options.output.format == Format::text) print_totals(none, options);
         return Exit::inconclusive;
     });
     const std::vector<std::string> paths = logs_to_check(options, project.diagnostics);
@@ -338,7 +340,7 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     try {
         Checkers checkers(parts, options);
         for (const std::string& path : paths) check_log(path, project, checkers, totals);
-        if (!options.html.empty()) page = trace_page(totals.compared, parts, options, "");
+        if (!options.output.html.empty()) page = trace_page(totals.compared, parts, options, "");
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
@@ -347,23 +349,23 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     } catch (const conformance::AlphabetError& mismatch) {
         project.diagnostics.report(rules::no_monitor, {}, {subject_text(options), mismatch.what()});
     }
-    const auto in_order = [](const Part& part) { return part.project->diagnostics.ok(); };
+    const auto in_order = [](const driver::Part& part) { return part.project->diagnostics.ok(); };
     if (totals.runs == 0 && totals.limit.empty() && std::ranges::all_of(parts, in_order))
-        project.diagnostics.report(rules::bad_option, {},
+        project.diagnostics.report(driver::rules::bad_option, {},
                                    {"--traces: there is nothing to compare, the logs have no runs"});
     totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     options.run->finish();
-    const Project* wrong = nullptr;
-    for (const Part& part : parts)
-        if ((options.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) &&
+    const driver::Project* wrong = nullptr;
+    for (const driver::Part& part : parts)
+        if ((options.output.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) &&
             wrong == nullptr)
             wrong = part.project.get();
-    if (options.format == Format::json && wrong != nullptr) return refusal_code(*wrong);
+    if (options.output.format == Format::json && wrong != nullptr) return refusal_code(*wrong);
     const Exit exit = wrong == nullptr ? exit_of(totals) : refusal_code(*wrong);
-    if (!options.html.empty() && !page) page = trace_page(totals.compared, parts, options, totals.limit);
-    if (page && wrong == nullptr) options.run->keep_for(options.html, *page);
+    if (!options.output.html.empty() && !page) page = trace_page(totals.compared, parts, options, totals.limit);
+    if (page && wrong == nullptr) options.run->keep_for(options.output.html, *page);
     if (wrong == nullptr) output_document(options, [&](Format) { return totals_json(totals, exit); });
-    if (options.format == Format::text) print_totals(totals, options);
+    if (options.output.format == Format::text) print_totals(totals, options);
     return exit;
 }
 

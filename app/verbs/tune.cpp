@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command/answer.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
@@ -19,6 +20,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "driver/settings/rules.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/ir/query.hpp"
 #include "simulation/scenario/rules.hpp"
@@ -28,6 +30,11 @@
 namespace robochart::app {
 
 namespace {
+
+/// The test's name in certificates and on the command line.
+std::string name_of(simulation::Elimination test) {
+    return test == simulation::Elimination::t_test ? "t-test" : "friedman";
+}
 
 using simulation::Candidate;
 using simulation::Parameter;
@@ -47,39 +54,42 @@ std::string with_constants(const Pairs& constants) {
 }
 
 /// "12 of 13 hold"
-std::string counted(const std::vector<DecidedItem>& items, const std::string& good) {
-    const auto count = std::ranges::count_if(items, [&](const DecidedItem& each) { return each.answer == good; });
+std::string counted(const std::vector<driver::DecidedItem>& items, const std::string& good) {
+    const auto count =
+        std::ranges::count_if(items, [&](const driver::DecidedItem& each) { return each.answer == good; });
     return fmt::format("{} of {}", count, items.size());
 }
 
-bool has_any_answer(const std::vector<DecidedItem>& items, std::initializer_list<const char*> answers) {
-    return std::ranges::any_of(
-        items, [&](const DecidedItem& each) { return std::ranges::find(answers, each.answer) != answers.end(); });
+bool has_any_answer(const std::vector<driver::DecidedItem>& items, std::initializer_list<const char*> answers) {
+    return std::ranges::any_of(items, [&](const driver::DecidedItem& each) {
+        return std::ranges::find(answers, each.answer) != answers.end();
+    });
 }
 
 /// The exit code for the decisions: 1 if something fails, otherwise 3 if something is open.
-Exit exit_of(const Evidence& evidence) {
+Exit exit_of(const driver::Evidence& evidence) {
     const bool fails = has_any_answer(evidence.assertions, {"fails", "error"}) ||
                        has_any_answer(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
     const bool open =
         has_any_answer(evidence.assertions, {"inconclusive"}) || has_any_answer(evidence.conformance, {"inconclusive"});
     const auto claim = [&](const char* answer) {
-        return std::ranges::any_of(evidence.claims, [&](const DecidedClaim& each) { return each.answer == answer; });
+        return std::ranges::any_of(evidence.claims,
+                                   [&](const driver::DecidedClaim& each) { return each.answer == answer; });
     };
     if (fails || claim("fails")) return Exit::failed;
     return open || claim("open") ? Exit::inconclusive : Exit::success;
 }
 
 /// The decisions, line by line.
-std::string evidence_text(const Evidence& evidence) {
+std::string evidence_text(const driver::Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
-    for (const DecidedItem& each : evidence.assertions)
+    for (const driver::DecidedItem& each : evidence.assertions)
         if (each.answer != "holds" && each.answer != "no check")
             out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::escape_for_display(each.subject));
-    for (const DecidedItem& each : evidence.conformance)
+    for (const driver::DecidedItem& each : evidence.conformance)
         out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::escape_for_display(each.subject));
     out += fmt::format("claims, on seeds from {} on\n", evidence.seed);
-    for (const DecidedClaim& each : evidence.claims)
+    for (const driver::DecidedClaim& each : evidence.claims)
         out += fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
                            diagnostics::escape_for_display(each.claim), each.successes, each.trials, 100 * each.low,
                            100 * each.high);
@@ -98,8 +108,8 @@ public:
         Built built;
         const Options options = options_with(candidate);
         built.simulation = load_simulation(options);
-        Project& project = *built.simulation->project;
-        if (is_acceptable(project, options)) built.controller = build_controller(*built.simulation, options);
+        driver::Project& project = *built.simulation->project;
+        if (is_acceptable(project, options.load)) built.controller = build_controller(*built.simulation, options);
         const bool good = built.controller != nullptr && project.diagnostics.ok();
         if (good && !shown_) show_all_diagnostics(*built.simulation, options_);
         shown_ = shown_ || good;
@@ -115,10 +125,11 @@ public:
     }
 
     bool admits_candidate(const Candidate& candidate) override {
-        Evidence found;
+        driver::Evidence found;
         decide_assertions(options_with(candidate), scenario_, found);
-        const auto bad = std::ranges::find_if(
-            found.assertions, [](const DecidedItem& each) { return each.answer == "fails" || each.answer == "error"; });
+        const auto bad = std::ranges::find_if(found.assertions, [](const driver::DecidedItem& each) {
+            return each.answer == "fails" || each.answer == "error";
+        });
         if (bad == found.assertions.end()) return true;
         if (refusal_.empty())
             refusal_ = fmt::format("{}: {}: {}", simulation::candidate_text(parameters_, candidate), bad->answer,
@@ -147,7 +158,7 @@ public:
             const std::vector<double> costs =
                 simulation::trial_costs({trials.begin() + static_cast<std::ptrdiff_t>(begin),
                                          trials.begin() + static_cast<std::ptrdiff_t>(end)},
-                                        options_.threads, [&] { options_.run->budget().check(); });
+                                        options_.limits.threads, [&] { options_.run->budget().check(); });
             for (std::size_t t = begin; t < end; ++t) {
                 result[missing[t]] = costs[t - begin];
                 keep_cost(wanted[missing[t]], costs[t - begin]);
@@ -167,7 +178,7 @@ public:
     [[nodiscard]] Options options_with(const Candidate& candidate) const {
         Options options = options_;
         for (const std::string& each : simulation::constants_of(parameters_, candidate))
-            options.constants.push_back(each);
+            options.instantiation.constants.push_back(each);
         return options;
     }
 
@@ -179,7 +190,7 @@ private:
         diagnostics::Digest digest{};
     };
 
-    void note_unusable(const Candidate& candidate, const Project& project) {
+    void note_unusable(const Candidate& candidate, const driver::Project& project) {
         if (!unusable_.empty()) return;
         for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
             if (each.rule->severity == diagnostics::Severity::error && unusable_.empty())
@@ -221,7 +232,8 @@ private:
     }
 
     void redraw_progress(const std::string& line) const {
-        if (options_.progress != ProgressMode::json && progress_line_wanted(options_)) redraw_error_line(line);
+        if (options_.output.progress != ProgressMode::json && progress_line_wanted(options_.output))
+            redraw_error_line(line);
     }
 
     const Options& options_;
@@ -239,23 +251,21 @@ private:
 class Tuning {
 public:
     explicit Tuning(const Options& options) : asked_(options), options_(options) {
-        options_.constants.clear();
-        for (const std::string& each : options.constants) {
+        options_.instantiation.constants.clear();
+        for (const std::string& each : options.instantiation.constants) {
             const auto [name, value] = split_constant(each);
             if (simulation::is_varied(value))
                 varied_.emplace_back(name, value);
             else
-                options_.constants.push_back(each);
+                options_.instantiation.constants.push_back(each);
         }
     }
 
     Exit run() {
-        if (!asked_.certificate.empty()) return verify_certificate();
+        if (!asked_.tune.certificate.empty()) return verify_certificate();
         if (!begin()) return show_refusal();
-        const std::uint64_t search = options_.seed.value_or(1);
-        const simulation::RaceOptions wanted{
-            options_.tuning_trials, search,
-            options_.elimination == "t-test" ? simulation::Elimination::t_test : simulation::Elimination::friedman};
+        const std::uint64_t search = options_.tune.seed;
+        const simulation::RaceOptions wanted{options_.tune.trials, search, options_.tune.elimination};
         Subject subject(options_, parameters_, scenario_, search);
         simulation::Race race(parameters_, wanted, subject);
         if (!is_quiet()) print("{}", beginning_text(wanted));
@@ -273,11 +283,11 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_quiet() const { return options_.quiet || options_.format == Format::json; }
+    [[nodiscard]] bool is_quiet() const { return options_.output.quiet || options_.output.format == Format::json; }
 
     Exit show_refusal() const { return show_diagnostics(*project_, options_), refusal_code(*project_); }
 
-    void report_option(const std::string& what) { project_->diagnostics.report(rules::bad_option, {}, {what}); }
+    void report_option(const std::string& what) { project_->diagnostics.report(driver::rules::bad_option, {}, {what}); }
 
     /// Reads everything except the candidates; returns false with diagnostics if there is an error.
     bool begin() {
@@ -285,13 +295,13 @@ private:
         Options first = options_;
         for (const auto& [name, value] : varied_) {
             const std::size_t end = std::min(value.find(".."), value.find(','));
-            first.constants.push_back(fmt::format("{}={}", name, value.substr(0, end)));
+            first.instantiation.constants.push_back(fmt::format("{}={}", name, value.substr(0, end)));
         }
         auto simulation = load_simulation(first);
         scenario_ = simulation->scenario;
         project_ = std::move(simulation->project);
         others_ = std::move(simulation->others);
-        if (!is_acceptable(*project_, options_)) return false;
+        if (!is_acceptable(*project_, options_.load)) return false;
         if (varied_.empty())
             report_option("tune takes constants with values to try: --const NAME=LOW..HIGH or NAME=A,B,C");
         if (!scenario_.variations.empty()) report_option("tune takes a scenario in which nothing varies");
@@ -313,17 +323,17 @@ private:
     }
 
     /// The model of a controller, as first read.
-    [[nodiscard]] const Project& project_of(std::size_t controller) const {
+    [[nodiscard]] const driver::Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project_ : *others_.at(controller - 1).project;
     }
 
     /// The constants that do not vary: those of `--const`, and those that the scenario leaves open.
     [[nodiscard]] Pairs fixed_constants() const {
         Pairs result;
-        for (const std::string& each : options_.constants) result.push_back(split_constant(each));
+        for (const std::string& each : options_.instantiation.constants) result.push_back(split_constant(each));
         for (std::size_t number = 0; number < scenario_.controller_count(); ++number) {
             ir::GivenConstants left = project_of(number).asked.constants;
-            for (const std::string& each : asked_.constants)
+            for (const std::string& each : asked_.instantiation.constants)
                 if (const auto address = simulation::find_constant_address(scenario_, split_constant(each).first);
                     address && address->controller == number)
                     left.erase(address->constant);
@@ -350,7 +360,7 @@ private:
 
     [[nodiscard]] std::string beginning_text(const simulation::RaceOptions& wanted) const {
         std::string out = fmt::format("tuning of {}: at most {} trials, seed {}, {}\n", scenario_.name.text,
-                                      wanted.budget, wanted.seed, options_.elimination);
+                                      wanted.budget, wanted.seed, name_of(options_.tune.elimination));
         for (const Parameter& each : parameters_)
             out += fmt::format("  {} in {}: {} values\n", each.name, each.text, each.size());
         return out + "\n";
@@ -377,17 +387,17 @@ private:
         const Options options = subject.options_with(winner);
         certificate_.program = fmt::format("robochart-verify {}", program_version);
         certificate_.build =
-            diagnostics::program_identity().empty() ? "" : content_digest(diagnostics::program_identity());
+            diagnostics::program_identity().empty() ? "" : driver::content_digest(diagnostics::program_identity());
         for (std::size_t p = 0; p < parameters_.size(); ++p)
             certificate_.constants.emplace_back(parameters_[p].name, parameters_[p].value_text(winner[p]));
         const Pairs fixed = fixed_constants();
         certificate_.constants.insert(certificate_.constants.end(), fixed.begin(), fixed.end());
-        certificate_.ranges = options_.ranges;
-        SearchRecord& search = certificate_.search;
+        certificate_.ranges = options_.instantiation.ranges;
+        driver::SearchRecord& search = certificate_.search;
         search.parameters = varied_;
-        search.budget = options_.tuning_trials;
-        search.seed = options_.seed.value_or(1);
-        search.test = options_.elimination;
+        search.budget = options_.tune.trials;
+        search.seed = options_.tune.seed;
+        search.test = name_of(options_.tune.elimination);
         search.trials = race.trial_count();
         search.candidates = race.entries().size();
         search.first_seed = simulation::tuning_seed(scenario_, search.seed, 0);
@@ -398,7 +408,7 @@ private:
 
     /// Decides everything for the certificate.
     void decide_all(const Options& options) {
-        Evidence& evidence = certificate_.evidence;
+        driver::Evidence& evidence = certificate_.evidence;
         decide_assertions(options, scenario_, evidence);
         decide_conformance(options, scenario_, evidence);
         std::unique_ptr<Simulation> simulation;
@@ -408,7 +418,7 @@ private:
     /// The results of a search that was interrupted.
     Exit end_interrupted(const simulation::Race& race) const {
         print_json(race, "", Exit::inconclusive);
-        if (options_.format == Format::json) return Exit::inconclusive;
+        if (options_.output.format == Format::json) return Exit::inconclusive;
         print("{}: not finished; the same command goes on where it was\n", limit_);
         for (const std::size_t each : race.elites()) print("  {}\n", entry_text(race.entries()[each]));
         return Exit::inconclusive;
@@ -428,7 +438,7 @@ private:
         else
             reasons.emplace_back("no values were found with which the scenario can be run");
         print_json(race, "", exit, reasons);
-        if (options_.format == Format::json) return exit;
+        if (options_.output.format == Format::json) return exit;
         for (const std::string& reason : reasons) print("{}\n", reason);
         return exit;
     }
@@ -441,17 +451,17 @@ private:
         options_.run->finish();
         if (!project_->diagnostics.ok()) return show_refusal();
         const Exit exit = exit_of(certificate_.evidence);
-        print_json(race, options_.out + "/" + path, exit);
-        if (options_.format == Format::json) return exit;
-        if (!options_.quiet) {
+        print_json(race, options_.output.folder + "/" + path, exit);
+        if (options_.output.format == Format::json) return exit;
+        if (!options_.output.quiet) {
             print("\nwinner: {}\n", with_constants(certificate_.constants));
             if (subject.earlier_trials() > 0)
                 print("  {} of {} trials known from earlier runs\n", subject.earlier_trials(), race.trial_count());
             if (!subject.refusal_reason().empty())
                 print("  refused by check, among others: {}\n", subject.refusal_reason());
             print("{}in this world\n{}files\n  {}/{}\n  {}/{}candidates.csv\n\n", evidence_text(certificate_.evidence),
-                  simulation::world_text(scenario_), diagnostics::escape_for_display(options_.out), path,
-                  diagnostics::escape_for_display(options_.out), folder);
+                  simulation::world_text(scenario_), diagnostics::escape_for_display(options_.output.folder), path,
+                  diagnostics::escape_for_display(options_.output.folder), folder);
         }
         print("{}: {}\n", with_constants(certificate_.constants),
               exit == Exit::success  ? "checked, conforming, and no claim fails"
@@ -461,7 +471,7 @@ private:
     }
 
     void write(const std::string& path, const std::string& text) {
-        const std::string error = diagnostics::write_below(options_.out, path, text, &options_.run->budget());
+        const std::string error = diagnostics::write_below(options_.output.folder, path, text, &options_.run->budget());
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
@@ -523,23 +533,24 @@ private:
     // ------------------------------------------------------------ --verify-certificate
 
     Exit verify_certificate() {
-        project_ = std::make_unique<Project>();
+        project_ = std::make_unique<driver::Project>();
         std::string error;
-        const auto source = project_->sources.load_file(asked_.certificate, error);
-        std::optional<Certificate> certified;
-        if (source) certified = read_certificate(project_->sources.source_text(*source), error);
+        const auto source = project_->sources.load_file(asked_.tune.certificate, error);
+        std::optional<driver::Certificate> certified;
+        if (source) certified = driver::read_certificate(project_->sources.source_text(*source), error);
         if (!certified)
             report_option(fmt::format("--verify-certificate {}: {}",
-                                      diagnostics::escape_for_display(asked_.certificate),
+                                      diagnostics::escape_for_display(asked_.tune.certificate),
                                       diagnostics::escape_for_display(error)));
-        if (!asked_.constants.empty())
+        if (!asked_.instantiation.constants.empty())
             report_option("the constants are those of the certificate: no --const beside it");
-        if (!asked_.ranges.empty()) report_option("the ranges are those of the certificate: no --range beside it");
+        if (!asked_.instantiation.ranges.empty())
+            report_option("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
         if (!project_->diagnostics.ok()) return show_refusal();
         for (const auto& [name, value] : certified->constants)
-            options_.constants.push_back(fmt::format("{}={}", name, value));
-        options_.ranges = certified->ranges;
+            options_.instantiation.constants.push_back(fmt::format("{}={}", name, value));
+        options_.instantiation.ranges = certified->ranges;
         decide_all(options_);
         if (!project_->diagnostics.ok()) return show_refusal();
         options_.run->finish();
@@ -547,7 +558,7 @@ private:
     }
 
     /// A correct certificate that states a failure is not a success.
-    Exit print_comparison(const Certificate& certified) const {
+    Exit print_comparison(const driver::Certificate& certified) const {
         const std::vector<std::string> lines = evidence_differences(certified.evidence, certificate_.evidence);
         const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
         output_document(options_, [&](Format) {
@@ -563,8 +574,8 @@ private:
                                            {"exit", static_cast<int>(exit)}}) +
                    "\n";
         });
-        if (options_.format == Format::json) return exit;
-        if (!options_.quiet) {
+        if (options_.output.format == Format::json) return exit;
+        if (!options_.output.quiet) {
             print("certificate of {}: {}\n", scenario_.name.text, with_constants(certified.constants));
             print("  ranges: {}\n  search: as recorded, not repeated\n",
                   certified.ranges.empty()
@@ -585,11 +596,11 @@ private:
     const Options& asked_;
     Options options_;  ///< without the constants that vary
     Pairs varied_;
-    std::unique_ptr<Project> project_;
+    std::unique_ptr<driver::Project> project_;
     std::vector<OtherController> others_;  ///< for the scenario's other controllers
     simulation::Scenario scenario_;
     std::vector<Parameter> parameters_;
-    Certificate certificate_;
+    driver::Certificate certificate_;
     std::string limit_;
 };
 
@@ -603,7 +614,7 @@ Exit run_tune(const Options& options) {
                                            {"exit", static_cast<int>(Exit::inconclusive)}}) +
                    "\n";
         });
-        if (options.format == Format::text) print_text(why + "\n");
+        if (options.output.format == Format::text) print_text(why + "\n");
         return Exit::inconclusive;
     });
     try {

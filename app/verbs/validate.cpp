@@ -28,23 +28,23 @@ bool is_syntax(const diagnostics::Rule& rule) {
 }
 
 /// The parts, including the findings in their CSP blocks.
-std::vector<Part> read_with_blocks(const Options& options) {
-    std::vector<Part> parts = read_parts(options);
-    for (const Part& part : parts)
+std::vector<driver::Part> read_with_blocks(const Options& options) {
+    std::vector<driver::Part> parts = driver::read_parts(options.load, options.run->budget());
+    for (const driver::Part& part : parts)
         csp_emit::check_blocks(*part.project->model, part.project->sources, part.project->diagnostics);
     return parts;
 }
 
 /// Repairs the texts of a part (base/repair/repair.hpp) and writes the changed ones; each file is written
 /// completely or not at all. Returns why one could not be written; "" if all were.
-std::string repair_part(const Part& part, const Options& options, diagnostics::Repaired& sum) {
-    const Project& project = *part.project;
+std::string repair_part(const driver::Part& part, const Options& options, diagnostics::Repaired& sum) {
+    const driver::Project& project = *part.project;
     diagnostics::Texts texts;
     for (const auto& file : project.model->files)
         if (!file->is_library) texts[project.sources.path(file->source)] = project.sources.source_text(file->source);
     const auto read = [&](const diagnostics::Texts& with) {
         auto reading = std::make_unique<diagnostics::TextReading>();
-        for (const std::string& code : options.allowed) reading->findings.allow_code(code);
+        for (const std::string& code : options.load.allowed) reading->findings.allow_code(code);
         reading->findings.set_budget(&options.run->budget());
         std::vector<diagnostics::SourceId> sources;
         for (const auto& [path, text] : with) sources.push_back(reading->sources.add(path, text));
@@ -71,15 +71,15 @@ void report_repair(const diagnostics::Repaired& sum) {
 }
 
 /// The findings of all parts, which share their texts.
-diagnostics::Diagnostics all_findings(const std::vector<Part>& parts) {
+diagnostics::Diagnostics all_findings(const std::vector<driver::Part>& parts) {
     diagnostics::Diagnostics all;
-    for (const Part& part : parts) all.add(part.project->diagnostics);
+    for (const driver::Part& part : parts) all.add(part.project->diagnostics);
     return all;
 }
 
 /// True if there are no errors and, with --deny-warnings, no warnings.
 bool is_valid(const diagnostics::Diagnostics& findings, const Options& options) {
-    return findings.ok() && !(options.deny_warnings && findings.warning_count() > 0);
+    return findings.ok() && !(options.load.deny_warnings && findings.warning_count() > 0);
 }
 
 /// `limit`: why not everything was checked; "" if everything was.
@@ -89,26 +89,26 @@ void output_findings(const diagnostics::SourceManager& sources, const diagnostic
         return format == Format::json ? diagnostics::render_json(sources, findings, limit)
                                       : diagnostics::render_sarif(sources, findings, about_log(options, limit));
     });
-    if (options.format == Format::text) {
+    if (options.output.format == Format::text) {
         const diagnostics::TextStyle style = findings_style(options);
         print_error_styled(diagnostics::render_text(sources, findings, style));
-        if (!options.quiet && limit.empty() && is_valid(findings, options)) print("valid\n");
+        if (!options.output.quiet && limit.empty() && is_valid(findings, options)) print("valid\n");
     }
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
 
 /// Reads, applies fixes if requested, and reports.
 Exit validate(const Options& options) {
-    std::vector<Part> parts = read_with_blocks(options);
+    std::vector<driver::Part> parts = read_with_blocks(options);
     if (options.fix) {
         diagnostics::Repaired sum;
-        for (const Part& part : parts)
+        for (const driver::Part& part : parts)
             if (const std::string error = repair_part(part, options, sum); !error.empty()) {
                 print_error("robochart-verify: {}\n", error);
                 return Exit::bad_input;
             }
         if (sum.made > 0) parts = read_with_blocks(options);
-        if (!options.quiet && options.format == Format::text) report_repair(sum);
+        if (!options.output.quiet && options.output.format == Format::text) report_repair(sum);
     }
     options.run->finish();
     const diagnostics::Diagnostics findings = all_findings(parts);

@@ -6,11 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/claims/turns.hpp"
 #include "app/command/options.hpp"
-#include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
-#include "prism/emit/emission.hpp"
+#include "driver/claims/turns.hpp"
+#include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
@@ -32,46 +31,19 @@ Exit run_tune(const Options&);
 Exit run_step(const Options&);  ///< reads commands from standard input
 Exit run_lsp();                 ///< serves an editor on stdin and stdout until it exits
 
-/// Decides the model's assertions in the selected semantics.
-void check_assertions(Project&, const Options&, Report&);
-/// The region of a span with its end; no value if it is unknown.
-[[nodiscard]] std::optional<runs::Place> region_of(const Project&, diagnostics::Span);
-/// The probabilistic claims of a model, decided on the Markov models that the options select.
-class ProbabilityClaims {
-public:
-    /// Lists the claims in the report. Refers to its arguments.
-    ProbabilityClaims(Project&, const Options&, Report&);
-    ~ProbabilityClaims();
-    ProbabilityClaims(const ProbabilityClaims&) = delete;
-    ProbabilityClaims& operator=(const ProbabilityClaims&) = delete;
-
-    void add_to(std::vector<WaitingClaim>& claims);
-    /// Frees what claims share.
-    void give_back();
-
-private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
-    Report& report_;
-};
-
-/// Sets the place of a claim.
-void set_place(const Project&, diagnostics::Span, AssertionReport&);
-/// The ranges of RoboTool's encoding; no value, with a finding, if they cannot be read.
-[[nodiscard]] std::optional<prism_emit::Preferences> read_preferences(Project&, const Options&);
 /// Writes csp-gen/… below the output folder.
-[[nodiscard]] bool write_csp(Project&, const Options&, Report&);
+[[nodiscard]] bool write_csp(driver::Project&, const Options&, Report&);
 /// Writes cpp/COMPONENT/… below the output folder.
-[[nodiscard]] bool write_cpp(Project&, const Options&, Report&);
+[[nodiscard]] bool write_cpp(driver::Project&, const Options&, Report&);
 /// Writes prism/MODULE.prism below the output folder.
-[[nodiscard]] bool write_prism(Project&, const Options&, Report&);
-void check_conformance(Project&, const Options&, Report&);
+[[nodiscard]] bool write_prism(driver::Project&, const Options&, Report&);
+void check_conformance(driver::Project&, const Options&, Report&);
 /// Writes monitor/COMPONENT/… below the output folder.
-[[nodiscard]] bool write_monitors(Project&, const Options&, Report&);
+[[nodiscard]] bool write_monitors(driver::Project&, const Options&, Report&);
 /// Writes tests/COMPONENT/… below the output folder.
-[[nodiscard]] bool write_tests(Project&, const Options&, Report&);
+[[nodiscard]] bool write_tests(driver::Project&, const Options&, Report&);
 /// conform --traces: checks logs of runs against the models.
-Exit conform_traces(const std::vector<Part>&, const Options&);
+Exit conform_traces(const std::vector<driver::Part>&, const Options&);
 /// conform RULES.sleec --traces: checks logs of runs against rules.
 Exit conform_rules(const Options&);
 /// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; returns false if a file is wrong.

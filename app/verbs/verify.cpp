@@ -5,20 +5,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
 
 #include "app/command/answer.hpp"
-#include "app/command/broken_claims.hpp"
-#include "app/command/limits.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/output.hpp"
-#include "app/command/places.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/html.hpp"
-#include "app/verbs/block_values.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
 #include "base/diagnostics/escape.hpp"
@@ -29,6 +27,12 @@
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/ros2/read_mapping.hpp"
 #include "cpp_emit/ros2/rules.hpp"
+#include "driver/claims/model_claims.hpp"
+#include "driver/model/block_values.hpp"
+#include "driver/model/broken_claims.hpp"
+#include "driver/model/places.hpp"
+#include "driver/model/preferences.hpp"
+#include "driver/settings/rules.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "prism/emit/emit.hpp"
@@ -45,9 +49,9 @@ std::string plural_text(std::size_t n, std::string_view what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-std::string summary_text(const std::vector<Part>& parts) {
+std::string summary_text(const std::vector<driver::Part>& parts) {
     std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
-    for (const Part& part : parts) {
+    for (const driver::Part& part : parts) {
         const ir::System& system = part.project->system;
         assertions += system.properties.size();
         if (part.again) continue;
@@ -79,15 +83,15 @@ std::vector<std::string> instantiation_notes(const ir::Instantiation& i) {
 }
 
 /// The finite instantiation; printed once if all parts with one have the same.
-std::vector<std::string> instantiation_notes(const std::vector<Part>& parts) {
-    std::vector<const Project*> finite;
-    for (const Part& part : parts)
+std::vector<std::string> instantiation_notes(const std::vector<driver::Part>& parts) {
+    std::vector<const driver::Project*> finite;
+    for (const driver::Part& part : parts)
         if (part.project->diagnostics.ok()) finite.push_back(part.project.get());
     std::vector<std::string> result;
-    const bool same = std::ranges::all_of(finite, [&](const Project* project) {
+    const bool same = std::ranges::all_of(finite, [&](const driver::Project* project) {
         return instantiation_notes(project->instantiation) == instantiation_notes(finite.front()->instantiation);
     });
-    for (const Project* project : finite) {
+    for (const driver::Project* project : finite) {
         for (const std::string& note : instantiation_notes(project->instantiation))
             result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
         if (same) break;
@@ -95,7 +99,7 @@ std::vector<std::string> instantiation_notes(const std::vector<Part>& parts) {
     const auto replaces = [](const ir::CspBlock& block) {
         return block.name == "Instantiations" || block.name == "instantiations";
     };
-    for (const Project* project : finite)
+    for (const driver::Project* project : finite)
         if (std::ranges::any_of(project->system.csp_blocks, replaces))
             result.push_back(fmt::format(
                 "{}the csp block Instantiations replaces that in the scripts, `--range` and `--const` change nothing "
@@ -105,7 +109,7 @@ std::vector<std::string> instantiation_notes(const std::vector<Part>& parts) {
 }
 
 /// Writes the normal form as a script for FDR, which includes the timed semantics of the other files.
-bool write_normal_form(Project& project, const Options& options, const ir::ComponentRef& component,
+bool write_normal_form(driver::Project& project, const Options& options, const ir::ComponentRef& component,
                        const std::string& text, Report& report) {
     struct Script {
         std::string path, text;
@@ -127,15 +131,15 @@ conformance::Export export_format(const std::string& path) {
 }
 
 /// Writes all states of the code, if they are known.
-bool write_code_graph(Project& project, const Options& options, conformance::Result& result, Report& report) {
+bool write_code_graph(driver::Project& project, const Options& options, conformance::Result& result, Report& report) {
     std::string error =
         result.exported.empty()
-            ? fmt::format("--export {}: nothing is written, {}", options.exported_code,
+            ? fmt::format("--export {}: nothing is written, {}", options.conform.exported_code,
                           result.export_failure.empty() ? "there is no code" : result.export_failure)
-            : diagnostics::replace_file(options.exported_code, result.exported, project.diagnostics.budget());
+            : diagnostics::replace_file(options.conform.exported_code, result.exported, project.diagnostics.budget());
     if (error.empty()) {
-        const auto edit = options.run->lock_for_edit();
-        report.csp_files.push_back({options.exported_code, result.exported.size()});
+        const auto edit = options.run->edit();
+        report.csp_files.push_back({options.conform.exported_code, result.exported.size()});
         return true;
     }
     project.diagnostics.report(rules::unwritable, {}, {std::move(error)});
@@ -143,39 +147,26 @@ bool write_code_graph(Project& project, const Options& options, conformance::Res
 }
 
 /// True if --export can be satisfied, which requires one component.
-bool export_fits(Project& project, const Options& options, std::size_t components) {
-    if (options.exported_code.empty()) return true;
-    const bool named = export_format(options.exported_code) != conformance::Export::none;
+bool export_fits(driver::Project& project, const Options& options, std::size_t components) {
+    if (options.conform.exported_code.empty()) return true;
+    const bool named = export_format(options.conform.exported_code) != conformance::Export::none;
     if (named && components == 1) return true;
-    project.diagnostics.report(rules::bad_option, {},
-                               {fmt::format("--export {}: {}", options.exported_code,
+    project.diagnostics.report(driver::rules::bad_option, {},
+                               {fmt::format("--export {}: {}", options.conform.exported_code,
                                             named ? "there are several components, name one with --component"
                                                   : "the file's name ends in .aut, .dot or .csp")});
     return false;
 }
 
 /// The folder for the files of a component: "cpp/C/", or "ros2/C/" for a project.
-std::string cpp_folder(const Project& project, const Options& options, const ir::ComponentRef& component) {
-    return fmt::format("{}/{}{}/", options.target.empty() ? "cpp" : options.target, project.folder,
+std::string cpp_folder(const driver::Project& project, const Options& options, const ir::ComponentRef& component) {
+    constexpr std::array<const char*, 6> folders{"cpp", "library", "main", "ros2", "enki", "argos"};
+    return fmt::format("{}/{}{}/", folders[static_cast<std::size_t>(options.code.target)], project.folder,
                        file_name(project, component));
 }
 
-cpp_emit::Target target_of(const std::string& name) {
-    using cpp_emit::Target;
-    static const std::map<std::string, Target> targets{{"", Target::sources},  {"library", Target::library},
-                                                       {"main", Target::main}, {"ros2", Target::ros2},
-                                                       {"enki", Target::enki}, {"argos", Target::argos}};
-    return targets.at(name);
-}
-
-cpp_emit::Strategy strategy_of(const std::string& name) {
-    return name == "switch"  ? cpp_emit::Strategy::nested_switch
-           : name == "table" ? cpp_emit::Strategy::table
-                             : cpp_emit::Strategy::automatic;
-}
-
 /// The path of the first text that is not a library; "" if there is none.
-std::string first_file(const Part& part) {
+std::string first_file(const driver::Part& part) {
     if (!part.project->model) return "";
     const auto& files = part.project->model->files;
     const auto file = std::ranges::find_if(files, [](const auto& each) { return !each->is_library; });
@@ -184,13 +175,14 @@ std::string first_file(const Part& part) {
 
 /// Fills in the beginning of the report. If all parts are rejected, they may not have been lowered, so it contains only
 /// the model's name.
-void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
-    const auto edit = options.run->lock_for_edit();
-    const auto accepted = [](const Part& part) { return part.project->diagnostics.ok(); };
+void begin(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
+    const auto edit = options.run->edit();
+    const auto accepted = [](const driver::Part& part) { return part.project->diagnostics.ok(); };
     if (std::ranges::any_of(parts, accepted)) report.summary = summary_text(parts);
     report.file = first_file(parts.front());
     report.load_seconds = parts.front().project->seconds;
-    if (options.preferences.empty()) report.notes = instantiation_notes(parts);  // otherwise the file gives the ranges
+    if (options.probability.preferences.empty())
+        report.notes = instantiation_notes(parts);  // otherwise the file gives the ranges
 }
 
 /// Prints the report so far.
@@ -200,15 +192,15 @@ Exit print_report(const Report& report, const Options& options) {
         return format == Format::sarif ? render_sarif(report, options.verb == Verb::verify ? "verify" : "check")
                                        : render_junit(report);
     });
-    if (options.format == Format::text)
+    if (options.output.format == Format::text)
         print_styled(wrap_lines(render_text(report, options), line_width(STDOUT_FILENO)));
     return report.exit_code();
 }
 
 /// `code`: code is generated for the part's components, and no earlier part has them.
-bool run_phases(Project& project, const Options& options, bool code, Report& report) {
+bool run_phases(driver::Project& project, const Options& options, bool code, Report& report) {
     const bool all = options.verb == Verb::verify;
-    if (all || options.verb == Verb::check) check_assertions(project, options, report);
+    if (all || options.verb == Verb::check) check_assertions(project, search_context(options), report);
     if ((all || options.verb == Verb::emit_csp) && !write_csp(project, options, report)) return false;
     if (!code) return project.diagnostics.ok();
     if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
@@ -221,16 +213,17 @@ bool run_phases(Project& project, const Options& options, bool code, Report& rep
 
 }  // namespace
 
-bool write_csp(Project& project, const Options& options, Report& report) {
+bool write_csp(driver::Project& project, const Options& options, Report& report) {
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
-        const bool skipped = (options.times == Times::timed && time == csp_emit::Time::untimed) ||
-                             (options.times == Times::untimed && time == csp_emit::Time::timed);
+        const bool skipped = (options.claims.times == driver::Times::timed && time == csp_emit::Time::untimed) ||
+                             (options.claims.times == driver::Times::untimed && time == csp_emit::Time::timed);
         if (skipped) continue;
-        const csp_emit::Emission& emission = emit_csp(project, options, time);
+        const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all("",
-                       csp_emit::files(emission, time, options.swarm.empty() ? project.name : project.name + "_swarm"),
-                       report.csp_files, options, project))
+        if (!write_all(
+                "",
+                csp_emit::files(emission, time, options.swarm.file.empty() ? project.name : project.name + "_swarm"),
+                report.csp_files, options, project))
             return false;
     }
     return true;
@@ -239,20 +232,21 @@ bool write_csp(Project& project, const Options& options, Report& report) {
 namespace {
 
 /// The mapping of --mapping; no value, with findings, if it cannot be read.
-std::optional<cpp_emit::ros2::Mapping> read_mapping(Project& project, const Options& options) {
+std::optional<cpp_emit::ros2::Mapping> read_mapping(driver::Project& project, const Options& options) {
     std::string error;
-    const auto source = project.sources.load_file(options.mapping, error);
+    const auto source = project.sources.load_file(options.code.mapping, error);
     if (source) {
         auto mapping = cpp_emit::ros2::read_mapping(project.sources, *source, project.diagnostics);
         if (!project.diagnostics.has_errors_in(*source)) return mapping;
     } else {
-        project.diagnostics.report(frontend::syntax::unreadable, {}, {options.mapping, error});
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {options.code.mapping, error});
     }
     return std::nullopt;
 }
 
 /// The only component to write: that of the mapping; empty, with a finding, if it does not exist.
-std::vector<ir::ComponentRef> mapped_component(Project& project, const std::vector<ir::ComponentRef>& components,
+std::vector<ir::ComponentRef> mapped_component(driver::Project& project,
+                                               const std::vector<ir::ComponentRef>& components,
                                                const cpp_emit::ros2::Mapping& mapping) {
     const auto& [wanted, span] = mapping.component;
     std::vector<std::string> known;
@@ -269,22 +263,22 @@ std::vector<ir::ComponentRef> mapped_component(Project& project, const std::vect
 
 }  // namespace
 
-bool write_cpp(Project& project, const Options& options, Report& report) {
-    auto components = code_components(project.system, options.component);
+bool write_cpp(driver::Project& project, const Options& options, Report& report) {
+    auto components = driver::code_components(project.system, options.load.component);
     if (components.empty()) {
         project.diagnostics.report(rules::no_component, model_place(project),
-                                   {options.component.empty() ? "the model" : options.component});
+                                   {options.load.component.empty() ? "the model" : options.load.component});
         return false;
     }
     cpp_emit::Options generator;
-    generator.cycle_length = options.cycle;
+    generator.cycle_length = options.code.cycle;
     generator.sources = &project.sources;
-    generator.target = target_of(options.target);
-    generator.strategy = strategy_of(options.strategy);
-    generator.choices = options.choices;
+    generator.target = options.code.target;
+    generator.strategy = options.code.strategy;
+    generator.choices = options.code.choices;
     generator.explored = false;
     std::optional<cpp_emit::ros2::Mapping> mapping;
-    if (!options.mapping.empty()) {
+    if (!options.code.mapping.empty()) {
         mapping = read_mapping(project, options);
         if (!mapping) return false;
         components = mapped_component(project, components, *mapping);
@@ -303,47 +297,6 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
 
 namespace {
 
-/// Warns about ignored entries of the preferences file; only once, although the file may be read for several claims.
-void warn_of_ignored(Project& project, const Options& options, const std::vector<std::string>& ignored) {
-    const auto reported = [](const diagnostics::Diagnostic& each) {
-        return each.rule == &prism_emit::rules::ignored_preferences;
-    };
-    if (ignored.empty() || std::ranges::any_of(project.diagnostics.sorted_findings(), reported)) return;
-    project.diagnostics.report(
-        prism_emit::rules::ignored_preferences, {},
-        {options.preferences, fmt::format("{}", fmt::join(ignored, ", ")), ignored.size() == 1 ? "is" : "are"});
-}
-
-}  // namespace
-
-std::optional<prism_emit::Preferences> read_preferences(Project& project, const Options& options) {
-    prism_emit::Preferences result = prism_emit::preferences_of(project.instantiation);
-    const auto asked = [&](const char* type) { return project.asked.ranges.contains(type); };
-    result.nat.asked = asked("nat");
-    result.integer.asked = asked("int");
-    result.real.asked = asked("real");
-    if (options.preferences.empty()) return result;
-    std::string error;
-    const auto source = project.sources.load_file(options.preferences, error);
-    std::size_t line = 1;
-    if (source) error = prism_emit::read_preferences(project.sources.source_text(*source), result, &line);
-    if (error.empty()) {
-        warn_of_ignored(project, options, result.ignored);
-        return result;
-    }
-    diagnostics::Span place;  // unknown for a file that cannot be read
-    if (source) {
-        const std::string_view text = project.sources.source_text(*source);
-        const std::string_view wrong = project.sources.line_text(*source, static_cast<std::uint32_t>(line));
-        const auto begin = static_cast<std::uint32_t>(wrong.data() - text.data());
-        place = {*source, begin, begin + static_cast<std::uint32_t>(wrong.size())};
-    }
-    project.diagnostics.report(prism_emit::rules::bad_preferences, place, {options.preferences, error});
-    return std::nullopt;
-}
-
-namespace {
-
 /// The module, if the component is one.
 const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& component) {
     return component.kind == ir::ComponentKind::module ? &system.modules[component.definition] : nullptr;
@@ -351,16 +304,16 @@ const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& co
 
 }  // namespace
 
-bool write_prism(Project& project, const Options& options, Report& report) {
-    const auto wanted = read_preferences(project, options);
+bool write_prism(driver::Project& project, const Options& options, Report& report) {
+    const auto wanted = read_preferences(project, options.probability);
     if (!wanted) return false;
-    const auto components = code_components(project.system, options.component);
+    const auto components = driver::code_components(project.system, options.load.component);
     if (components.empty())
         project.diagnostics.report(prism_emit::rules::no_module, model_place(project), {project.name});
     for (const ir::ComponentRef& component : components) {
         const ir::Module* const module = module_of(project.system, component);
         if (module == nullptr) {
-            project.diagnostics.report(prism_emit::rules::no_module, declared_at(project.system, component),
+            project.diagnostics.report(prism_emit::rules::no_module, driver::declared_at(project.system, component),
                                        {component.path});
             return false;
         }
@@ -378,30 +331,30 @@ bool write_prism(Project& project, const Options& options, Report& report) {
 namespace {
 
 /// The place where a component is declared.
-std::optional<runs::Place> declaration_place(const Project& project, const ir::ComponentRef& component) {
+std::optional<runs::Place> declaration_place(const driver::Project& project, const ir::ComponentRef& component) {
     const ir::System& system = project.system;
     const ir::Origin& origin = component.kind == ir::ComponentKind::module ? system.modules[component.definition].origin
                                : component.kind == ir::ComponentKind::controller
                                    ? system.controllers[component.definition].origin
                                    : system.machines[component.definition].origin;
-    return region_of(project, origin.span);
+    return driver::region_of(project.sources, origin.span);
 }
 
 }  // namespace
 
-void check_conformance(Project& project, const Options& options, Report& report) {
-    const auto components = code_components(project.system, options.component);
+void check_conformance(driver::Project& project, const Options& options, Report& report) {
+    const auto components = driver::code_components(project.system, options.load.component);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
-                                   {options.component.empty() ? "the model" : options.component});
+                                   {options.load.component.empty() ? "the model" : options.load.component});
     if (!export_fits(project, options, components.size())) return;
     const std::size_t first = report.conformance.size();
     {
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         for (const ir::ComponentRef& component : components) {
             report.conformance.push_back(
                 {project.label + ir::qualified_name(component), declaration_place(project, component), {}, 0});
-            report.conformance.back().result.reason = undecided_at_limit;
+            report.conformance.back().result.reason = driver::undecided_at_limit;
         }
     }
     std::optional<conformance::TimedModel> model;  // made for the first component, used for all
@@ -412,13 +365,13 @@ void check_conformance(Project& project, const Options& options, Report& report)
                                                "checking the code of " + ir::qualified_name(component));
         const auto start = std::chrono::steady_clock::now();
         conformance::Options wanted;
-        wanted.cycle_length = options.cycle;
-        wanted.limits = limits_of_check(options, "code of " + ir::qualified_name(component));
-        wanted.generator.choices = options.choices;
-        if (options.relation == "tick-tock") wanted.relation = conformance::Relation::tick_tock;
-        wanted.walks.cycles = options.walks;
+        wanted.cycle_length = options.code.cycle;
+        wanted.limits = limits(options, "code of " + ir::qualified_name(component));
+        wanted.generator.choices = options.code.choices;
+        wanted.relation = options.conform.relation;
+        wanted.walks.cycles = options.conform.walks;
         wanted.cache = options.run->cache();
-        wanted.exported = export_format(options.exported_code);
+        wanted.exported = export_format(options.conform.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified_name(component);
         one.region = declaration_place(project, component);
@@ -432,11 +385,11 @@ void check_conformance(Project& project, const Options& options, Report& report)
             one.result.warnings.push_back(fmt::format(
                 "the csp block Instantiations is not read here: {}; --const sets constants", unlike_blocks));
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const bool exported =
-            options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
+        const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() &&
+                              options.claims.times != driver::Times::untimed;
         if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
-        if (!options.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
-        const auto edit = options.run->lock_for_edit();
+        if (!options.conform.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
+        const auto edit = options.run->edit();
         report.conformance[first + i] = std::move(one);
     }
 }
@@ -446,7 +399,7 @@ namespace {
 /// A run that found nothing to check must not look like a successful check.
 void note_nothing_checked(const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
-    const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
+    const auto decided = [](const driver::AssertionReport& each) { return each.answer != driver::Answer::no_check; };
     if (std::ranges::any_of(report.assertions, decided)) return;
     report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
                                                  : "nothing was checked: no assertion has a check in this semantics";
@@ -455,87 +408,90 @@ void note_nothing_checked(const Options& options, Report& report) {
 
 /// True if a part has components for the verb. One of several parts may contain only types; no code is generated for
 /// it.
-bool has_components(const Part& part, const std::vector<Part>& parts, const Options& options) {
+bool has_components(const driver::Part& part, const std::vector<driver::Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
                       options.verb == Verb::conform;
-    const bool some = !code_components(part.project->system, options.component).empty();
-    return some || (options.component.empty() && (!code || parts.size() == 1));
+    const bool some = !driver::code_components(part.project->system, options.load.component).empty();
+    return some || (options.load.component.empty() && (!code || parts.size() == 1));
 }
 
 /// True if the report lists every claim of a rejected part as undecided, because only claims have errors.
-bool reports_refused(const Part& part, const Options& options) {
+bool reports_refused(const driver::Part& part, const Options& options) {
     return part.again || (decides_assertions(options.verb) && only_claims_broken(*part.project));
 }
 
 /// Shows the diagnostics of all parts. In formats for programs, those of a single part are the answer; those of several
 /// parts, and of claims, are part of the report.
-bool show_all(const std::vector<Part>& parts, const Options& options) {
+bool show_all(const std::vector<driver::Part>& parts, const Options& options) {
     const bool alone = parts.size() == 1 && !reports_refused(parts.front(), options);
     if (alone) return show_diagnostics(*parts.front().project, options);
     bool good = true;
-    for (const Part& part : parts) {
-        if (options.format != Format::json) show_findings(*part.project, options);
-        good = is_acceptable(*part.project, options) && good;
+    for (const driver::Part& part : parts) {
+        if (options.output.format != Format::json) show_findings(*part.project, options);
+        good = is_acceptable(*part.project, options.load) && good;
     }
     return good;
 }
 
 /// The first part that is rejected because the command line is wrong; for a single part, also if its model is wrong.
-const Project* first_refused(const std::vector<Part>& parts, const Options& options) {
-    for (const Part& part : parts) {
-        if (is_acceptable(*part.project, options)) continue;
+const driver::Project* first_refused(const std::vector<driver::Part>& parts, const Options& options) {
+    for (const driver::Part& part : parts) {
+        if (is_acceptable(*part.project, options.load)) continue;
         const bool alone = parts.size() == 1 && !reports_refused(part, options);
         if (alone || refusal_code(*part.project) == Exit::usage) return part.project.get();
     }
     return nullptr;
 }
 
-void note_refused(const std::vector<Part>& parts, const Options& options, Report& report) {
-    const auto edit = options.run->lock_for_edit();
+void note_refused(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
+    const auto edit = options.run->edit();
     report.refused.clear();
-    for (const Part& part : parts)
-        if (!is_acceptable(*part.project, options))
+    for (const driver::Part& part : parts)
+        if (!is_acceptable(*part.project, options.load))
             report.refused.push_back({part.project->name,
                                       diagnostics::render_json(part.project->sources, part.project->diagnostics),
                                       diagnostics::render_text(part.project->sources, part.project->diagnostics)});
 }
 
 /// Adds the claims of assertion files that have errors, or that may depend on errors, to the report as undecided.
-void report_broken_claims(const Project& project, const Options& options, Report& report) {
+void report_broken_claims(const driver::Project& project, const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
     for (const auto& file : project.model->files) {
         if (!file->is_assertions) continue;
         for (const frontend::Assertion& claim : file->assertions) {
-            if (!is_claim_selected(options, claim.name)) continue;
-            AssertionReport one;
+            if (!is_selected(options.claims, claim.name)) continue;
+            driver::AssertionReport one;
             one.title = claim.name;
             one.place = project.sources.path_and_line(claim.span);
-            one.answer = Answer::error;
+            one.answer = driver::Answer::error;
             one.reason = fmt::format("{}: not decided: {} has errors", diagnostics::escape_for_display(one.place),
                                      diagnostics::escape_for_display(project.name));
-            const auto edit = options.run->lock_for_edit();
+            const auto edit = options.run->edit();
             report.assertions.push_back(std::move(one));
         }
     }
 }
 
 /// Stores the page of `--html`.
-void keep_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
-    if (!options.html.empty()) options.run->keep_for(options.html, render_html(report, parts, options.run->budget()));
+void keep_page(const std::vector<driver::Part>& parts, const Options& options, const Report& report) {
+    if (!options.output.html.empty())
+        options.run->keep_for(options.output.html, render_html(report, parts, options.run->budget()));
 }
 
 /// Stores the page of `--html` for a run that ended early.
-void keep_last_page(const std::vector<Part>& parts, const Options& options, const Report& report) {
-    if (options.html.empty()) return;
-    options.run->keep_for(options.html, last_page(parts, !options.run->is_watching(),
-                                                  [&](const std::vector<Part>& drawn, diagnostics::Budget& budget) {
-                                                      return render_html(report, drawn, budget);
-                                                  }));
+void keep_last_page(const std::vector<driver::Part>& parts, const Options& options, const Report& report) {
+    if (options.output.html.empty()) return;
+    options.run->keep_for(options.output.html,
+                          last_page(parts, !options.run->is_watching(),
+                                    [&](const std::vector<driver::Part>& drawn, diagnostics::Budget& budget) {
+                                        return render_html(report, drawn, budget);
+                                    }));
 }
 
 /// The answer if no part is processed: the diagnostics of this part, and with --html a page with the errors.
-Exit refuse_parts(const Project& stopped, const std::vector<Part>& parts, const Options& options, Report& report) {
+Exit refuse_parts(const driver::Project& stopped, const std::vector<driver::Part>& parts, const Options& options,
+                  Report& report) {
     if (refusal_code(stopped) != Exit::usage) {
         begin(parts, options, report);
         note_refused(parts, options, report);
@@ -547,27 +503,28 @@ Exit refuse_parts(const Project& stopped, const std::vector<Part>& parts, const 
 
 /// Runs a verb whose answer is a report over all parts. A part with errors is rejected, and the others are still
 /// processed.
-Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
+Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
     begin(parts, options, report);
     note_refused(parts, options, report);
     bool some = false;
-    for (const Part& part : parts) {
-        const bool refused = !is_acceptable(*part.project, options);
+    for (const driver::Part& part : parts) {
+        const bool refused = !is_acceptable(*part.project, options.load);
         some = some || refused;
         if (refused && reports_refused(part, options)) report_broken_claims(*part.project, options, report);
         if (refused || !has_components(part, parts, options)) continue;
         some = true;
         Options wanted = options;
-        wanted.core = core_wanted(part, options);
+        wanted.claims.core = core_wanted(part, options);
         const bool code =
-            !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
+            !part.again &&
+            (parts.size() == 1 || !driver::code_components(part.project->system, options.load.component).empty());
         (void)run_phases(*part.project, wanted, code, report);
     }
     if (!some)
         parts.front().project->diagnostics.report(rules::no_component, model_place(*parts.front().project),
                                                   {"the models"});
     options.run->finish();
-    if (const Project* const stopped = first_refused(parts, options))
+    if (const driver::Project* const stopped = first_refused(parts, options))
         return refuse_parts(*stopped, parts, options, report);
     note_refused(parts, options, report);
     note_nothing_checked(options, report);
@@ -579,29 +536,30 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
 }
 
 /// Appends the phase that --print selects to the text.
-Exit take_phase(Project& project, const Options& options, std::string& text) {
+Exit take_phase(driver::Project& project, const Options& options, std::string& text) {
     show_diagnostics(project, options);
-    if (options.print == "ast" || options.print == "model") {
-        text += frontend::dump_model(*project.model, project.sources, options.print == "model");
-        return is_acceptable(project, options) ? Exit::success : refusal_code(project);
+    const Phase phase = options.output.phase;
+    if (phase == Phase::ast || phase == Phase::model) {
+        text += frontend::dump_model(*project.model, project.sources, phase == Phase::model);
+        return is_acceptable(project, options.load) ? Exit::success : refusal_code(project);
     }
-    if (!is_acceptable(project, options)) return refusal_code(project);
-    if (options.print == "ir") {
+    if (!is_acceptable(project, options.load)) return refusal_code(project);
+    if (phase == Phase::ir) {
         text += ir::dump_text(project.system);
         return Exit::success;
     }
-    const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
-    const csp_emit::Emission& emission = emit_csp(project, options, time);
+    const auto time = phase == Phase::script ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
     if (!show_diagnostics(project, options)) return Exit::bad_input;
     text += cspm::print(emission.script);
     return Exit::success;
 }
 
 /// Prints the phases to stdout, part by part; if there are several parts, each under its name.
-Exit print_phases(const std::vector<Part>& parts, const Options& options) {
+Exit print_phases(const std::vector<driver::Part>& parts, const Options& options) {
     Exit exit = Exit::success;
     std::string text;
-    for (const Part& part : parts) {
+    for (const driver::Part& part : parts) {
         if (parts.size() > 1) text += fmt::format("-- {}\n", diagnostics::escape_for_display(part.project->name));
         const Exit one = take_phase(*part.project, options, text);
         if (exit == Exit::success) exit = one;
@@ -612,9 +570,9 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
 }
 
 /// A log may belong to any part, so all parts must be correct.
-Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
-    const auto refused =
-        std::ranges::find_if(parts, [&](const Part& part) { return !is_acceptable(*part.project, options); });
+Exit compare_traces(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
+    const auto refused = std::ranges::find_if(
+        parts, [&](const driver::Part& part) { return !is_acceptable(*part.project, options.load); });
     if (refused != parts.end()) {
         (void)show_diagnostics(*refused->project, options);
         return refusal_code(*refused->project);
@@ -625,19 +583,20 @@ Exit compare_traces(const std::vector<Part>& parts, const Options& options, Repo
 
 /// PRISM models contain buffers between machines, so the warning that they are ignored is suppressed.
 Options with_buffers(Options options) {
-    options.allowed.emplace_back("Cn11");
+    options.load.allowed.emplace_back("Cn11");
     return options;
 }
 
-Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
+Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
-    parts = load_parts(options);
-    if (!options.print.empty()) return print_phases(parts, options);
-    if (!options.mapping.empty() && options.target != "ros2") throw UsageError("--mapping needs --target ros2");
-    if (!options.traces.empty() && is_requested(options, Format::junit))
+    parts = driver::load_parts(options, options.run->budget());
+    if (options.output.phase != Phase::none) return print_phases(parts, options);
+    if (!options.code.mapping.empty() && options.code.target != cpp_emit::Target::ros2)
+        throw UsageError("--mapping needs --target ros2");
+    if (!options.conform.traces.empty() && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support --traces; use text or json");
-    if (!options.traces.empty()) return compare_traces(parts, options, report);
-    if (const Project* const stopped = first_refused(parts, options))
+    if (!options.conform.traces.empty()) return compare_traces(parts, options, report);
+    if (const driver::Project* const stopped = first_refused(parts, options))
         return refuse_parts(*stopped, parts, options, report);
     return run_parts(parts, options, report);
 }
@@ -645,18 +604,19 @@ Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
 }  // namespace
 
 Exit run_model(const Options& given) {
-    const Options options = with_swarm(given);
+    Options options = given;
+    add_swarm(options);
     const bool rules =
-        std::ranges::all_of(options.inputs, [](const std::string& each) { return each.ends_with(".sleec"); });
-    if (options.verb == Verb::conform && !options.traces.empty() && rules) return conform_rules(options);
+        std::ranges::all_of(options.load.inputs, [](const std::string& each) { return each.ends_with(".sleec"); });
+    if (options.verb == Verb::conform && !options.conform.traces.empty() && rules) return conform_rules(options);
     const auto report = std::make_shared<Report>();
-    const auto parts = std::make_shared<std::vector<Part>>();
-    report->model = fmt::format("{}", fmt::join(options.inputs, " "));
+    const auto parts = std::make_shared<std::vector<driver::Part>>();
+    report->model = fmt::format("{}", fmt::join(options.load.inputs, " "));
     // The last word may be called after this function has returned, so it owns its data.
     options.run->last_word([report, parts, options](const std::string& why) {
         report->limit = why;
-        for (AssertionReport& each : report->assertions)
-            if (each.answer == Answer::inconclusive && each.reason == undecided_at_limit)
+        for (driver::AssertionReport& each : report->assertions)
+            if (each.answer == driver::Answer::inconclusive && each.reason == driver::undecided_at_limit)
                 each.reason = "not decided: " + why;
         keep_last_page(*parts, options, *report);
         return print_report(*report, options);
@@ -671,8 +631,8 @@ Exit run_model(const Options& given) {
         return run_verb(options, *report, *parts);
     } catch (const diagnostics::LimitReached&) {
         options.run->finish();
-        if (options.format == Format::text)
-            for (const Part& part : *parts) show_findings(*part.project, options);
+        if (options.output.format == Format::text)
+            for (const driver::Part& part : *parts) show_findings(*part.project, options);
         throw;
     }
 }

@@ -8,23 +8,24 @@
 #include <string>
 #include <vector>
 
-#include "app/command/pipeline.hpp"
+#include "app/command/findings.hpp"
 #include "app/command/run.hpp"
 #include "app/report/report.hpp"
+#include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
 /// Writes files (with a `path` and a `text`) to a folder below the output folder, such as "cpp/C/". Returns false, with
 /// a diagnostic, if one cannot be written. An existing file is not overwritten if `keep` is set.
 bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options,
-               Project& project) {
+               driver::Project& project) {
     for (const auto& file : files) {
         project.diagnostics.poll();
-        const std::string path = fmt::format("{}/{}{}", options.out, below, file.path);
+        const std::string path = fmt::format("{}/{}{}", options.output.folder, below, file.path);
         if constexpr (requires { file.keep; })
             if (file.keep && std::filesystem::exists(path)) continue;
         if (!write_output(project, options, below + file.path, file.text)) return false;
-        const auto edit = options.run->lock_for_edit();
+        const auto edit = options.run->edit();
         report.push_back({path, file.text.size()});
     }
     return true;

@@ -5,7 +5,8 @@
 #                    [TIMEOUT <seconds>])
 #
 # adds a test that CTest runs. It passes if all verdicts are as claimed (exit 0). Output files go below the build tree.
-# Defines robochart_verify_PROGRAM, and the target robochart::verify for dependencies.
+# Defines robochart_verify_PROGRAM, the target robochart::verify for dependencies and, if the library is installed, the
+# target robochart::driver (docs/library.md).
 find_program(robochart_verify_PROGRAM robochart-verify HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin")
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(robochart-verify REQUIRED_VARS robochart_verify_PROGRAM)
@@ -14,6 +15,8 @@ if(robochart-verify_FOUND AND NOT TARGET robochart::verify)
   add_executable(robochart::verify IMPORTED)
   set_target_properties(robochart::verify PROPERTIES IMPORTED_LOCATION "${robochart_verify_PROGRAM}")
 endif()
+
+include("${CMAKE_CURRENT_LIST_DIR}/robochart-driver.cmake" OPTIONAL)
 
 function(robochart_verify)
   cmake_parse_arguments(PARSE_ARGV 0 wanted "" "MODEL;NAME;VERB;TIMEOUT" "OPTIONS")

@@ -12,6 +12,7 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "driver/claims/model_claims.hpp"
 #include "tests/app/command.hpp"
 
 namespace robochart::app::testing {
@@ -42,11 +43,11 @@ std::vector<Inputs> models() {
 
 Options options_of(const Inputs& inputs) {
     Options options;
-    options.verb = Verb::check;
-    options.inputs = inputs;
-    options.core = true;
-    options.progress = ProgressMode::never;
-    options.threads = 1;
+    set_verb(options, Verb::check);
+    options.load.inputs = inputs;
+    options.claims.core = true;
+    options.output.progress = ProgressMode::never;
+    options.limits.threads = 1;
     return options;
 }
 
@@ -55,27 +56,27 @@ class Model {
 public:
     explicit Model(const Inputs& inputs) : options_(options_of(inputs)), run_(options_) {
         options_.run = &run_;
-        parts_ = load_parts(options_);
+        parts_ = load_parts(options_, run_.budget());
     }
 
-    [[nodiscard]] std::vector<Part>& parts() { return parts_; }
+    [[nodiscard]] std::vector<driver::Part>& parts() { return parts_; }
     [[nodiscard]] const Options& options() const { return options_; }
-    [[nodiscard]] std::string name() const { return fs::path(options_.inputs.front()).filename().string(); }
+    [[nodiscard]] std::string name() const { return fs::path(options_.load.inputs.front()).filename().string(); }
 
     /// Returns the report of `check`.
     [[nodiscard]] Report check(std::uint64_t states, unsigned threads) {
         Options options = options_;
-        options.max_states = states;
-        options.threads = threads;
+        options.limits.max_states = states;
+        options.limits.threads = threads;
         Report report;
-        for (const Part& part : parts_) check_assertions(*part.project, options, report);
+        for (const driver::Part& part : parts_) check_assertions(*part.project, search_context(options), report);
         return report;
     }
 
 private:
     Options options_;
     Run run_;
-    std::vector<Part> parts_;
+    std::vector<driver::Part> parts_;
 };
 
 /// Claims that consist of several CSPM assertions. In each claim a different assertion settles the answer.
@@ -115,15 +116,15 @@ struct Seen {
 void expect_equal_or_inconclusive(const Report& whole, const Report& found, const std::string& limits, Seen& seen) {
     ASSERT_EQ(found.assertions.size(), whole.assertions.size()) << limits;
     for (std::size_t i = 0; i < whole.assertions.size(); ++i) {
-        const AssertionReport& expected = whole.assertions[i];
-        const AssertionReport& answer = found.assertions[i];
+        const driver::AssertionReport& expected = whole.assertions[i];
+        const driver::AssertionReport& answer = found.assertions[i];
         ASSERT_EQ(answer.title, expected.title) << limits;
-        if (answer.answer == Answer::inconclusive) {
+        if (answer.answer == driver::Answer::inconclusive) {
             ++seen.inconclusive;
             EXPECT_NE(answer.reason, "") << limits << ": " << answer.title;
             EXPECT_FALSE(answer.run) << limits << ": " << answer.title << " has a counterexample";
             // An answer that needs no exploration is the same under all limits.
-            EXPECT_NE(expected.answer, Answer::no_check) << limits << ": " << answer.title;
+            EXPECT_NE(expected.answer, driver::Answer::no_check) << limits << ": " << answer.title;
             continue;
         }
         ++seen.decided;
@@ -133,10 +134,11 @@ void expect_equal_or_inconclusive(const Report& whole, const Report& found, cons
 
 void expect_that_limits_only_hide(const Inputs& inputs, Seen& seen) {
     Model model(inputs);
-    const Report whole = model.check(model.options().max_states, 1);
+    const Report whole = model.check(model.options().limits.max_states, 1);
     EXPECT_FALSE(whole.assertions.empty()) << model.name();
-    for (const AssertionReport& each : whole.assertions)
-        EXPECT_NE(each.answer, Answer::inconclusive) << model.name() << ": " << each.title << ": " << each.reason;
+    for (const driver::AssertionReport& each : whole.assertions)
+        EXPECT_NE(each.answer, driver::Answer::inconclusive)
+            << model.name() << ": " << each.title << ": " << each.reason;
     unsigned threads = 1;
     for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U}) {
         expect_equal_or_inconclusive(whole, model.check(states, threads),
@@ -223,10 +225,12 @@ TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
     Seen seen;
     for (const Inputs& inputs : models()) {
         Model model(inputs);
-        for (const Part& part : model.parts())
+        for (const driver::Part& part : model.parts())
             for (const csp_emit::Time time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
-                const csp_emit::Emission& emission = emit_csp(*part.project, model.options(), time);
-                EXPECT_EQ(&emit_csp(*part.project, model.options(), time), &emission) << "made once";
+                const csp_emit::Emission& emission =
+                    emit_csp(*part.project, model.options().claims, model.options().swarm, time);
+                EXPECT_EQ(&emit_csp(*part.project, model.options().claims, model.options().swarm, time), &emission)
+                    << "made once";
                 const std::vector<std::string> whole = Verdicts(emission).decided({});
                 for (const auto& [name, limits] : all_limits()) {
                     Verdicts verdicts(emission);

@@ -18,9 +18,9 @@ using ::testing::HasSubstr;
 class Watched {
 public:
     explicit Watched(const std::string& study) {
-        options_.verb = Verb::simulate;
-        options_.inputs = {testing::repository("corpus/" + study + "/" + study + ".scenario")};
-        options_.trials = 1;
+        set_verb(options_, Verb::simulate);
+        options_.load.inputs = {testing::repository("corpus/" + study + "/" + study + ".scenario")};
+        options_.simulate.trials = 1;
         run_ = std::make_unique<Run>(options_);
         options_.run = run_.get();
         simulation_ = load_simulation(options_);
@@ -30,13 +30,13 @@ public:
 
     /// Runs one trial with the controller of a generator with this fault; returns the stop, if any.
     std::optional<simulation::Stop> run(cpp_emit::Fault fault, std::uint32_t site) {
-        Project& project = *simulation_->project;
+        driver::Project& project = *simulation_->project;
         cpp_emit::Options generator;
         generator.cycle_length = simulation_->scenario.units_per_step;
         generator.sources = &project.sources;
         generator.fault = fault;
         generator.fault_site = site;
-        const auto component = code_components(project.system, simulation_->scenario.component.text).front();
+        const auto component = driver::code_components(project.system, simulation_->scenario.component.text).front();
         const auto emission =
             cpp_emit::emit_drive(project.system, project.instantiation, component, generator, project.diagnostics);
         std::string error;

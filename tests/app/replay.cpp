@@ -12,6 +12,7 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "driver/claims/model_claims.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app::testing {
@@ -361,8 +362,9 @@ std::vector<std::string> replay_one(const ir::System& system, const csp_emit::Em
     return faults;
 }
 
-void replay_time(Project& project, const Options& options, csp_emit::Time time, const json& report, Replayed& sum) {
-    const csp_emit::Emission emission = emit_csp(project, options, time);
+void replay_time(driver::Project& project, const Options& options, csp_emit::Time time, const json& report,
+                 Replayed& sum) {
+    const csp_emit::Emission emission = emit_csp(project, options.claims, options.swarm, time);
     if (!project.diagnostics.ok()) return;
     std::map<std::string, const json*> answers;
     for (const json& each : report["assertions"]) answers[each["title"]] = &each;
@@ -376,7 +378,7 @@ void replay_time(Project& project, const Options& options, csp_emit::Time time, 
         ++sum.counterexamples;
         ++sum.endings[run["end"]["kind"]];
         for (std::string& each : replay_one(project.system, emission, session, obligation, run, sum)) {
-            std::string where = options.inputs.front();
+            std::string where = options.load.inputs.front();
             sum.faults.push_back(where + ": " + each);
         }
     }
@@ -386,19 +388,19 @@ void replay_time(Project& project, const Options& options, csp_emit::Time time, 
 
 void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) try {
     Options options;
-    options.verb = Verb::check;
-    options.inputs = inputs;
-    options.core = core;
+    set_verb(options, Verb::check);
+    options.load.inputs = inputs;
+    options.claims.core = core;
     // Long runs show no further kinds of steps.
-    options.timeout_seconds = 2;
-    options.max_states = 20'000;
+    options.limits.timeout_seconds = 2;
+    options.limits.max_states = 20'000;
     Run whole(options);
     whole.finish();  // a run that passes its limit must not end the test process
     options.run = &whole;
-    const auto project = load_project(options);
+    const auto project = load_project(options, whole.budget());
     if (!project->diagnostics.ok()) return;
     Report report;
-    check_assertions(*project, options, report);
+    check_assertions(*project, search_context(options), report);
     if (!project->diagnostics.ok()) return;
     const json parsed = json::parse(render_json(report));
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed})

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/tune/certificate.hpp"
 #include "base/diagnostics/files.hpp"
 #include "command.hpp"
+#include "driver/evidence/certificate.hpp"
 #include "tests/contents.hpp"
 
 namespace robochart::app {
@@ -114,7 +114,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_EQ(tampered.exit, 4) << tampered.out;
     EXPECT_THAT(tampered.err, HasSubstr("its digest is not that of its contents"));
 
-    auto forged = read_certificate(text, error);
+    auto forged = driver::read_certificate(text, error);
     ASSERT_TRUE(forged) << error;
     forged->evidence.claims.at(0).successes += 1;
     EXPECT_EQ(diagnostics::replace_file(file, certificate_text(*forged)), "");
@@ -267,21 +267,21 @@ TEST(Tune, ScenariosThatCannotBeTuned) {
 }
 
 TEST(Certificates, AreReadStrictly) {
-    Certificate written;
+    driver::Certificate written;
     written.program = "robochart-verify 0.1.0";
     written.constants = {{"speed", "8"}, {"name\n\"'", "\x01<b>"}};
     written.evidence.claims = {{"P", "holds", 16, 16, 0.5, 1}};
     written.evidence.assertions = {{"A1", "holds"}};
     const std::string text = certificate_text(written);
     std::string error;
-    const auto read = read_certificate(text, error);
+    const auto read = driver::read_certificate(text, error);
     ASSERT_TRUE(read) << error;
     EXPECT_EQ(certificate_text(*read), text);
     EXPECT_TRUE(evidence_differences(written.evidence, read->evidence).empty());
 
     const auto refused = [&](const std::string& changed) {
         std::string why;
-        EXPECT_FALSE(read_certificate(changed, why)) << changed;
+        EXPECT_FALSE(driver::read_certificate(changed, why)) << changed;
         return why;
     };
     const auto with = [&](const std::string& what, const std::string& new_text) {
@@ -306,11 +306,11 @@ TEST(Certificates, AreReadStrictly) {
 }
 
 TEST(Certificates, EachDifferenceIsNamed) {
-    Evidence one;
+    driver::Evidence one;
     one.model = {{"a.rct", "1"}, {"b.rct", "2"}};
     one.assertions = {{"A1", "holds"}, {"A2", "holds"}};
     one.claims = {{"P", "holds", 16, 16, 0.5, 1}};
-    Evidence other = one;
+    driver::Evidence other = one;
     EXPECT_TRUE(evidence_differences(one, other).empty());
     other.model = {{"a.rct", "3"}, {"c.rct", "2"}};
     other.assertions = {{"A1", "fails"}, {"A3", "holds"}};

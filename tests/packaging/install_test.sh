@@ -15,14 +15,18 @@ cmake --install "$build" --prefix "$folder/usr" >/dev/null
 mv "$manifest" "$folder/ours"
 [ ! -e "$folder/users" ] || cp "$folder/users" "$manifest"
 
+library="$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$build/CMakeCache.txt")"
 expected="$(
   {
     echo bin/robochart-verify
     [ ! -e "$build/app/mpi/robochart-verify-mpi" ] || echo bin/robochart-verify-mpi
+    echo include/robochart_verify.hpp
+    [ ! -e "$build/librobochart_driver.a" ] || echo "$library/librobochart_driver.a"
     echo share/bash-completion/completions/robochart-verify
     echo share/zsh/vendor-completions/_robochart-verify
     echo share/fish/vendor_completions.d/robochart-verify.fish
     echo share/man/man1/robochart-verify.1.gz
+    echo share/robochart-verify/cmake/robochart-driver.cmake
     echo share/robochart-verify/cmake/robochart-verify-config.cmake
     echo share/doc/robochart-verify/AUTHORS
     echo share/doc/robochart-verify/CITATION.cff

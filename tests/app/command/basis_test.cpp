@@ -16,8 +16,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Report report_of(Answer answer, Basis basis) {
-    AssertionReport claim;
+Report report_of(driver::Answer answer, driver::Basis basis) {
+    driver::AssertionReport claim;
     claim.title = "Calm [untimed] Pump is deadlock-free";
     claim.answer = answer;
     claim.searched = true;
@@ -28,24 +28,24 @@ Report report_of(Answer answer, Basis basis) {
     return report;
 }
 
-Ground guard(const std::string& name, std::uint32_t line) {
-    Ground ground{GroundKind::guard,
-                  "the condition of `" + name + "` is taken for true",
-                  "Pump::" + name,
-                  "pump.rct:" + std::to_string(line),
-                  runs::Place{"pump.rct", line, 3, line, 9},
-                  "write `timed assertion`"};
+driver::Ground guard(const std::string& name, std::uint32_t line) {
+    driver::Ground ground{driver::GroundKind::guard,
+                          "the condition of `" + name + "` is taken for true",
+                          "Pump::" + name,
+                          "pump.rct:" + std::to_string(line),
+                          runs::Place{"pump.rct", line, 3, line, 9},
+                          "write `timed assertion`"};
     return ground;
 }
 
 std::string text_of(const Report& report, bool quiet) {
     Options options;
-    options.quiet = quiet;
+    options.output.quiet = quiet;
     return render_text(report, options);
 }
 
 TEST(Basis, StandsWithTheVerdictInEveryFormat) {
-    for (const Answer answer : {Answer::holds, Answer::fails, Answer::inconclusive}) {
+    for (const driver::Answer answer : {driver::Answer::holds, driver::Answer::fails, driver::Answer::inconclusive}) {
         const Report report = report_of(answer, {guard("late", 7)});
         const char* const said = "the condition of `late` is taken for true";
         for (const bool quiet : {false, true})
@@ -60,7 +60,7 @@ TEST(Basis, StandsWithTheVerdictInEveryFormat) {
         EXPECT_THAT(result["message"]["text"], HasSubstr(said));
         EXPECT_THAT(result["message"]["text"], HasSubstr("write `timed assertion`"));
         EXPECT_EQ(result["relatedLocations"][0]["physicalLocation"]["region"]["startLine"], 7);
-        if (answer == Answer::holds) {
+        if (answer == driver::Answer::holds) {
             EXPECT_EQ(result["kind"], "informational");
             EXPECT_EQ(result["level"], "none");
         }
@@ -68,7 +68,7 @@ TEST(Basis, StandsWithTheVerdictInEveryFormat) {
 }
 
 TEST(Basis, IsNotMentionedWhereAVerdictRestsOnTheModelAlone) {
-    const Report report = report_of(Answer::holds, {});
+    const Report report = report_of(driver::Answer::holds, {});
     EXPECT_THAT(text_of(report, false), Not(HasSubstr("rests on")));
     EXPECT_THAT(text_of(report, true), Not(HasSubstr("Calm")));
     EXPECT_THAT(render_junit(report), Not(HasSubstr("system-out")));
@@ -77,11 +77,11 @@ TEST(Basis, IsNotMentionedWhereAVerdictRestsOnTheModelAlone) {
 }
 
 TEST(Basis, LinesNameAFewOfAKindAndEachRemedyOnce) {
-    Basis basis;
+    driver::Basis basis;
     for (std::uint32_t line = 1; line <= 5; ++line) add(basis, guard("t" + std::to_string(line), line));
     add(basis, guard("t2", 2));
     EXPECT_EQ(basis.size(), 5U);
-    add(basis, {GroundKind::never_asked, "no run does `halt`", {}, {}, {}, {}});
+    add(basis, {driver::GroundKind::never_asked, "no run does `halt`", {}, {}, {}, {}});
     EXPECT_EQ(basis_lines(basis, 2),
               (std::vector<std::string>{"rests on: the condition of `t1` is taken for true (pump.rct:1)",
                                         "rests on: the condition of `t2` is taken for true (pump.rct:2)",
@@ -90,9 +90,9 @@ TEST(Basis, LinesNameAFewOfAKindAndEachRemedyOnce) {
 }
 
 TEST(Basis, TextOfOthersIsEscaped) {
-    Ground ground = guard("late", 7);
+    driver::Ground ground = guard("late", 7);
     ground.text = "<script>\x1b[31m";
-    const Report report = report_of(Answer::holds, {ground});
+    const Report report = report_of(driver::Answer::holds, {ground});
     EXPECT_THAT(render_junit(report), Not(HasSubstr("<script>")));
     EXPECT_THAT(text_of(report, false), Not(HasSubstr("\x1b")));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turns of claims: an undecided claim does not delay the others.
-#include "app/claims/turns.hpp"
+#include "driver/claims/turns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,29 +17,29 @@ class Turns {
 public:
     explicit Turns(Options options) : options_(std::move(options)), run_(options_) { options_.run = &run_; }
 
-    WaitingClaim decided(const std::string& title) {
-        return {title, [this, title](const Options&) {
+    driver::WaitingClaim decided(const std::string& title) {
+        return {title, [this, title](const driver::Turn&) {
                     order.push_back(title);
                     return true;
                 }};
     }
     /// A claim that is decided only in an unlimited turn.
-    WaitingClaim slow(const std::string& title) {
-        return {title, [this, title](const Options& turn) {
+    driver::WaitingClaim slow(const std::string& title) {
+        return {title, [this, title](const driver::Turn& turn) {
                     order.push_back(title);
-                    if (!turn.turn_ends) return true;
-                    std::this_thread::sleep_until(*turn.turn_ends);
+                    if (!turn.ends) return true;
+                    std::this_thread::sleep_until(*turn.ends);
                     return false;
                 }};
     }
     /// A claim that its own limit, such as --max-states, leaves undecided.
-    WaitingClaim limited(const std::string& title) {
-        return {title, [this, title](const Options&) {
+    driver::WaitingClaim limited(const std::string& title) {
+        return {title, [this, title](const driver::Turn&) {
                     order.push_back(title);
                     return false;
                 }};
     }
-    void decide(const std::vector<WaitingClaim>& claims) { decide_in_turns(claims, options_); }
+    void decide(const std::vector<driver::WaitingClaim>& claims) { decide_in_turns(claims, search_context(options_)); }
 
     std::vector<std::string> order;
 
@@ -51,8 +51,8 @@ private:
 Options within(double seconds, double of_each = 0) {
     Options options;
     options.cache = false;
-    options.timeout_seconds = seconds;
-    options.assertion_seconds = of_each;
+    options.limits.timeout_seconds = seconds;
+    options.limits.assertion_seconds = of_each;
     return options;
 }
 
@@ -84,7 +84,7 @@ TEST(Turns, EndWithTheTimeOfAnAssertion) {
 
 TEST(Turns, KeptSearchesHaveOneTurn) {
     Options options = within(0.5);
-    options.disk = "kept";
+    options.storage.disk = "kept";
     Turns turns(options);
     turns.decide({turns.slow("a"), turns.decided("b")});
     EXPECT_EQ(turns.order, (Order{"a", "b"}));
@@ -103,13 +103,16 @@ TEST(Turns, ALimitOfTheRunNamesTheClaim) {
 }
 
 TEST(Turns, WhoseTimeHasEndedIsSaid) {
-    Options turn = within(0, 5);
-    turn.turn_ends = std::chrono::steady_clock::now();
-    EXPECT_EQ(ended_turn("the time limit was reached while compiling", turn),
+    Options options = within(0, 5);
+    app::Run run(options);
+    options.run = &run;
+    driver::SearchContext search = search_context(options);
+    search.turn.ends = std::chrono::steady_clock::now();
+    EXPECT_EQ(ended_turn("the time limit was reached while compiling", search),
               "its time limit was reached (--assertion-timeout 5) while compiling");
-    EXPECT_EQ(ended_turn("the limit of 5 states was reached", turn), "the limit of 5 states was reached");
-    turn.turn_ends.reset();
-    EXPECT_EQ(ended_turn("the time limit was reached", turn), "the time limit was reached");
+    EXPECT_EQ(ended_turn("the limit of 5 states was reached", search), "the limit of 5 states was reached");
+    search.turn.ends.reset();
+    EXPECT_EQ(ended_turn("the time limit was reached", search), "the time limit was reached");
 }
 
 // If the time of one assertion is over, the advice names the option for assertions, not the one for runs.

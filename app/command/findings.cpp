@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/base/junit.hpp"
+#include "app/command/answer.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/render.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "driver/settings/rules.hpp"
+#include "semantics/rules.hpp"
+
+namespace robochart::app {
+
+bool write_output(driver::Project& project, const Options& options, const std::string& path, const std::string& text) {
+    const std::string error =
+        options.run->claim_path(path)
+            ? diagnostics::write_below(options.output.folder, path, text, project.diagnostics.budget())
+            : fmt::format(
+                  "{}/{}: this run has already written a file of this name, "
+                  "for something else of the same name",
+                  options.output.folder, path);
+    if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
+    return error.empty();
+}
+
+Exit refusal_code(const driver::Project& project) {
+    const std::array about_options{&driver::rules::bad_option,       &ir::rules::unknown_constant_option,
+                                   &ir::rules::bad_constant_value,   &ir::rules::constant_named_twice,
+                                   &ir::rules::unknown_range_option, &ir::rules::bad_range,
+                                   &ir::rules::ranges_not_nested,    &ir::rules::range_too_large};
+    const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted_findings();
+    // Errors caused by the text of the model have a place in it.
+    const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
+        return each.rule->severity == diagnostics::Severity::error &&
+               (each.span.is_known() || std::ranges::find(about_options, each.rule) == about_options.end());
+    };
+    return project.diagnostics.ok() || std::ranges::any_of(all, about_the_model) ? Exit::bad_input : Exit::usage;
+}
+
+namespace {
+
+/// The diagnostics as the whole answer, in a format for programs.
+std::string refused_document(const driver::Project& project, const Options& options, Format format) {
+    if (format == Format::json) return diagnostics::render_json(project.sources, project.diagnostics) + "\n";
+    if (format == Format::sarif)
+        return diagnostics::render_sarif(project.sources, project.diagnostics, about_log(options));
+    const JunitCase refused{"model",
+                            project.name,
+                            JunitCase::Kind::error,
+                            "refused, with errors",
+                            diagnostics::render_text(project.sources, project.diagnostics),
+                            0};
+    return junit_document(project.name, {refused});
+}
+
+}  // namespace
+
+void show_findings(const driver::Project& project, const Options& options) {
+    const bool good = is_acceptable(project, options.load);
+    const diagnostics::TextStyle style = findings_style(options);
+    if (options.output.quiet && good) {
+        // These warnings are shown even with --quiet, because the verdicts are about a model that differs from the
+        // text.
+        diagnostics::Diagnostics kept;
+        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
+            if (each.rule == &ir::rules::literal_outside_range || each.rule == &csp_emit::rules::inputs_hidden)
+                kept.report(*each.rule, each.span, each.arguments);
+        if (kept.warning_count() > 0) print_error_styled(diagnostics::render_text(project.sources, kept, style));
+        return;
+    }
+    print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
+    if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
+}
+
+bool show_diagnostics(const driver::Project& project, const Options& options) {
+    const bool good = is_acceptable(project, options.load);
+    if (!good && (options.output.format != Format::text || !options.output.files.empty())) {
+        // This is the answer of the run. A limit that is reached later must not print a second document.
+        options.run->finish();
+        output_document(options, [&](Format format) { return refused_document(project, options, format); });
+    }
+    if (options.output.format != Format::json && (good || options.output.format == Format::text))
+        show_findings(project, options);
+    return good;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bound is reported once for each expression, with the element that contains the expression.
+#include "driver/claims/bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
+
+#include "base/diagnostics/text.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/expressions/clipping.hpp"
+#include "driver/settings/search_context.hpp"
+#include "semantics/ir/element_at.hpp"
+
+namespace robochart::driver {
+namespace {
+
+/// Limited, because a state of a term takes much longer than one of a compiled machine.
+constexpr std::size_t most_states = 20'000;
+
+/// The functions that access the elements of a sequence.
+constexpr std::array<const char*, 3> of_sequences{"sequence_toolkit_extract", "sequence_toolkit_size", "access_"};
+
+/// The expression as written, on one line.
+std::string expression_text(const diagnostics::SourceManager& sources, diagnostics::Span span) {
+    return diagnostics::on_one_line(sources.source_text(span.source).substr(span.begin, span.end - span.begin));
+}
+
+bool is_inside(diagnostics::Span part, diagnostics::Span whole) {
+    return part.source == whole.source && whole.begin <= part.begin && part.end <= whole.end;
+}
+
+std::string text_of(const ir::SequenceLimit& limit, const std::string& expression, std::int64_t longest) {
+    const std::string sequences = fmt::format("sequences hold at most {} elements here", longest);
+    if (limit.kind == ir::SequenceLimit::Kind::length)
+        return fmt::format("{}, so `{}` has one answer for all of them", sequences, expression);
+    if (limit.first > longest)
+        return fmt::format("{}, so `{}` takes none, and a condition that needs one has no value", sequences,
+                           expression);
+    return fmt::format("{}, so `{}` takes none from place {} on", sequences, expression, longest + 1);
+}
+
+}  // namespace
+
+BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission)
+    : project_(project),
+      emission_(emission),
+      sequence_limits_(ir::sequence_limits(project.system, project.instantiation)) {}
+
+cspm::CallObserver BoundWatch::observer() {
+    std::set<std::string> functions = emission_.bounded;
+    if (!sequence_limits_.empty()) functions.insert(of_sequences.begin(), of_sequences.end());
+    return {std::move(functions), [this](const cspm::ObservedCall& call) { note_call(call); }};
+}
+
+void BoundWatch::note_call(const cspm::ObservedCall& call) {
+    // Calls without a place, and those in CSP blocks, are not expressions of the model.
+    if (!call.span.is_known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
+    if (std::ranges::find(of_sequences, call.function) != of_sequences.end()) {
+        for (const ir::SequenceLimit& limit : sequence_limits_)
+            if (is_inside(limit.span, call.span))
+                add(limit.span,
+                    text_of(limit, expression_text(project_.sources, limit.span),
+                            project_.instantiation.sequence_bound),
+                    fmt::format("--range Seq=0..{} lets sequences hold more", limit.needed));
+        return;
+    }
+    const auto text = csp_emit::reached_bound(emission_, project_.instantiation, call);
+    if (!text) return;
+    const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
+    if (!known_.emplace(call.function, at).second) return;
+    const bool chosen = text->find("has no body") != std::string::npos;
+    add(call.span, fmt::format("in {}, {}", expression_text(project_.sources, call.span), *text),
+        chosen ? "a csp block Instantiations defines functions" : "--range gives types more values");
+}
+
+void BoundWatch::add(diagnostics::Span span, std::string text, std::string remedy) {
+    const std::string element = ir::element_at(project_.system, span);
+    Ground ground;
+    ground.text = std::move(text);
+    ground.element = project_.label + (element.empty() ? "model" : element);
+    ground.remedy = std::move(remedy);
+    set_place(project_.sources, span, ground);
+    if (std::ranges::find(met_, ground) == met_.end()) met_.push_back(std::move(ground));
+}
+
+// ---------------------------------------------------------------- bounds that runs reach
+
+namespace {
+
+/// The suffixes of names of component processes.
+constexpr std::array<const char*, 6> variants{"::D__", "::O__", "::VS__", "::VS_O__", "::AS_O__", "::FVS__"};
+
+/// The component whose process is called; "" if there is none.
+std::string component_of(const cspm::Expr& expr) {
+    if (expr.kind != cspm::ExprKind::apply || expr.args[0]->kind != cspm::ExprKind::name) return "";
+    const std::string& name = expr.args[0]->text;
+    for (const char* const variant : variants)
+        if (name.ends_with(variant)) return name.substr(0, name.size() - std::string_view(variant).size());
+    return "";
+}
+
+using Processes = std::vector<cspm::ExprPtr>;
+
+/// Collects the processes of components in an expression, in their form before compression.
+void add_components(const cspm::ExprPtr& expr, Processes& found) {
+    if (!expr) return;
+    if (const std::string component = component_of(*expr); !component.empty()) {
+        cspm::Expr plain = *expr;
+        plain.args[0] = cspm::build::name(component + "::D__");
+        found.push_back(std::make_shared<const cspm::Expr>(std::move(plain)));
+        return;
+    }
+    for (const cspm::ExprPtr& part : expr->args) add_components(part, found);
+}
+
+/// If a claim is about a process that a CSP block defines, the whole process counts, because the block may restrict a
+/// component.
+Processes processes_of(const csp_emit::Obligation& claim) {
+    Processes sides;
+    if (claim.firing) sides.push_back(claim.firing->process);
+    if (claim.recurrence) sides.push_back(claim.recurrence->process);
+    for (const cspm::DeclPtr& decl : claim.assertions) {
+        sides.push_back(decl->assertion.specification);
+        if (decl->assertion.kind == cspm::AssertionKind::refinement) sides.push_back(decl->assertion.implementation);
+    }
+    Processes result;
+    for (const cspm::ExprPtr& side : sides) {
+        Processes components;
+        add_components(side, components);
+        const bool of_block = claim.property == ir::no_id && claim.component.empty();
+        if (of_block || components.empty()) components = {side};
+        result.insert(result.end(), components.begin(), components.end());
+    }
+    return result;
+}
+
+}  // namespace
+
+const ReachedBounds::Visited& ReachedBounds::visit_process(const cspm::ExprPtr& process) {
+    const auto [at, added] = visited_.try_emplace(cspm::print(process));
+    Visited& result = at->second;
+    if (!added) return result;
+    // A separate session: in the session of another claim, values may be cached, and the observer would not see their
+    // evaluation.
+    cspm::Session session(emission_.script, &search_.services.budget());
+    BoundWatch watch(project_, emission_);
+    session.set_observer(watch.observer());
+    try {
+        std::deque<process::TermId> waiting{session.process(process)};
+        std::set<process::TermId> seen{waiting.front()};
+        for (std::size_t states = 0; !waiting.empty(); waiting.pop_front()) {
+            if (++states > most_states) {
+                result.all = false;
+                break;
+            }
+            search_.services.budget().poll();
+            for (const process::Transition& step : session.transitions(waiting.front()))
+                if (seen.insert(step.target).second) waiting.push_back(step.target);
+        }
+    } catch (const cspm::EvaluationError&) {
+        result.all = false;
+    } catch (const process::SemanticsError&) {
+        result.all = false;
+    }
+    result.reached = watch.met_bounds();
+    return result;
+}
+
+/// True if the element belongs to a machine that runs in the component of this process; always true for other
+/// processes.
+bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& process) const {
+    const std::string component = component_of(*process);
+    if (component.empty()) return true;
+    return std::ranges::any_of(emission_.provenance.definitions, [&](const auto& definition) {
+        const csp_emit::DefinitionMeaning& meaning = definition.second;
+        const bool runs_there = meaning.component == component || meaning.component.starts_with(component + "::");
+        return runs_there && element.starts_with(project_.label + meaning.machine + "::");
+    });
+}
+
+Basis ReachedBounds::basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met) {
+    Basis result;
+    for (const cspm::ExprPtr& process : processes_of(claim)) {
+        const Visited& found = visit_process(process);
+        for (const Ground& ground : found.reached) add(result, ground);
+        if (found.all) continue;
+        for (Ground ground : met) {
+            const bool reached = std::ranges::any_of(found.reached, [&](const Ground& other) {
+                return other.place == ground.place && other.element == ground.element && other.remedy == ground.remedy;
+            });
+            if (reached || !is_part(ground.element, process)) continue;
+            ground.text += fmt::format(" (not in the first {} states, and it is not known whether later)", most_states);
+            add(result, std::move(ground));
+        }
+    }
+    return result;
+}
+
+}  // namespace robochart::driver

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounds of the finite instantiation that runs reach: places where a value was clipped, chosen, or does not belong to
+// the type.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/syntax/observed_call.hpp"
+#include "driver/model/pipeline.hpp"
+#include "driver/results/results.hpp"
+#include "driver/settings/search_context.hpp"
+#include "semantics/instantiate/sequence_limits.hpp"
+
+namespace robochart::driver {
+
+/// Observes the evaluation of one script.
+class BoundWatch {
+public:
+    BoundWatch(const Project& project, const csp_emit::Emission& emission);
+
+    [[nodiscard]] cspm::CallObserver observer();
+    /// The bounds observed so far, once for each function and place.
+    [[nodiscard]] const std::vector<Ground>& met_bounds() const { return met_; }
+
+private:
+    void note_call(const cspm::ObservedCall& call);
+    void add(diagnostics::Span span, std::string text, std::string remedy);
+
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    std::vector<ir::SequenceLimit> sequence_limits_;
+    std::set<std::pair<std::string, std::uint64_t>> known_;
+    std::vector<Ground> met_;
+};
+
+/// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component of a
+/// composition with all its inputs, and observes bounds that no run of the whole process reaches. So the states of the
+/// whole process are explored again, up to a limit.
+class ReachedBounds {
+public:
+    ReachedBounds(const Project& project, const csp_emit::Emission& emission, const SearchContext& search)
+        : project_(project), emission_(emission), search_(search) {}
+
+    /// `met`: the bounds observed by the search, for this claim or others.
+    [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
+
+private:
+    struct Visited {
+        std::vector<Ground> reached;
+        bool all = true;  ///< every state was explored
+    };
+    const Visited& visit_process(const cspm::ExprPtr& process);
+    [[nodiscard]] bool is_part(const std::string& element, const cspm::ExprPtr& process) const;
+
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    SearchContext search_;
+    std::map<std::string, Visited> visited_;  // by the text of the process
+};
+
+}  // namespace robochart::driver

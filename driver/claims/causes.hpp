@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the cause of an evaluation error in the finite instantiation.
+#pragma once
+
+#include <string>
+
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "driver/model/pipeline.hpp"
+
+namespace robochart::driver {
+
+/// A text to append to the error, with a remedy: "; type Twist has about 2e+15 values: ...". "" if the cause is
+/// unknown.
+[[nodiscard]] std::string cause_of(const Project&, const cspm::EvaluationError&);
+
+}  // namespace robochart::driver

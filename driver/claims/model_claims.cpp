@@ -1,0 +1,556 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/claims/model_claims.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostics/escape.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/refine/verdict/recurrence.hpp"
+#include "counterexample/evaluation_failure.hpp"
+#include "counterexample/exercised.hpp"
+#include "counterexample/interpreter.hpp"
+#include "driver/claims/bounds.hpp"
+#include "driver/claims/causes.hpp"
+#include "driver/claims/probability_claims.hpp"
+#include "driver/claims/second_look.hpp"
+#include "driver/claims/sizes.hpp"
+#include "driver/claims/taken_guards.hpp"
+#include "driver/claims/turns.hpp"
+#include "driver/rules/rule_claims.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::driver {
+namespace {
+
+using csp_emit::Time;
+
+struct Context {
+    Project& project;
+    const SearchContext& search;
+    const csp_emit::Emission& emission;
+    cspm::Session& session;
+    const TakenGuards& guards;
+};
+
+/// The data for reading counterexamples and steps.
+runs::Context reading_context(const Context& context) {
+    return {context.emission.provenance, context.project.system, context.project.instantiation, context.project.sources,
+            context.session};
+}
+
+void add(refine::Statistics& sum, const refine::Statistics& one) {
+    sum.states += one.states;
+    sum.transitions += one.transitions;
+    sum.depth = std::max(sum.depth, one.depth);
+    sum.spec_nodes += one.spec_nodes;
+    sum.seconds += one.seconds;
+    sum.chased += one.chased;
+    sum.replicas = std::max(sum.replicas, one.replicas);
+    sum.distinguished = std::max(sum.distinguished, one.distinguished);
+}
+
+void add_verdict(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,
+                 AssertionReport& report) {
+    add(report.statistics, verdict.statistics);
+    report.searched = report.searched || !verdict.known;
+    if (verdict.outcome == refine::Outcome::inconclusive) {
+        report.answer = Answer::inconclusive;
+        report.reason = verdict.reason;
+    } else if (verdict.outcome == refine::Outcome::fails) {
+        report.answer = Answer::fails;
+        if (!verdict.counterexample) return;
+        report.run = runs::interpret_counterexample(reading_context(context), obligation, *verdict.counterexample);
+        if (!verdict.counterexample->shortest) report.reason = not_shortest;
+    }
+}
+
+/// The basis of the answer to an assertion. If there is a run, it is that of its steps, even if the run shows that the
+/// assertion holds.
+Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+               const refine::Verdict& verdict, const AssertionReport& report) {
+    Basis basis;
+    const bool holds = verdict.outcome == refine::Outcome::holds;
+    if (verdict.outcome == refine::Outcome::inconclusive || obligation.information) return basis;
+    if (!verdict.counterexample)
+        context.guards.add_of_assertion(assertion, holds, basis);
+    else if (report.run && !holds)
+        context.guards.add_of_run(*report.run, basis);
+    else if (context.guards.has_guards())
+        context.guards.add_of_run(
+            runs::interpret_counterexample(reading_context(context), obligation, *verdict.counterexample), basis);
+    return basis;
+}
+
+/// The evaluation error with its place and its element of the model.
+std::string failure_text(const Project& project, const cspm::EvaluationError& error) {
+    return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
+}
+
+/// Decides one assertion of an obligation: the answer, the counterexample if it fails, and the basis.
+void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+                AssertionReport& report) {
+    report.answer = Answer::holds;
+    try {
+        const auto verdict =
+            context.session.check(assertion, limits_of_check(context.search, obligation.title)).verdict;
+        add_verdict(context, obligation, verdict, report);
+        report.basis = basis_of(context, obligation, assertion, verdict, report);
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.reason = failure_text(context.project, error);
+    } catch (const std::bad_alloc&) {
+        report.answer = Answer::inconclusive;
+        report.reason = "out of memory";
+    }
+}
+
+/// Throws LimitReached if the run or the claim's turn is over.
+void poll_turn(const SearchContext& search) {
+    search.services.budget().poll();
+    if (search.turn.is_over()) throw diagnostics::LimitReached("the time limit was reached");
+}
+
+/// Limited, because a state of a term takes much longer than one of a compiled machine.
+constexpr std::uint64_t most_states_for_firing = 20'000;
+
+using Transitions = std::vector<csp_emit::TransitionInside>;
+
+/// The transitions that are not among the elements.
+Transitions missing_transitions(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
+    Transitions result;
+    for (const csp_emit::TransitionInside& each : question.transitions)
+        if (!elements.contains(runs::element_in(each.component, each.origin.element))) result.push_back(each);
+    return result;
+}
+
+/// "t1: S1 -> S2 (model.rct:12), ..."
+std::string transition_list(const Project& project, const Transitions& transitions) {
+    std::vector<std::string> texts;
+    for (const csp_emit::TransitionInside& each : transitions)
+        texts.push_back(fmt::format("{} ({})", each.text, project.sources.path_and_line(each.origin.span)));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// The transitions that fire in no instance of their machine.
+std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion& question, const Transitions& never) {
+    std::map<std::string, std::size_t> instances;
+    for (const csp_emit::TransitionInside& each : question.transitions) ++instances[each.origin.element];
+    for (const csp_emit::TransitionInside& each : never) --instances[each.origin.element];
+    std::vector<std::string> result;
+    for (const auto& [element, firing] : instances)
+        if (firing == 0) result.push_back(element);
+    return result;
+}
+
+/// A step may not distinguish several transitions of one state with the same trigger and target. If one of them fires,
+/// the others may still never fire.
+void answer_firing(const Project& project, const csp_emit::FiringQuestion& question, const runs::Exercised& found,
+                   AssertionReport& report) {
+    const Transitions never = missing_transitions(question, found.possible);
+    const Transitions open = missing_transitions(question, found.certain);
+    report.answer = Answer::inconclusive;
+    if (!never.empty() && found.all) {
+        report.answer = Answer::fails;
+        report.reason = "never taken: " + transition_list(project, never);
+        report.core->unexercised = unexercised_transitions(question, never);
+    } else if (!never.empty()) {
+        report.reason = fmt::format("{} has not been taken in the first {} states",
+                                    transition_list(project, {never.front()}), found.states);
+    } else if (!open.empty()) {
+        report.reason = "the steps do not tell which of these are taken: " + transition_list(project, open);
+    } else {
+        report.answer = Answer::holds;
+    }
+}
+
+/// Decides which transitions fire, by exploring all states.
+void decide_firing(const Context& context, const csp_emit::FiringQuestion& question, AssertionReport& report) {
+    const runs::Context read_with = reading_context(context);
+    runs::StepReader reader(read_with);
+    try {
+        const auto found = runs::find_exercised(reader, context.session.process(question.process),
+                                                most_states_for_firing, [&] { poll_turn(context.search); });
+        report.statistics.states = found.states;
+        report.searched = true;
+        answer_firing(context.project, question, found, report);
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.reason = failure_text(context.project, error);
+    }
+}
+
+/// Printed if the claim holds: without probabilities it states only a possibility.
+const char* const fair_draws =
+    "it happens again and again with probability 1 only if every choice between steps is a draw, each with a chance "
+    "above 0";
+
+/// Decides whether something can always happen again, by a backward search through all states.
+void decide_recurrence(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    const refine::Limits bounds = limits_of_check(context.search, obligation.title);
+    report.answer = Answer::holds;
+    try {
+        const process::EventSet goal = context.session.events(obligation.recurrence->goal);
+        const auto system = context.session.system(obligation.recurrence->process, bounds);
+        add_verdict(context, obligation, refine::recurrent(*system, goal, bounds), report);
+        const bool claimed = obligation.kind != ir::PropertyKind::deadlock_free;
+        if (report.answer == Answer::holds && claimed) report.reason = fair_draws;
+    } catch (const process::Interrupted& limit) {
+        report.answer = Answer::inconclusive;
+        report.reason = limit.what();
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.reason = failure_text(context.project, error);
+    }
+}
+
+/// If all assertions must hold, the first that fails ends the check. If one suffices, the first that holds decides, and
+/// the claim fails only if all of them fail. If none holds and one of them is unknown, the claim is inconclusive.
+void decide_claim(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    std::optional<std::string> unknown;  // why the first inconclusive one is inconclusive
+    Basis before;                        // basis of assertions that do not decide the claim alone
+    for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        for (Ground& ground : std::exchange(report.basis, {})) add(before, std::move(ground));
+        decide_one(context, obligation, *assertion, report);
+        if (report.answer == Answer::inconclusive && !unknown) unknown = report.reason;
+        if (report.answer == Answer::error || (report.answer == Answer::holds) == obligation.one_suffices) break;
+        if (&assertion != &obligation.assertions.back()) continue;
+        for (Ground& ground : before) add(report.basis, std::move(ground));
+    }
+    if (report.answer == Answer::holds) {
+        report.reason.clear();
+        report.run.reset();
+    } else if (unknown) {
+        report.answer = Answer::inconclusive;
+        report.reason = *unknown;
+        report.run.reset();
+        report.basis.clear();
+    }
+    if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
+}
+
+/// The premises of claims; each is decided once.
+class Premises {
+public:
+    /// A claim that holds becomes inconclusive if its premise does not hold, and the run that refutes the premise is
+    /// shown.
+    void apply_premise(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+        if (obligation.premise == nullptr || report.answer != Answer::holds) return;
+        const AssertionReport premise = answer_premise(context, obligation);
+        if (premise.answer == Answer::holds) return;
+        const csp_emit::Premise& asked = *obligation.premise;
+        report.answer = premise.answer == Answer::error ? Answer::error : Answer::inconclusive;
+        report.reason = premise.answer == Answer::fails
+                            ? "not decided: " + asked.otherwise
+                            : fmt::format("not decided whether {}: {}", asked.text, premise.reason);
+        report.run = premise.run;
+    }
+
+private:
+    AssertionReport answer_premise(const Context& context, const csp_emit::Obligation& claim) {
+        for (const auto& [premise, report] : decided_)
+            if (premise == claim.premise) return report;
+        AssertionReport report = decide_premise(context, claim);
+        if (report.answer != Answer::inconclusive) decided_.emplace_back(claim.premise, report);
+        return report;
+    }
+    static AssertionReport decide_premise(const Context& context, const csp_emit::Obligation& claim) {
+        csp_emit::Obligation asked;
+        asked.kind = ir::PropertyKind::timelock_free;
+        asked.title = fmt::format("{}: {}", claim.title, claim.premise->text);
+        asked.origin = claim.origin;
+        asked.time = claim.time;
+        asked.reason = claim.premise->reason;
+        asked.assertions = claim.premise->assertions;
+        AssertionReport report;
+        report.answer = Answer::holds;
+        decide_claim(context, asked, report);
+        if (report.answer != Answer::holds) return report;
+        asked.kind = ir::PropertyKind::refines;
+        asked.recurrence = claim.premise->recurrence;
+        decide_recurrence(context, asked, report);
+        return report;
+    }
+
+    std::vector<std::pair<std::shared_ptr<const csp_emit::Premise>, AssertionReport>> decided_;
+};
+
+bool is_wanted(const Context& context, const csp_emit::Obligation& obligation) {
+    if (!obligation.name.empty()) return is_selected(context.search.settings.claims, obligation.name);
+    const bool core = obligation.property == ir::no_id;
+    const bool asked = context.search.settings.claims.core && !obligation.component.empty();
+    return core ? context.search.settings.claims.names.empty() || asked
+                : is_selected(context.search.settings.claims,
+                              context.project.system.properties[obligation.property].name);
+}
+
+/// The transitions or states of which the obligation finds out whether runs exercise them.
+std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
+    std::vector<std::string> result;
+    if (obligation.firing)
+        for (const csp_emit::TransitionInside& each : obligation.firing->transitions)
+            result.push_back(each.origin.element);
+    else if (obligation.kind == ir::PropertyKind::reachable)
+        result.push_back(obligation.origin.element);
+    return result;
+}
+
+/// The declaration of the component of a core property: "state machine P::S".
+diagnostics::Span declaration_span(const ir::System& system, const std::string& component) {
+    const std::string name = component.substr(component.rfind(' ') + 1);
+    const auto is_it = [&](const std::string& package, const std::string& path) {
+        return name == (package.empty() ? path : package + "::" + path);
+    };
+    for (const ir::Module& each : system.modules)
+        if (is_it(each.package, each.name)) return each.origin.span;
+    for (const ir::Controller& each : system.controllers)
+        if (is_it(each.package, each.path)) return each.origin.span;
+    for (const ir::Machine& each : system.machines)
+        if (is_it(each.package, each.path)) return each.origin.span;
+    return {};
+}
+
+/// Lists all claims as undecided in the results, before any is decided.
+void announce_claims(const Context& context, ClaimResults& results) {
+    const auto edit = context.search.services.edit();
+    for (const csp_emit::Obligation& obligation : context.emission.obligations) {
+        if (!is_wanted(context, obligation)) continue;
+        AssertionReport one;
+        one.title = context.project.label + obligation.title;
+        if (obligation.property != ir::no_id)
+            set_place(context.project.sources, context.project.system.properties[obligation.property].origin.span, one);
+        if (!obligation.component.empty()) {
+            one.core = CoreReport{context.project.label + obligation.component, obligation.property_text,
+                                  obligation.information, elements_of(obligation)};
+        }
+        if (obligation.origin.span.is_known()) set_place(context.project.sources, obligation.origin.span, one);
+        if (one.core && !one.region)
+            one.region =
+                region_of(context.project.sources, declaration_span(context.project.system, obligation.component));
+        const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
+        const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
+        one.answer = decidable ? Answer::inconclusive : Answer::no_check;
+        one.reason = decidable ? undecided_at_limit : obligation.reason;
+        results.assertions.push_back(std::move(one));
+    }
+}
+
+/// If a script uses an undefined name, the input is wrong; this is reported once for all claims of the script.
+std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_emit::Emission& emission, Time time,
+                                             const SearchContext& search, ClaimResults& results) {
+    try {
+        auto session = std::make_unique<cspm::Session>(emission.script, &search.services.budget());
+        if (diagnostics::Cache* const cache = search.services.cache()) session->set_cache(*cache);
+        return session;
+    } catch (const cspm::EvaluationError& error) {
+        AssertionReport one;
+        one.title = fmt::format("{}the {} script", project.label, time == Time::timed ? "timed" : "untimed");
+        one.answer = Answer::error;
+        one.reason = failure_text(project, error);
+        const auto edit = search.services.edit();
+        results.assertions.push_back(std::move(one));
+        return nullptr;
+    }
+}
+
+/// An answer from the cache contains no information about bounds.
+void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
+                AssertionReport& report) {
+    const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
+    if (!answered || (bounds.met_bounds().empty() && report.searched)) return;
+    for (Ground& ground : reached.basis_of_claim(claim, bounds.met_bounds())) add(report.basis, std::move(ground));
+}
+
+/// Adds these bounds to those of other claims and of the other semantics.
+void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds) {
+    const std::string name = time == Time::timed ? "timed" : "untimed";
+    for (const Ground& ground : basis) {
+        if (ground.kind != GroundKind::bound) continue;
+        const auto same = std::ranges::find_if(bounds, [&](const BoundReport& other) {
+            return other.place == ground.place && other.element == ground.element && other.text == ground.text;
+        });
+        if (same == bounds.end())
+            bounds.push_back({ground.element, ground.place, ground.text, name});
+        else if (same->time != name)
+            same->time = "untimed, timed";
+    }
+}
+
+/// The claims in one semantics.
+class TimeClaims {
+public:
+    /// Lists the claims in the results.
+    TimeClaims(Project& project, const SearchContext& search, Time time, ClaimResults& results)
+        : project_(project),
+          search_(search),
+          time_(time),
+          emission_(emit_csp(project, search.settings.claims, search.settings.swarm, time)),
+          results_(results),
+          watch_(project, emission_),
+          reached_(project, emission_, search),
+          guards_(project, emission_, time),
+          rules_(project, emission_, search) {
+        if (!project.diagnostics.ok() || (emission_.obligations.empty() && !search.settings.claims.sizes)) return;
+        if (!open_session()) return;
+        first_ = results.assertions.size();
+        announce_claims({project, search, emission_, *session_, guards_}, results);
+        announced_.assign(results.assertions.begin() + static_cast<std::ptrdiff_t>(first_), results.assertions.end());
+    }
+
+    void add_to(std::vector<WaitingClaim>& claims) {
+        if (!session_) return;
+        const Context context{project_, search_, emission_, *session_, guards_};
+        std::size_t number = 0;
+        for (const csp_emit::Obligation& obligation : emission_.obligations)
+            if (is_wanted(context, obligation))
+                claims.push_back({obligation.title, [this, &obligation, at = number++](const Turn& turn) {
+                                      return decide_in(turn, obligation, at);
+                                  }});
+    }
+
+    /// Frees what claims share. The next one opens the script again.
+    void give_back() {
+        second_look_.reset();
+        given_back_ = session_ != nullptr || given_back_;
+        session_.reset();
+    }
+
+    void measure_if_asked() {
+        if (search_.settings.claims.sizes && given_back_ && !session_) (void)open_session();
+        if (session_ && search_.settings.claims.sizes)
+            measure_sizes(project_, *session_, emission_, time_, search_, results_);
+    }
+
+private:
+    bool open_session() {
+        session_ = start_session(project_, emission_, time_, search_, results_);
+        if (!session_) return false;
+        session_->set_observer(watch_.observer());
+        second_look_.emplace(project_, emission_, *session_, search_);
+        return true;
+    }
+
+    bool decide_in(const Turn& turn, const csp_emit::Obligation& obligation, std::size_t at) {
+        SearchContext search{search_.settings, search_.services, turn};
+        search.turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, at); };
+        AssertionReport one = announced_[at];
+        try {
+            if (!session_ && !open_session()) return true;  // the results say why
+            decide_whole({project_, search, emission_, *session_, guards_}, obligation, one);
+        } catch (const diagnostics::LimitReached& limit) {
+            if (run_is_over(search_.services.budget())) throw;
+            one = announced_[at];
+            one.reason = limit.what();
+        }
+        const bool decided = one.answer != Answer::inconclusive;
+        if (!decided) one.reason = ended_turn(one.reason, search);
+        const auto edit = search_.services.edit();
+        add_bounds(one.basis, time_, results_.bounds);
+        results_.assertions[first_ + at] = std::move(one);
+        return decided;
+    }
+
+    void decide_whole(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& one) {
+        if (obligation.firing) {
+            one.reason.clear();
+            decide_firing(context, *obligation.firing, one);
+        } else if (obligation.kind == ir::PropertyKind::conforms) {
+            one.reason.clear();
+            rules_.decide_property(project_.system.properties[obligation.property], context.search, one);
+        } else if (!obligation.assertions.empty()) {
+            one.reason.clear();
+            decide_claim(context, obligation, one);
+            if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
+        }
+        if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
+            one.reason.clear();
+            decide_recurrence(context, obligation, one);
+        }
+        premises_.apply_premise(context, obligation, one);
+        second_look_->add_to(obligation, one);
+        add_bounds(reached_, watch_, obligation, one);
+    }
+
+    /// Stores the current knowledge about a claim, in case the run ends now.
+    void note_progress(const refine::Progress& progress, std::size_t at) {
+        const auto edit = search_.services.edit();
+        AssertionReport& known = results_.assertions[first_ + at];
+        if (progress.phase != refine::Progress::Phase::searching || progress.states < known.statistics.states) return;
+        known.searched = true;
+        known.statistics.states = progress.states;
+        known.statistics.transitions = progress.transitions;
+        known.statistics.depth = progress.depth;
+        known.statistics.seconds = progress.seconds;
+    }
+
+    Project& project_;
+    SearchContext search_;
+    Time time_;
+    const csp_emit::Emission& emission_;
+    ClaimResults& results_;
+    BoundWatch watch_;
+    ReachedBounds reached_;
+    TakenGuards guards_;
+    RuleClaims rules_;
+    Premises premises_;
+    std::unique_ptr<cspm::Session> session_;
+    bool given_back_ = false;
+    std::optional<SecondLook> second_look_;
+    std::size_t first_ = 0;                   ///< index of the first claim in the results
+    std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
+};
+
+/// Lists the claims for other tools; none of them counts as a success.
+void report_unchecked(const Project& project, const SearchContext& search, ClaimResults& results) {
+    const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& why) {
+        if (!is_selected(search.settings.claims, name)) return;
+        AssertionReport one;
+        one.title = project.label + name;
+        set_place(project.sources, span, one);
+        one.answer = Answer::unchecked;
+        one.reason = fmt::format("{}: not checked: {}", diagnostics::escape_for_display(one.place), why);
+        const auto edit = search.services.edit();
+        results.assertions.push_back(std::move(one));
+    };
+    for (const auto& file : project.model->files) {
+        for (const frontend::KeptPart& part : file->kept)
+            if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is of another tool", part.form));
+    }
+}
+
+}  // namespace
+
+void check_assertions(Project& project, const SearchContext& search, ClaimResults& results) {
+    std::vector<WaitingClaim> claims;
+    std::unique_ptr<ProbabilityClaims> probabilities;
+    if (search.settings.swarm.file.empty()) {
+        probabilities = std::make_unique<ProbabilityClaims>(project, search, results);
+        report_unchecked(project, search, results);
+    }
+    std::vector<std::unique_ptr<TimeClaims>> times;
+    for (const Time time : {Time::untimed, Time::timed}) {
+        const bool left_out = search.settings.claims.times == (time == Time::timed ? Times::untimed : Times::timed);
+        if (left_out || !project.diagnostics.ok()) continue;
+        times.push_back(std::make_unique<TimeClaims>(project, search, time, results));
+        times.back()->add_to(claims);
+    }
+    if (probabilities) probabilities->add_to(claims);
+    if (!project.diagnostics.ok()) return;
+    decide_in_turns(claims, search, [&] {
+        for (const auto& time : times) time->give_back();
+        if (probabilities) probabilities->give_back();
+    });
+    for (const auto& time : times) time->measure_if_asked();
+}
+
+}  // namespace robochart::driver

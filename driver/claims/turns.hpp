@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The order in which claims are decided. Every claim gets a short turn before any claim gets a long one, so that a
+// claim that is never decided does not delay the others.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics/budget.hpp"
+#include "driver/settings/search_context.hpp"
+
+namespace robochart::driver {
+
+/// A claim that is not decided yet.
+struct WaitingClaim {
+    std::string title;
+    /// Decides the claim within limits that end with its turn. Returns true if it has an answer.
+    std::function<bool(const Turn&)> decide;
+};
+
+/// Decides all claims. Those without an answer after their turn are repeated with longer turns, until
+/// --assertion-timeout. Searches that use files or several programs get only one turn, because they continue from their
+/// stored states. If a claim reaches the memory limit, `give_back` frees what the claims share, and the next claim is
+/// decided. Throws LimitReached with the current claim if the run is over, or if `give_back` does not free enough.
+void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContext& search,
+                     const std::function<void()>& give_back = {});
+
+/// Whether the run has to end: at its time limit or an interrupt. The memory limit may be that of one claim alone.
+[[nodiscard]] bool run_is_over(const diagnostics::Budget&);
+
+/// The text for a claim that --assertion-timeout left undecided; it replaces the claim's own reason.
+[[nodiscard]] std::string ended_turn(const std::string& reason, const SearchContext&);
+
+}  // namespace robochart::driver

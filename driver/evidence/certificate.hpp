@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result of tuning: constants, how they were found, and what was decided about the model with them. Anybody can
+// repeat the decisions (`tune --verify-certificate`).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostics/json.hpp"
+
+namespace robochart::driver {
+
+/// The hexadecimal digest of a text; different texts have different digests.
+[[nodiscard]] std::string content_digest(std::string_view text);
+
+/// A decided claim and its answer: "A1 [timed] S is deadlock-free", "holds".
+struct DecidedItem {
+    std::string subject;
+    std::string answer;
+
+    friend bool operator==(const DecidedItem&, const DecidedItem&) = default;
+};
+
+/// A claim about probabilities and the trials that it is based on. The seeds of the trials start at the scenario's
+/// `seed`.
+struct DecidedClaim {
+    std::string claim;  ///< as written
+    std::string answer;
+    std::uint64_t trials = 0;
+    std::uint64_t successes = 0;
+    double low = 0;  ///< of the interval at the last look
+    double high = 1;
+
+    friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;
+};
+
+/// The decisions about a model with certain constants, and the texts that they are about.
+struct Evidence {
+    using Files = std::vector<std::pair<std::string, std::string>>;
+
+    std::string scenario;         ///< its name
+    std::string scenario_digest;  ///< of the scenario's text
+    Files model;                  ///< the files of the model and their digests, sorted
+    std::vector<DecidedItem> assertions;
+    std::vector<DecidedItem> conformance;
+    std::uint64_t seed = 0;  ///< of the first trial for the claims
+    std::vector<DecidedClaim> claims;
+};
+
+/// How the constants were found.
+struct SearchRecord {
+    std::vector<std::pair<std::string, std::string>> parameters;  ///< "farRadius", "0.05..0.5"
+    std::uint64_t budget = 0;
+    std::uint64_t seed = 0;
+    std::string test;  ///< "friedman", "t-test"
+    std::uint64_t trials = 0;
+    std::uint64_t candidates = 0;
+    std::uint64_t first_seed = 0;  ///< first seed of the trials, and their number
+    std::uint64_t seeds = 0;
+    double cost = 0;  ///< mean cost of the winner's trials in the search; lower than that of fresh trials
+};
+
+/// Schema "robochart-verify/certificate/1" (docs/cli.md).
+struct Certificate {
+    std::string program;                                         ///< "robochart-verify 0.1.0"
+    std::string build;                                           ///< build ID of the program; "" if unknown
+    std::vector<std::pair<std::string, std::string>> constants;  ///< those found, then those given
+    std::vector<std::string> ranges;                             ///< `--range`
+    SearchRecord search;
+    Evidence evidence;
+};
+
+/// The certificate as text with a final line end, including a digest of its contents.
+[[nodiscard]] std::string certificate_text(const Certificate&);
+/// Reads a certificate strictly: all fields and no others, with the right types, and a correct digest. No value on
+/// failure; `error` contains the reason.
+[[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
+
+/// The differences, one line each: files, verdicts, claims. Empty if both are equal.
+[[nodiscard]] std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found);
+
+}  // namespace robochart::driver

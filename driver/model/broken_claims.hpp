@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds out which claims of a project can be decided although assertion files have errors.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "driver/model/pipeline.hpp"
+#include "frontend/project/units.hpp"
+
+namespace robochart::driver {
+
+/// Divides the claims and blocks of a project into those that can be decided and those that have errors or may depend
+/// on errors.
+struct BrokenClaims {
+    /// The files of one side. For a file that is on both sides, `texts` contains its text without the other side's
+    /// items, by index in Model::files.
+    struct Side {
+        frontend::Unit unit;
+        std::map<std::size_t, std::string> texts;
+    };
+    Side sound;
+    Side broken;        ///< includes the models (`again`)
+    bool some = false;  ///< a claim remains that can be decided
+};
+/// No value if an error is not in an assertion file, or if all remaining claims could depend on a part that cannot be
+/// read. No claim is decided in these cases.
+[[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
+/// True if there are errors, and all of them are in assertion files.
+[[nodiscard]] bool only_claims_broken(const Project&);
+
+}  // namespace robochart::driver

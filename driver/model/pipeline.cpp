@@ -1,0 +1,606 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/model/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/render.hpp"
+#include "base/diagnostics/spelling.hpp"
+#include "csp_emit/blocks/check_script.hpp"
+#include "csp_emit/swarm/compose.hpp"
+#include "csp_emit/swarm/read_swarm.hpp"
+#include "driver/model/broken_claims.hpp"
+#include "driver/settings/claim_selection.hpp"
+#include "driver/settings/instantiation_options.hpp"
+#include "driver/settings/rules.hpp"
+#include "driver/settings/usage_error.hpp"
+#include "frontend/names/names.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/project/units.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "semantics/instantiate/given_constants.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
+
+namespace robochart::driver {
+namespace fs = std::filesystem;
+namespace {
+
+/// The name of the file or folder, also for `.` and `..`.
+std::string project_name(const std::string& input) {
+    std::error_code lost;
+    const fs::path whole = fs::absolute(input, lost);
+    const fs::path path = (lost ? fs::path(input) : whole).lexically_normal();
+    const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
+    const std::string stem = last.stem().string();
+    return stem.empty() || stem == "." || stem == ".." ? "model" : stem;
+}
+
+/// Sets what all phases of a project use: its budget and the suppressed warnings.
+void prepare_project(Project& project, const LoadSettings& settings, diagnostics::Budget* budget) {
+    for (const std::string& code : settings.allowed) project.diagnostics.allow_code(code);
+    project.diagnostics.set_budget(budget);
+}
+
+bool lower(Project& project, const LoadSettings& settings) {
+    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "reading the model");
+    if (!is_acceptable(project, settings)) return false;
+    project.system = ir::lower(*project.model, project.sources, project.diagnostics);
+    return project.diagnostics.ok();
+}
+
+/// `wanted`: the settings without constants that exist only in other parts.
+bool make_finite(Project& project, const ir::InstantiationOptions& wanted) {
+    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "making the model finite");
+    project.asked = wanted;
+    project.instantiation = ir::instantiate_system(project.system, wanted, project.diagnostics);
+    return project.diagnostics.ok();
+}
+
+ir::ComponentRef make_component_ref(ir::ComponentKind kind, std::size_t index, const std::string& package,
+                                    const std::string& name) {
+    ir::ComponentRef ref;
+    ref.kind = kind;
+    ref.definition = static_cast<std::uint32_t>(index);
+    ref.package = package;
+    ref.path = name;
+    return ref;
+}
+
+std::vector<ir::ComponentRef> all_components(const ir::System& system) {
+    std::vector<ir::ComponentRef> all;
+    for (std::size_t i = 0; i < system.modules.size(); ++i)
+        all.push_back(
+            make_component_ref(ir::ComponentKind::module, i, system.modules[i].package, system.modules[i].name));
+    for (std::size_t i = 0; i < system.controllers.size(); ++i)
+        all.push_back(make_component_ref(ir::ComponentKind::controller, i, system.controllers[i].package,
+                                         system.controllers[i].name));
+    for (std::size_t i = 0; i < system.machines.size(); ++i) {
+        const ir::Machine& machine = system.machines[i];
+        if (machine.kind == ir::MachineKind::state_machine)
+            all.push_back(make_component_ref(ir::ComponentKind::machine, i, machine.package, machine.name));
+    }
+    return all;
+}
+
+}  // namespace
+
+namespace {
+
+using Time = std::chrono::steady_clock::time_point;
+
+double seconds_since(Time start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void check_component(const std::vector<Part>& parts, const std::string& wanted);
+
+/// Finds the names that components of one kind in several packages of the project share.
+void find_shared_names(Project& project) {
+    std::map<std::pair<ir::ComponentKind, std::string>, std::string> packages;
+    for (const ir::ComponentRef& ref : all_components(project.system))
+        if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package)
+            project.shared_names.insert(ref.path);
+}
+
+/// Lowers the parts and makes them finite. A constant from the settings applies to the parts that have it. The first
+/// part reports constants that no part has.
+void instantiate_parts(const std::vector<Part>& parts, const Settings& settings) {
+    std::string error;
+    const ir::InstantiationOptions given = instantiation_options(settings.instantiation, error);
+    const ir::GivenConstants weaker = given_constants(settings.instantiation.weaker_constants, error);
+    if (!error.empty()) {
+        parts.front().project->diagnostics.report(rules::bad_option, {}, {error});
+        return;
+    }
+    bool lowered = true;
+    for (const Part& part : parts) {
+        lowered = lower(*part.project, settings.load) && lowered;
+        find_shared_names(*part.project);
+    }
+    bool all = lowered;
+    for (const Part& part : parts) {
+        if (!is_acceptable(*part.project, settings.load)) continue;
+        ir::InstantiationOptions wanted = given;
+        wanted.constants.merge(ir::not_overridden(part.project->system, weaker, given.constants));
+        const auto has = [&](const Part& each, const std::string& name) {
+            return ir::names_constant(each.project->system, name);
+        };
+        std::erase_if(wanted.constants, [&](const auto& constant) {
+            const auto known = std::ranges::any_of(parts, [&](const Part& each) { return has(each, constant.first); });
+            return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
+        });
+        all = make_finite(*part.project, wanted) && all;
+    }
+    if (all) check_component(parts, settings.load.component);
+}
+
+/// The file that a unit is named after: its first model, or the assertion file that distinguishes it.
+fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
+    const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
+    const auto model = std::ranges::find_if(unit.files, [&](std::size_t file) { return path(file).ends_with(".rct"); });
+    return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
+}
+
+/// A unique name for each unit: the name of its file. If several are equal, the folder is put before the name; if that
+/// is not enough, a number is added.
+std::vector<std::string> names_of(const Project& whole, const std::vector<frontend::Unit>& units) {
+    std::map<std::string, std::size_t> called;
+    for (const frontend::Unit& unit : units) ++called[project_name(naming_file(whole, unit).string())];
+    std::vector<std::string> names;
+    std::set<std::string> taken;
+    for (const frontend::Unit& unit : units) {
+        const fs::path file = naming_file(whole, unit).lexically_normal();
+        std::string name = project_name(file.string());
+        if (called[name] > 1 && !unit.again && file.has_parent_path())
+            name = fmt::format("{}_{}", file.parent_path().filename().string(), name);
+        std::string unique = name;
+        for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}_{}", name, number);
+        names.push_back(unique);
+    }
+    return names;
+}
+
+/// The part that consists of these files; some of them have other texts.
+std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
+                                 const LoadSettings& settings,
+                                 const std::map<std::size_t, std::string>& other_texts = {}) {
+    auto part = std::make_unique<Project>(whole.texts);
+    std::vector<diagnostics::SourceId> texts;
+    for (const std::size_t file : unit.files) {
+        const diagnostics::SourceId source = whole.model->files[file]->source;
+        const auto other = other_texts.find(file);
+        texts.push_back(other == other_texts.end() ? source
+                                                   : part->sources.add(whole.sources.path(source), other->second));
+    }
+    part->name = name;
+    prepare_project(*part, settings, whole.diagnostics.budget());
+    part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
+    // If the whole project has errors in these texts, its findings are used, because a name that is unknown here may be
+    // in another part.
+    const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
+    const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
+    if (!part->diagnostics.ok() && std::ranges::any_of(own, wrong))
+        part->diagnostics = whole.diagnostics.findings_in_texts(own);
+    return part;
+}
+
+/// The first error of each text; empty if an error is outside of assertion files.
+std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(const Project& project) {
+    std::set<diagnostics::SourceId> assertions;
+    for (const auto& file : project.model->files)
+        if (file->is_assertions) assertions.insert(file->source);
+    std::map<diagnostics::SourceId, diagnostics::Diagnostic> first;
+    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings()) {
+        if (finding.rule->severity != diagnostics::Severity::error) continue;
+        if (!finding.span.is_known() || !assertions.contains(finding.span.source)) return {};
+        first.try_emplace(finding.span.source, finding);
+    }
+    return first;
+}
+
+/// The project without the assertion files that have errors; each is reported. The unchanged project if other files
+/// have errors, too, or if no file would remain.
+std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> project, const LoadSettings& settings) {
+    const auto broken = errors_of_assertions(*project);
+    frontend::Unit rest;
+    for (std::size_t i = 0; i < project->model->files.size(); ++i) {
+        const frontend::File& file = *project->model->files[i];
+        if (!file.is_library && !broken.contains(file.source)) rest.files.push_back(i);
+    }
+    if (broken.empty() || rest.files.empty()) return project;
+    std::unique_ptr<Project> left = part_of(*project, rest, project->name, settings);
+    for (const auto& [source, first] : broken)
+        left->diagnostics.report(rules::left_out, first.span, {})
+            .notes.push_back({{}, fmt::format("{}: {}", first.rule->code, first.message())});
+    return left;
+}
+
+/// The model that consists of these texts.
+std::unique_ptr<frontend::Model> load_given(Project& project, const std::vector<TextInput>& inputs) {
+    std::vector<diagnostics::SourceId> texts;
+    for (const TextInput& input : inputs) texts.push_back(project.sources.add(input.path, input.text));
+    return frontend::load_texts(project.sources, texts, project.diagnostics);
+}
+
+std::unique_ptr<Project> read(const LoadSettings& settings, diagnostics::Budget& budget) {
+    auto project = std::make_unique<Project>();
+    project->name = project_name(settings.inputs.front());
+    prepare_project(*project, settings, &budget);
+    const diagnostics::Budget::Phase phase(budget, "reading the model");
+    project->model = settings.texts.empty()
+                         ? frontend::load_project(project->sources, settings.inputs, project->diagnostics)
+                         : load_given(*project, settings.texts);
+    return settings.claims == ClaimUse::ignore ? without_broken_assertions(std::move(project), settings)
+                                               : std::move(project);
+}
+
+/// If two parts have components with the same name, all output about the parts contains the part's name.
+void label_parts(const std::vector<Part>& parts) {
+    std::map<std::string, std::set<const Project*>> owners;
+    for (const Part& part : parts)
+        if (!part.again)
+            for (const ir::ComponentRef& ref : all_components(part.project->system))
+                owners[ref.path].insert(part.project.get());
+    const auto clash = [](const auto& entry) { return entry.second.size() > 1; };
+    if (std::ranges::none_of(owners, clash)) return;
+    for (const Part& part : parts) {
+        part.project->label = part.project->name + ": ";
+        part.project->folder = part.project->name + "/";
+    }
+}
+
+/// True if there are errors without a place in a text, so that no part can be processed.
+bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
+    const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted_findings();
+    return std::ranges::any_of(all, [](const diagnostics::Diagnostic& finding) {
+        return finding.rule->severity == diagnostics::Severity::error && !finding.span.is_known();
+    });
+}
+
+/// Divides the project into its parts.
+std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettings& settings,
+                                const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
+    std::vector<Part> parts;
+    std::vector<frontend::Unit> units;
+    if (!cannot_be_read(whole->diagnostics)) units = units_of(*whole->model);
+    if (units.size() > 1) {
+        const std::vector<std::string> names = names_of(*whole, units);
+        for (std::size_t i = 0; i < units.size(); ++i)
+            parts.push_back({part_of(*whole, units[i], names[i], settings), units[i].again});
+    }
+    if (parts.empty()) parts.push_back({std::move(whole), false});
+    return parts;
+}
+
+}  // namespace
+
+std::vector<ClaimName> claims_of(const frontend::Model& model) {
+    std::vector<ClaimName> claims;
+    for (const auto& file : model.files) {
+        std::map<std::size_t, ClaimName> in_file;  // by position
+        for (const frontend::Assertion& each : file->assertions)
+            in_file.emplace(each.span.begin, ClaimName{each.name, each.span});
+        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
+            in_file.emplace(each.span.begin, ClaimName{each.name, each.span});
+        for (const frontend::KeptPart& each : file->kept)
+            if (each.claims) in_file.emplace(each.span.begin, ClaimName{each.name, each.span});
+        for (const auto& [place, claim] : in_file) claims.push_back(claim);
+    }
+    return claims;
+}
+
+std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Budget& budget) {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Part> parts;
+    parts.push_back({read(settings.load, budget), false});
+    instantiate_parts(parts, settings);
+    parts.front().project->seconds = seconds_since(start);
+    return std::move(parts.front().project);
+}
+
+namespace {
+
+/// "5x8".
+csp_emit::SwarmGrid grid_of(const std::string& text) {
+    constexpr std::uint32_t most = 64;
+    csp_emit::SwarmGrid grid;
+    const char* const end = text.data() + text.size();
+    const auto [middle, first] = std::from_chars(text.data(), end, grid.width);
+    const bool whole = first == std::errc() && middle != end && *middle == 'x' &&
+                       std::from_chars(middle + 1, end, grid.height).ptr == end;
+    const auto fits = [](std::uint32_t side) { return side >= 2 && side <= most; };
+    if (!whole || !fits(grid.width) || !fits(grid.height))
+        throw UsageError(fmt::format("--grid {}: expected two numbers from 2 to {}, such as 5x8", text, most));
+    return grid;
+}
+
+/// The swarm that --swarm names, with the other options about it.
+csp_emit::Swarm swarm_of(const SwarmSettings& settings, diagnostics::SourceManager& sources,
+                         diagnostics::Diagnostics& diagnostics) {
+    std::string error;
+    const auto source = load_input(sources, settings.file, error);
+    if (!source) {
+        diagnostics.report(frontend::syntax::unreadable, {}, {settings.file, error});
+        return {};
+    }
+    const auto grid = settings.grid.empty() ? std::nullopt : std::optional(grid_of(settings.grid));
+    return csp_emit::read_swarm(sources, *source, diagnostics, {settings.robots, grid});
+}
+
+/// The names of a project's claims, or the texts of a swarm's claims, in order, without duplicates. --assertion refers
+/// to this list.
+std::vector<std::string> claim_names(const Project& whole, const SwarmSettings& swarm) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    };
+    if (!swarm.file.empty()) {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics errors;  // reported when the swarm is composed
+        for (const csp_emit::SwarmClaim& each : swarm_of(swarm, sources, errors).claims) add(each.text);
+        return names;
+    }
+    for (const ClaimName& claim : claims_of(*whole.model)) add(claim.name);
+    return names;
+}
+
+/// Replaces the words of --assertion by the names of the claims that they select. Words that select none are reported
+/// in the project.
+void name_claims(Project& whole, Settings& settings) {
+    std::vector<std::string>& claims = settings.claims.names;
+    if (claims.empty()) return;
+    const std::vector<std::string> names = claim_names(whole, settings.swarm);
+    const ClaimSelection selection = select_claims(claims, names);
+    claims.clear();
+    for (const std::size_t place : selection.chosen) claims.push_back(names[place]);
+    const bool errors = !whole.diagnostics.ok();  // because of them, the list of claims may be incomplete
+    for (const std::string& word : selection.lost)
+        if (errors)
+            claims.push_back(word);
+        else
+            whole.diagnostics.report(rules::bad_option, {},
+                                     {fmt::format("--assertion {}: {}", word, why_lost(word, names, "the model"))});
+}
+
+/// Errors in CSP blocks are found when the script is made. The script is stored, so it is made with the options of the
+/// check.
+void read_blocks(const Part& part, const Settings& settings) {
+    Project& project = *part.project;
+    if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
+    ClaimSettings wanted = settings.claims;
+    wanted.core = core_wanted(part, settings);
+    if (wanted.times != Times::timed) (void)emit_csp(project, wanted, settings.swarm, csp_emit::Time::untimed);
+    if (wanted.times != Times::untimed && project.diagnostics.ok())
+        (void)emit_csp(project, wanted, settings.swarm, csp_emit::Time::timed);
+}
+
+/// True if every name is that of a claim in some assertion file.
+bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>& names) {
+    return std::ranges::all_of(names, [&](const std::string& name) {
+        return std::ranges::any_of(parts, [&](const Part& part) {
+            const auto& files = part.project->model->files;
+            return std::ranges::any_of(files, [&](const auto& file) {
+                return std::ranges::any_of(file->assertions,
+                                           [&](const frontend::Assertion& claim) { return claim.name == name; });
+            });
+        });
+    });
+}
+
+/// A claim or CSP block with errors does not prevent the other claims from being decided. If some claims can be
+/// decided, a part with errors is divided into two (broken_claims.hpp). Scripts are written for the part without
+/// errors.
+void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) {
+    const bool writes = settings.load.claims == ClaimUse::write;
+    const bool decides = settings.load.claims == ClaimUse::decide;
+    if ((!decides && !writes) || !settings.load.split_broken_claims || !are_claimed(parts, settings.claims.names))
+        return;
+    std::vector<Part> result;
+    for (Part& part : parts) {
+        read_blocks(part, settings);
+        const auto found = part.project->diagnostics.ok() ? std::nullopt : broken_claims(*part.project);
+        if (!found || !(found->some || writes)) {
+            result.push_back(std::move(part));
+            continue;
+        }
+        const Project& whole = *part.project;
+        std::vector<Part> sound;
+        sound.push_back({part_of(whole, found->sound.unit, whole.name, settings.load, found->sound.texts), part.again});
+        instantiate_parts(sound, settings);
+        separate_broken_claims(sound, settings);  // errors in blocks are only found if there are no others
+        std::set<diagnostics::SourceId> wrong;
+        std::string named;  // the first file with an error
+        for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted_findings())
+            if (finding.rule->severity == diagnostics::Severity::error) {
+                if (wrong.empty()) named = whole.sources.path(finding.span.source);
+                wrong.insert(finding.span.source);
+            }
+        auto broken = part_of(whole, found->broken.unit, project_name(named), settings.load, found->broken.texts);
+        broken->diagnostics = whole.diagnostics.findings_in_texts(wrong);
+        for (Part& each : sound) result.push_back(std::move(each));
+        result.push_back({std::move(broken), true});
+    }
+    parts = std::move(result);
+}
+
+}  // namespace
+
+std::vector<Part> load_parts(Settings& settings, diagnostics::Budget& budget) {
+    const auto start = std::chrono::steady_clock::now();
+    std::unique_ptr<Project> whole = read(settings.load, budget);
+    name_claims(*whole, settings);
+    std::vector<Part> parts = split_project(std::move(whole), settings.load, frontend::split_into_units);
+    instantiate_parts(parts, settings);
+    separate_broken_claims(parts, settings);
+    label_parts(parts);
+    parts.front().project->seconds = seconds_since(start);
+    return parts;
+}
+
+std::vector<Part> read_parts(const LoadSettings& settings, diagnostics::Budget& budget) {
+    return split_project(read(settings, budget), settings, [](const frontend::Model& model) {
+        std::vector<frontend::Unit> units;
+        for (std::vector<std::size_t> group : frontend::group_files(model)) units.push_back({std::move(group), false});
+        return units;
+    });
+}
+
+bool is_selected(const ClaimSettings& settings, const std::string& claim) {
+    return settings.names.empty() || std::ranges::find(settings.names, claim) != settings.names.end();
+}
+
+bool core_wanted(const Part& part, const Settings& settings) {
+    const Project& project = *part.project;
+    const bool checks = settings.load.claims == ClaimUse::decide;
+    const auto& files = project.model->files;
+    const bool claims = !project.system.properties.empty() || std::ranges::any_of(files, [](const auto& file) {
+        return !file->probabilistic_assertions.empty() ||
+               std::ranges::any_of(file->kept, [](const auto& kept) { return kept.claims; });
+    });
+    const bool instead = checks && !claims && settings.claims.names.empty() && !settings.claims.sizes;
+    return !part.again && (settings.claims.core || instead) && settings.swarm.file.empty();
+}
+
+namespace {
+
+/// True if a NAME=VALUE option sets this name.
+bool is_set(const std::vector<std::string>& options, const std::string& name) {
+    return std::ranges::any_of(options, [&](const std::string& each) { return each.starts_with(name + "="); });
+}
+
+}  // namespace
+
+void add_swarm(Settings& settings) {
+    const SwarmSettings& wanted = settings.swarm;
+    if (wanted.file.empty()) {
+        if (wanted.robots > 0 || !wanted.grid.empty()) throw UsageError("--robots and --grid need --swarm");
+        return;
+    }
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;  // reported when the swarm is composed
+    const csp_emit::Swarm swarm = swarm_of(wanted, sources, found);
+    if (!found.ok()) return;
+    InstantiationSettings& instantiation = settings.instantiation;
+    for (const csp_emit::SwarmConstant& each : swarm.constants)
+        if (!each.value.empty()) instantiation.weaker_constants.push_back(each.name.text + "=" + each.value);
+    for (const csp_emit::SwarmRange& each : swarm.ranges)
+        if (!is_set(instantiation.ranges, each.type.text))
+            instantiation.ranges.push_back(fmt::format("{}={}..{}", each.type.text, each.low, each.high));
+    if (swarm.grid && settings.claims.times == Times::both) settings.claims.times = Times::timed;
+}
+
+const csp_emit::Emission& emit_csp(Project& project, const ClaimSettings& claims, const SwarmSettings& swarm_settings,
+                                   csp_emit::Time time) {
+    if (const auto made = project.scripts.find(time); made != project.scripts.end()) return made->second;
+    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "writing the CSP semantics");
+    csp_emit::Options wanted;
+    wanted.core_properties = claims.core && (time == csp_emit::Time::timed || claims.times == Times::untimed);
+    const csp_emit::Emission& emission =
+        project.scripts
+            .emplace(time, csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources,
+                                          project.diagnostics))
+            .first->second;
+    if (!project.diagnostics.ok()) return emission;
+    if (!swarm_settings.file.empty()) {
+        const csp_emit::Swarm swarm = swarm_of(swarm_settings, project.sources, project.diagnostics);
+        if (!project.diagnostics.ok()) return emission;
+        csp_emit::make_swarm(project.scripts.at(time), swarm, time, project.system, project.instantiation,
+                             project.sources, project.diagnostics);
+        if (!project.diagnostics.ok()) return emission;
+    }
+    if (!emission.captured.empty())
+        throw std::logic_error(
+            fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
+    // Scripts that are written or checked must satisfy FDR's type rules. If a script contains no text of the user, a
+    // finding is an internal error.
+    csp_emit::check_script(emission, project.system, project.diagnostics);
+    if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
+        diagnostics::TextStyle style;
+        throw std::logic_error(fmt::format("the script does not type check:\n{}",
+                                           diagnostics::render_text(project.sources, project.diagnostics, style)));
+    }
+    return emission;
+}
+
+std::string file_name(const Project& project, const ir::ComponentRef& component) {
+    const bool shared = project.shared_names.contains(component.path) && !component.package.empty();
+    std::string name = shared ? component.package + "_" + component.path : component.path;
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    return name;
+}
+
+std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager& sources, const std::string& path,
+                                                std::string& error) {
+    if (path != "-") return sources.load_file(path, error);
+    std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+    if (!error.empty()) return std::nullopt;
+    return sources.add("standard input", std::move(text));
+}
+
+std::string files_inside(const std::string& folder, std::string_view ending) {
+    std::vector<std::string> names;
+    std::error_code code;
+    fs::directory_iterator at(folder, code);
+    for (const fs::directory_iterator end; !code && at != end; at.increment(code))
+        if (const std::string name = at->path().filename().string(); name.ends_with(ending)) names.push_back(name);
+    if (names.empty()) return "";
+    std::ranges::sort(names);
+    constexpr std::size_t few = 3;
+    const std::size_t more = names.size() > few ? names.size() - few : 0;
+    names.resize(names.size() - more);
+    return fmt::format("; it has {}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& wanted) {
+    std::vector<ir::ComponentRef> chosen;
+    for (const ir::ComponentRef& ref : all_components(system)) {
+        const bool named = ref.path == wanted || ref.package + "::" + ref.path == wanted;
+        if (wanted.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
+    }
+    return chosen;
+}
+
+namespace {
+
+/// The component that the options name must exist in some part. If it does not, the first part reports this.
+void check_component(const std::vector<Part>& parts, const std::string& wanted) {
+    std::vector<std::string> known;
+    for (const Part& part : parts) {
+        if (wanted.empty() || !code_components(part.project->system, wanted).empty()) return;
+        for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
+    }
+    const std::string meant = diagnostics::nearest_spelling(wanted, known);
+    std::ranges::sort(known);
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    constexpr std::size_t few = 8;
+    const std::string help = !meant.empty()        ? fmt::format("; did you mean '{}'?", meant)
+                             : known.empty()       ? "; it has none"
+                             : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", "))
+                                                   : "";
+    parts.front().project->diagnostics.report(
+        rules::bad_option, {},
+        {fmt::format("--component {}: the model has no module, controller or state machine of this name{}", wanted,
+                     help)});
+}
+
+}  // namespace
+
+bool is_acceptable(const Project& project, const LoadSettings& settings) {
+    return project.diagnostics.ok() && !(settings.deny_warnings && project.diagnostics.warning_count() > 0);
+}
+
+}  // namespace robochart::driver

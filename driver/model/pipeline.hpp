@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The phases of a run over a model, each computed once and on demand (docs/architecture.md has the table).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "csp_emit/emit.hpp"
+#include "driver/settings/settings.hpp"
+#include "frontend/syntax/ast.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::driver {
+
+/// All data about one model.
+struct Project {
+    explicit Project(
+        std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
+        : texts(std::move(shared)), sources(*texts) {}
+
+    std::string name;    ///< of the first input, without folder and extension; used in names of written files
+    std::string label;   ///< printed before results: "NAME: " if parts have components of the same name, otherwise ""
+    std::string folder;  ///< folder for the files of its components: "NAME/" in this case
+    std::shared_ptr<diagnostics::SourceManager> texts;
+    diagnostics::SourceManager& sources;  ///< shared by all parts of a run
+    diagnostics::Diagnostics diagnostics;
+    std::unique_ptr<frontend::Model> model;
+    ir::System system;
+    ir::InstantiationOptions asked;  ///< options for its instantiation
+    ir::Instantiation instantiation;
+    std::set<std::string> shared_names;  ///< names that components of one kind in several of its packages share
+    double seconds = 0;                  ///< for reading, resolving and lowering
+    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< those that were requested (emit_csp)
+};
+
+/// Reads the inputs, lowers them and makes them finite, as one project. Stops after the first phase with errors.
+/// `diagnostics` contains them, and names in the settings that the model does not have.
+[[nodiscard]] std::unique_ptr<Project> load_project(const Settings&, diagnostics::Budget&);
+
+/// Completes the settings from the swarm's file: constants, ranges, and the timed semantics if there is a grid. Errors
+/// of that file are reported when the swarm is composed. Throws UsageError if settings about a swarm are given without
+/// one, or are invalid.
+void add_swarm(Settings&);
+
+/// Divides the inputs into parts. Files that do not belong together are resolved and made finite separately
+/// (frontend/project/units.hpp), each part as if it were alone. There is one part if all files belong together. A part
+/// with errors is not lowered or made finite; its diagnostics contain them. Names in the settings must exist in some
+/// part. The words of --assertion are replaced by the names of the claims that they select (claim_selection.hpp).
+struct Part {
+    std::unique_ptr<Project> project;
+    bool again = false;  ///< an earlier part contains its components, too
+};
+[[nodiscard]] std::vector<Part> load_parts(Settings&, diagnostics::Budget&);
+/// The same, but only reading and resolving, without instantiations. Errors are in the diagnostics.
+[[nodiscard]] std::vector<Part> read_parts(const LoadSettings&, diagnostics::Budget&);
+
+/// A claim of an assertion file.
+struct ClaimName {
+    std::string name;
+    diagnostics::Span span;
+};
+/// The claims of a model in the order of its files.
+[[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
+
+/// True if the claim of this name is to be decided; without names, all are.
+[[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
+
+/// True if the core properties of a part are checked: they were requested, or assertions are checked and the model has
+/// none. False if an earlier part has the same components.
+[[nodiscard]] bool core_wanted(const Part&, const Settings&);
+
+/// The semantics for one time, type checked; diagnostics are added to the project's. Computed on the first request with
+/// the settings of that request, and stored in the project. Throws std::logic_error if the script is wrong although it
+/// contains no text of the user.
+[[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const ClaimSettings&, const SwarmSettings&, csp_emit::Time);
+
+/// The components for which C++ is generated: the modules; if there are none, the controllers; if there are none, the
+/// machines. With a name, the component of this name, of any kind. Empty with a diagnostic if there is none.
+[[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
+
+/// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
+/// components of other packages have the same name.
+[[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
+
+/// Loads a text that is not a model: a file, or standard input if the path is "-". No value if it cannot be read;
+/// `error` contains the reason.
+[[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
+                                                              std::string& error);
+
+/// "; it has patrol.scenario": the files that may have been meant if a folder is given instead of a file; "" if there
+/// are none.
+[[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
+
+/// True if there are no errors and, if warnings are denied, no warnings.
+[[nodiscard]] bool is_acceptable(const Project&, const LoadSettings&);
+
+}  // namespace robochart::driver

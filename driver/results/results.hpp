@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The answers to the claims of a model or a script, as data.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "checker/refine/verdict/check.hpp"
+#include "counterexample/run.hpp"
+#include "driver/results/basis.hpp"
+#include "prism/assertions/experiments/experiment.hpp"
+
+namespace robochart::driver {
+
+/// The answer to one assertion.
+enum class Answer {
+    holds,
+    fails,
+    inconclusive,
+    no_check,   ///< the claim has no check in this semantics; it is listed, but does not count as true
+    error,      ///< the claim could not be evaluated because of wrong input
+    unchecked,  ///< a claim of a kind that is not decided here, so its answer is unknown
+    computed,   ///< a value was requested and computed
+};
+
+/// The answer in data formats: "holds", "fails".
+[[nodiscard]] std::string_view name_of(Answer);
+/// The answer for people: "holds", "FAILS".
+[[nodiscard]] std::string_view answer_word(Answer);
+
+/// The reason of a claim that is inconclusive because its decision has not begun.
+inline constexpr const char* undecided_at_limit = "it was not decided before the limit";
+
+/// Additional data of an assertion that is a core property, which is checked for every component.
+struct CoreReport {
+    std::string component;     ///< "state machine P::S"
+    std::string property;      ///< "deadlock-free"
+    bool information = false;  ///< informative only: neither a false nor an unknown answer is a problem
+    /// If the question is which elements are exercised: the transitions or states of the resolved model that it is
+    /// about.
+    std::vector<std::string> elements = {};
+    std::vector<std::string> unexercised = {};  ///< those that no run exercises
+};
+
+/// Printed with a counterexample that may not be shortest.
+inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
+
+/// The model that decided a probabilistic assertion, and the result for each combination of values of its constants.
+struct ProbabilityReport {
+    std::string encoding;   ///< "robotool"
+    std::string scheduler;  ///< "any", "urgent", "uniform"; "" if the encoding has no choices
+    std::vector<probability::Row> rows;
+};
+
+/// One assertion with its answer.
+struct AssertionReport {
+    std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;  ///< "aggregation.assertions:12"
+    /// The same place with its end. For a core property without a place, the declaration of the component.
+    std::optional<runs::Place> region;
+    std::optional<CoreReport> core;                ///< no value: an assertion of the model or the script
+    std::optional<ProbabilityReport> probability;  ///< for probabilistic assertions
+    Answer answer = Answer::inconclusive;
+    std::string reason;  ///< inconclusive, no_check, error
+    Basis basis;         ///< the basis of the answer, apart from the model
+    refine::Statistics statistics;
+    bool searched = false;         ///< in this run: the answer is not entirely from the cache
+    std::optional<runs::Run> run;  ///< the counterexample of a model
+    std::string counterexample;    ///< the counterexample of a script, as text
+};
+
+/// Sets the place of a claim.
+void set_place(const diagnostics::SourceManager&, diagnostics::Span, AssertionReport&);
+
+/// A place where the finite instantiation limited a value while assertions were checked.
+struct BoundReport {
+    std::string element;  ///< "P::S::t1", preceded by the name of the part if there are several
+    std::string place;    ///< "model.rct:12"
+    std::string text;     ///< the expression and how it was limited
+    std::string time;     ///< "untimed", "timed", or both
+};
+
+/// The size of a component's process. If a bound was reached, the size known then.
+struct SizeReport {
+    struct Size {
+        std::size_t states = 0;
+        std::size_t transitions = 0;
+        bool whole = true;
+    };
+    std::string component;  ///< "P::C::stm_ref0"
+    std::string time;       ///< "untimed", "timed"
+    Size process;           ///< D__
+    Size compressed;        ///< O__
+};
+
+/// The answers to the claims, and what was found while they were decided.
+struct ClaimResults {
+    std::vector<AssertionReport> assertions;
+    std::vector<BoundReport> bounds;
+    std::vector<SizeReport> sizes;
+    std::vector<std::string> remarks;
+};
+
+}  // namespace robochart::driver

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verdict about a SLEEC rule and a component of a model.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace robochart::driver {
+
+/// The verdict about a rule and a component of a model.
+struct RuleVerdict {
+    enum class Kind { obeyed, broken, never_asked, not_applicable, not_decided, error };
+    std::string component;
+    std::size_t rule = 0;
+    Kind kind = Kind::not_decided;
+    std::string reason;              ///< not applicable, not decided, error: the reason
+    std::vector<std::string> lines;  ///< broken: the violation
+    std::uint64_t states = 0;
+};
+
+}  // namespace robochart::driver

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library robochart::driver: loads RoboChart models, decides their claims in the CSP semantics, and explains the
+// answers with runs of the model. It is the pipeline of the command `robochart-verify check`.
+//
+// Functions return what is wrong with a model or a setting as findings. They print nothing, never end the program, and
+// throw only std::bad_alloc. This header needs only the standard library (docs/library.md has an example).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace robochart::verify {
+
+/// A range in a file: lines and columns from 1, columns in Unicode code points, the end exclusive.
+struct Place {
+    std::string file;
+    std::uint32_t line = 0, column = 0;
+    std::uint32_t end_line = 0, end_column = 0;
+};
+
+/// The severity of a finding. A model with errors cannot be checked.
+enum class Severity { note, warning, error };
+
+/// What is wrong with a model or a setting.
+struct Finding {
+    Severity severity = Severity::error;
+    std::string code;            ///< of the rule, "STM6"; `robochart-verify explain CODE` explains it
+    std::string message;         ///< one sentence
+    std::optional<Place> place;  ///< no value: it is not about a text
+};
+
+/// A file whose text is given instead of read.
+struct Text {
+    std::string path;  ///< for messages; it ends in .rct for a model and in .assertions for claims
+    std::string text;
+};
+
+/// How a model is loaded and made finite.
+struct LoadOptions {
+    std::map<std::string, std::string> constants;  ///< values of constants by name; literals as in the model
+    /// The least and the greatest value of `nat`, `int` and `real`; also the lengths of sequences (`Seq`), the times of
+    /// clocks (`clock`) and the elements of given types (`given`).
+    std::map<std::string, std::pair<std::int64_t, std::int64_t>> ranges;
+    std::vector<std::string> allowed_warnings;  ///< codes of warnings that are not reported
+    bool deny_warnings = false;                 ///< a model with warnings cannot be checked
+};
+
+/// The semantics in which claims are decided; a claim may restrict itself to one.
+enum class Semantics { both, untimed, timed };
+
+/// The limits of one check. A claim that a limit leaves undecided is inconclusive.
+struct Limits {
+    double seconds = 0;              ///< of the whole check; 0: none
+    double seconds_of_claim = 0;     ///< of each claim; 0: none, claims then take turns
+    std::uint64_t memory_bytes = 0;  ///< of the program; 0: 16 GiB, or three quarters of the machine's if that is less
+    std::uint64_t states = 500'000'000;  ///< of each search
+    unsigned threads = 0;                ///< of each search; 0: one for each core
+};
+
+/// What is decided, and within which limits.
+struct CheckOptions {
+    Semantics semantics = Semantics::both;
+    /// Also decides the core properties of every component, such as freedom from deadlock. They are always decided if
+    /// the model makes no claims.
+    bool core_properties = false;
+    Limits limits;
+    std::function<bool()> interrupted;  ///< polled by the thread that checks; true ends the check. May be empty
+};
+
+/// The answer to a claim.
+enum class Verdict {
+    holds,
+    fails,
+    inconclusive,  ///< a limit was reached, or the question cannot be decided; the reason says why
+    no_check,      ///< the claim has no check in this semantics
+    error,         ///< the claim cannot be evaluated
+    not_checked,   ///< a claim of a kind that this library does not decide
+    value,         ///< the claim asks for a value, and it was computed
+};
+
+/// A value of a machine at one moment.
+struct Variable {
+    std::string name;
+    std::string value;
+};
+
+/// A machine at one moment.
+struct Machine {
+    std::string component;            ///< the instance, "P::M::ctrl_ref0::stm_ref0"
+    std::string text;                 ///< "in S1"
+    std::vector<std::string> states;  ///< the active states, outermost first
+    std::vector<Variable> variables;  ///< its values that may change and may still be read
+};
+
+/// One step of a run.
+struct Step {
+    std::string text;                  ///< "input a with 3", "t0: i -> S1", "time passes"
+    std::string component;             ///< the instance that performs it; "" if there is none
+    std::string element;               ///< of the model: the transition, statement or event; "" if unknown
+    std::vector<std::string> values;   ///< that are communicated
+    bool hidden = false;               ///< invisible to the environment
+    bool notable = true;               ///< false: Answer::text leaves it out, for example that a state is entered
+    std::optional<std::int64_t> time;  ///< time units before it; only in the timed semantics
+    std::optional<Place> place;
+    std::vector<Machine> machines;  ///< all machines after the step
+};
+
+/// A run of the model that refutes a claim, or that shows what a claim asks for.
+struct Run {
+    bool timed = false;
+    std::vector<Machine> initial;  ///< before the first step
+    std::vector<Step> steps;
+    std::optional<std::size_t> loop_start;  ///< index of the first step that repeats forever; no value: the run ends
+    std::string end;                        ///< one sentence: what is wrong at the end
+};
+
+/// A fact that a verdict rests on besides the model, for example a bound of the finite instantiation.
+struct Ground {
+    std::string text;
+    std::optional<Place> place;
+    std::string remedy;  ///< what to do if it is not intended; "" if there is nothing to do
+};
+
+/// A value that a probabilistic claim asks for, or the truth of its bound.
+struct Value {
+    std::map<std::string, std::string> constants;  ///< the values of its constants
+    std::optional<bool> truth;                     ///< of a bound; no value: a number is asked for
+    double low = 0, high = 0;                      ///< the number is between them
+    bool sampled = false;                          ///< estimated by random paths, so it is not certain
+    std::string unknown;                           ///< why it is not known; "" if it is
+};
+
+/// The answer to one claim in one semantics.
+struct Answer {
+    std::string title;  ///< "A1 [timed] Pump is deadlock-free"
+    std::optional<Place> place;
+    Verdict verdict = Verdict::inconclusive;
+    std::string reason;         ///< of a verdict that needs one; "" otherwise
+    std::vector<Ground> basis;  ///< what the verdict rests on besides the model
+    std::optional<Run> run;     ///< the counterexample of a claim that fails
+    std::string text;           ///< the same run as lines for people; "" if there is none
+    std::vector<Value> values;  ///< of a probabilistic claim
+    bool information = false;   ///< a core property that is informative only: no answer to it is a problem
+    std::uint64_t states = 0, transitions = 0;
+    double seconds = 0;
+};
+
+/// The result of a check.
+struct CheckResult {
+    std::vector<Answer> answers;
+    std::vector<Finding> findings;  ///< of the check itself, for example about unknown claims
+    std::string limit;              ///< why the check ended early; "" if it did not
+
+    /// True if at least one claim holds or has a value, every other holds, has a value or has no check in this
+    /// semantics, and the findings contain no error. Informative answers do not count.
+    [[nodiscard]] bool all_hold() const;
+};
+
+/// A claim of a model.
+struct Claim {
+    std::string name;
+    std::optional<Place> place;
+};
+
+struct LoadResult;
+
+/// A loaded model. Moving is cheap. One object must not be used by several threads at the same time.
+class Model {
+public:
+    Model(Model&&) noexcept;
+    Model& operator=(Model&&) noexcept;
+    ~Model();
+
+    /// The claims in the order of the assertion files, also those with errors.
+    [[nodiscard]] const std::vector<Claim>& claims() const;
+    /// Decides all claims.
+    [[nodiscard]] CheckResult check(const CheckOptions& = {});
+    /// Decides the claims that the words select: a name, a number (from 1), a range of numbers (`3..5`) or a pattern
+    /// (`Safe*`). A word that selects none is a finding, and nothing is decided.
+    [[nodiscard]] CheckResult check(const std::vector<std::string>& words, const CheckOptions& = {});
+
+private:
+    struct Impl;
+    friend struct Loader;
+    explicit Model(std::unique_ptr<Impl>);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// A model, and what was found while it was loaded.
+struct LoadResult {
+    std::optional<Model> model;     ///< no value: the errors among the findings leave nothing to check
+    std::vector<Finding> findings;  ///< errors and warnings, by file and place
+    std::string text;               ///< the findings with excerpts of the files, for people; "" if there are none
+};
+
+/// Loads files or folders, as the command does: with a model, the files of its folder that it needs. Files that do not
+/// belong together are checked as separate models.
+[[nodiscard]] LoadResult load_files(const std::vector<std::string>& paths, const LoadOptions& = {});
+/// Loads a model whose texts are given; no other file is read, except rules in SLEEC that a claim names.
+[[nodiscard]] LoadResult load_texts(const std::vector<Text>& texts, const LoadOptions& = {});
+
+/// "holds", "fails", "inconclusive", "no check", "error", "not checked", "value".
+[[nodiscard]] std::string_view name_of(Verdict);
+/// The version of the library, "0.1.0".
+[[nodiscard]] std::string_view version();
+
+}  // namespace robochart::verify

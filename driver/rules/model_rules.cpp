@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+// See model_rules.hpp.
+#include "driver/rules/model_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/refine/verdict/counterexample.hpp"
+#include "counterexample/evaluation_failure.hpp"
+#include "counterexample/interpreter.hpp"
+#include "csp_emit/assertion_forms.hpp"
+#include "driver/settings/search_context.hpp"
+#include "sleec/analysis/explain.hpp"
+#include "sleec/obligations/open.hpp"
+
+namespace robochart::driver {
+namespace {
+
+/// A run of component and rule in terms of the rule. It follows the obligation that the rule's process has selected.
+class BrokenRule {
+public:
+    BrokenRule(const RulesOf& of, const sleec::Watch& watch, const sleec::Linking& linking, std::size_t rule)
+        : of_(of), watch_(watch), linking_(linking), rule_(rule) {}
+
+    void replay_event(const std::string& event) {
+        const bool second = event == "tock" || event == sleec::Watch::waiting;
+        if (const auto way = sleec::Watch::way_of(event)) begin(*way);
+        if (second) ++now_;
+        if (!way_ || effect_ == sleec::Effect::broken) return;
+        const sleec::Obligation& obligation = watch_.obligations()[watch_.ways()[*way_].obligation];
+        const std::optional<std::size_t> known = second ? std::nullopt : event_of(event);
+        if (second)
+            effect_ = sleec::take_tock(obligation, progress_);
+        else if (known)
+            effect_ = sleec::take_event(obligation, progress_, *known);
+        if (effect_ != sleec::Effect::broken) return;
+        breaking_ = event;
+        at_ = second ? now_ - 1 : now_;
+    }
+
+    /// The demands, each with the clause that made it.
+    [[nodiscard]] std::vector<std::string> demand_lines() const {
+        std::vector<std::string> lines;
+        const sleec::Asked& way = watch_.ways()[way_.value()];
+        for (const sleec::Demand& each : watch_.obligations()[way.obligation].any)
+            lines.push_back(sleec::side_text({rule_, began_, way.values, each}, of_.rules, of_.sources));
+        return lines;
+    }
+    /// The event that broke the rule; "" if the end of a second without an event did.
+    [[nodiscard]] std::string breaking_event() const { return event_of(breaking_) ? breaking_ : ""; }
+    [[nodiscard]] std::string break_text(const std::string& place) const {
+        const auto event = event_of(breaking_);
+        return event ? fmt::format("{} comes at second {}{}", of_.rules.event_name(*event), at_, place)
+                     : fmt::format("second {} ends without it", at_);
+    }
+    [[nodiscard]] std::int64_t current_second() const { return now_; }
+    [[nodiscard]] std::optional<std::size_t> event_of(const std::string& name) const {
+        for (std::size_t i = 0; i < linking_.events.size(); ++i)
+            if (linking_.events[i] && (name == *linking_.events[i] || name.starts_with(*linking_.events[i] + ".")))
+                return i;
+        return std::nullopt;
+    }
+
+private:
+    void begin(std::size_t way) {
+        way_ = way;
+        began_ = now_;
+    }
+
+    RulesOf of_;
+    const sleec::Watch& watch_;
+    const sleec::Linking& linking_;
+    std::size_t rule_;
+    std::int64_t now_ = 0, began_ = 0, at_ = 0;
+    std::optional<std::size_t> way_;
+    sleec::Progress progress_;
+    sleec::Effect effect_ = sleec::Effect::open;
+    std::string breaking_;
+};
+
+}  // namespace
+
+/// One rule and the component.
+class ModelRules::Question {
+public:
+    Question(const ModelRules& of, std::size_t rule, sleec::Readings readings)
+        : of_(of),
+          rule_(rule),
+          watch_(of.of_.rules, rule, of.linking_.linking, of.component_.process, readings),
+          session_(of.make_session(make_script())) {}
+
+    /// Decides that no demand is broken and that no demand without limit stays open forever. Returns false if a limit
+    /// is reached.
+    bool decide_rule(JudgedRule& judged) {
+        const refine::Verdict found = session_->check(*obeyed_, limits_of_check(of_.search_)).verdict;
+        RuleVerdict& verdict = judged.verdict;
+        verdict.states = std::max(verdict.states, found.statistics.states);
+        if (found.outcome == refine::Outcome::inconclusive) {
+            verdict.kind = RuleVerdict::Kind::not_decided;
+            verdict.reason = found.reason;
+            return false;
+        }
+        verdict.kind = RuleVerdict::Kind::obeyed;
+        if (found.outcome == refine::Outcome::fails)
+            report_broken(*found.counterexample, judged);
+        else if (watch_.has_demand_without_limit())
+            check_waiting(judged);
+        return verdict.kind != RuleVerdict::Kind::not_decided;
+    }
+
+    /// True if the rule makes no demand in any run.
+    bool makes_no_demand() {
+        return session_->check(*never_asked_, limits_of_check(of_.search_)).verdict.outcome == refine::Outcome::holds;
+    }
+    [[nodiscard]] bool reads_measures() const { return watch_.reads_measures(); }
+
+private:
+    cspm::Script make_script() {
+        cspm::Script script = of_.emission_.script;
+        for (const cspm::DeclPtr& each : watch_.declarations()) script.decls.push_back(each);
+        std::vector<std::size_t> ways;
+        for (std::size_t i = 0; i < watch_.ways().size(); ++i)
+            if (watch_.ways()[i].obligation < watch_.obligations().size()) ways.push_back(i);
+        obeyed_ = watch_.obeyed_assertion();
+        never_asked_ = watch_.never_asked_assertion(ways);
+        script.decls.push_back(obeyed_);
+        script.decls.push_back(never_asked_);
+        return script;
+    }
+
+    void report_broken(const refine::Counterexample& run, JudgedRule& judged) {
+        BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
+        for (const refine::Step& step : run.steps) reading.replay_event(session_->event_table().name(step.revealed));
+        judged.verdict.kind = RuleVerdict::Kind::broken;
+        judged.verdict.lines = reading.demand_lines();
+        judged.verdict.lines.push_back(reading.break_text(place_in_model(reading.breaking_event())));
+        add_run(run, judged);
+    }
+
+    /// The run in terms of the model; the verdict contains its lines.
+    void add_run(const refine::Counterexample& run, JudgedRule& judged) {
+        csp_emit::Obligation claim;
+        claim.kind = ir::PropertyKind::conforms;
+        claim.time = csp_emit::Time::timed;
+        judged.run = runs::interpret_counterexample({of_.emission_.provenance, of_.project_.system,
+                                                     of_.project_.instantiation, of_.project_.sources, *session_},
+                                                    claim, run);
+        // Events of the rule's own process are not steps of the model.
+        const auto own = [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); };
+        if (std::optional<std::size_t>& loop = judged.run->loop_start) {
+            const auto begin = judged.run->steps.begin();
+            *loop -= static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(*loop), own));
+        }
+        std::erase_if(judged.run->steps, own);
+        std::erase_if(judged.run->end.allowed, [](const runs::Event& each) { return each.text.starts_with("sleec_"); });
+        judged.run->end.event.reset();
+        judged.run->end.why = judged.verdict.lines.back();
+    }
+
+    /// A demand without limit is met eventually, unless an infinite run never meets it.
+    void check_waiting(JudgedRule& judged) {
+        RuleVerdict& verdict = judged.verdict;
+        const refine::Limits bounds = limits_of_check(of_.search_);
+        try {
+            const auto system = session_->system(watch_.waiting_process(), bounds);
+            const auto run = sleec::endless_run(*system, session_->event_table().intern(sleec::Watch::waiting),
+                                                [&](std::size_t states) {
+                                                    of_.search_.services.budget().poll();
+                                                    if (states > bounds.max_states)
+                                                        throw process::Interrupted("max-states");
+                                                    verdict.states = std::max<std::uint64_t>(verdict.states, states);
+                                                });
+            if (!run) return;
+            report_endless(*run, verdict);
+            draw_endless(*system, *run, judged);
+        } catch (const process::Interrupted& limit) {
+            verdict.kind = RuleVerdict::Kind::not_decided;
+            verdict.reason = limit.what();
+        }
+    }
+
+    void report_endless(const sleec::EndlessRun& run, RuleVerdict& verdict) {
+        BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
+        const auto name = [&](lts::Event event) { return session_->event_table().name(event); };
+        for (const sleec::EndlessStep& each : run.steps) reading.replay_event(name(each.revealed));
+        const std::int64_t from = reading.current_second();
+        std::string between;
+        for (const sleec::EndlessStep& each : run.loop) {
+            reading.replay_event(name(each.revealed));
+            if (const auto event = reading.event_of(name(each.revealed)))
+                between += (between.empty() ? ", with " : ", ") + of_.of_.rules.event_name(*event);
+        }
+        verdict.kind = RuleVerdict::Kind::broken;
+        verdict.lines = reading.demand_lines();
+        const std::int64_t seconds = reading.current_second() - from;
+        verdict.lines.push_back(fmt::format(
+            "from second {} on time can pass for ever without it{}", from,
+            seconds == 1 && between.empty()
+                ? ""
+                : fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between)));
+    }
+
+    /// The same run as steps of the terms that the system was compiled from. If there are no terms, or if a state
+    /// represents several of them, there is no run to show.
+    void draw_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, JudgedRule& judged) {
+        if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
+        refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
+        for (const auto* steps : {&run.steps, &run.loop})
+            for (const sleec::EndlessStep& each : *steps)
+                violation.run.steps.push_back({each.event, each.revealed, {}});
+        const refine::Limits bounds = limits_of_check(of_.search_);
+        refine::Budget budget(bounds);
+        refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
+        if (again.run.steps.size() != violation.run.steps.size()) return;
+        refine::Counterexample drawn = refine::make_counterexample({std::move(again), system.reference(), true});
+        const auto stem = static_cast<std::ptrdiff_t>(run.steps.size());
+        drawn.loop.assign(drawn.steps.begin() + stem, drawn.steps.end());
+        drawn.steps.resize(run.steps.size());
+        drawn.loop_terms.assign(drawn.terms.begin() + stem, drawn.terms.end());
+        drawn.terms.resize(run.steps.size() + 1);
+        drawn.kind = refine::ViolationKind::divergence;
+        add_run(drawn, judged);
+    }
+
+    /// " (model.rct:12)": the declaration of the event or operation.
+    [[nodiscard]] std::string place_in_model(const std::string& event) const {
+        const auto found = of_.emission_.provenance.events.find(event);
+        if (found == of_.emission_.provenance.events.end() || !found->second.origin.span.is_known()) return "";
+        return fmt::format(" ({})", of_.project_.sources.path_and_line(found->second.origin.span));
+    }
+
+    const ModelRules& of_;
+    std::size_t rule_;
+    sleec::Watch watch_;
+    cspm::DeclPtr obeyed_, never_asked_;
+    std::unique_ptr<cspm::Session> session_;
+};
+
+ModelRules::ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,
+                       const csp_emit::ComponentProcesses& component, const SearchContext& search)
+    : of_(of),
+      project_(project),
+      emission_(emission),
+      component_(component),
+      search_(search),
+      linking_(sleec::link_rules(of.rules, emission, component.path, project.system, project.instantiation)) {}
+
+std::unique_ptr<cspm::Session> ModelRules::make_session(cspm::Script script) const {
+    auto session = std::make_unique<cspm::Session>(std::move(script), &search_.services.budget());
+    if (diagnostics::Cache* const cache = search_.services.cache()) session->set_cache(*cache);
+    return session;
+}
+
+JudgedRule ModelRules::judge_rule(std::size_t rule) const {
+    const diagnostics::Budget::Phase phase(
+        search_.services.budget(), fmt::format("asking whether {} obeys {}", component_.path, of_.rules.name(rule)));
+    JudgedRule judged;
+    judged.verdict.component = component_.path;
+    judged.verdict.rule = rule;
+    judged.verdict.reason = sleec::not_applicable(of_.rules, rule, linking_);
+    if (!judged.verdict.reason.empty()) {
+        judged.verdict.kind = RuleVerdict::Kind::not_applicable;
+        return judged;
+    }
+    try {
+        follow_rule(judged);
+    } catch (const sleec::NotDecided& error) {
+        judged.verdict.reason = error.what();
+    } catch (const cspm::EvaluationError& error) {
+        judged.verdict.kind = RuleVerdict::Kind::error;
+        judged.verdict.reason = runs::placed_failure(error, project_.system, project_.sources);
+    }
+    return judged;
+}
+
+void ModelRules::follow_rule(JudgedRule& judged) const {
+    Question question(*this, judged.verdict.rule, sleec::Readings::one_value);
+    if (!question.decide_rule(judged) || judged.verdict.kind != RuleVerdict::Kind::obeyed) return;
+    if (question.makes_no_demand()) {
+        judged.verdict.kind = RuleVerdict::Kind::never_asked;
+        return;
+    }
+    if (!question.reads_measures()) return;
+    JudgedRule changing;
+    Question other(*this, judged.verdict.rule, sleec::Readings::any);
+    if (other.decide_rule(changing) && changing.verdict.kind == RuleVerdict::Kind::broken)
+        judged.verdict.reason = "as long as no measure changes within a second";
+}
+
+TimeStops ModelRules::time_stops() const {
+    namespace build = cspm::build;
+    cspm::Script script = emission_.script;
+    const cspm::DeclPtr asked = csp_emit::timelock_free(
+        build::hide(csp_emit::running_on(component_.process, "tock"),
+                    build::productions(csp_emit::outputs_of(emission_.provenance, component_.path))));
+    script.decls.push_back(asked);
+    try {
+        const refine::Verdict verdict =
+            make_session(std::move(script))->check(*asked, limits_of_check(search_)).verdict;
+        return {verdict.outcome == refine::Outcome::fails,
+                verdict.outcome == refine::Outcome::inconclusive ? verdict.reason : "", false};
+    } catch (const cspm::EvaluationError& error) {
+        return {false, runs::placed_failure(error, project_.system, project_.sources), true};
+    }
+}
+
+}  // namespace robochart::driver

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides whether components of a model obey SLEEC rules, for `rules FILE MODEL` and `sleec assertion`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "counterexample/run.hpp"
+#include "driver/model/pipeline.hpp"
+#include "driver/results/rule_verdict.hpp"
+#include "driver/settings/search_context.hpp"
+#include "sleec/conformance/endless.hpp"
+#include "sleec/conformance/watch.hpp"
+#include "sleec/model/linking.hpp"
+
+namespace robochart::driver {
+
+/// A rule file with its texts.
+struct RulesOf {
+    const sleec::CheckedRules& rules;
+    const diagnostics::SourceManager& sources;
+};
+
+/// A verdict and, for a broken rule, the run of the model.
+struct JudgedRule {
+    RuleVerdict verdict;
+    std::optional<runs::Run> run;  ///< no value: it was not found in terms of the model
+};
+
+/// Whether time can stop in a component although its platform accepts every output and call at once. Then no rule is
+/// broken.
+struct TimeStops {
+    bool stops = false;
+    std::string unknown;  ///< why it is not known; "" if it is known
+    bool error = false;   ///< not known because the component cannot be evaluated
+};
+
+/// One component and the rules of a file, in the timed semantics. Refers to its constructor's arguments.
+class ModelRules {
+public:
+    ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,
+               const csp_emit::ComponentProcesses& component, const SearchContext& search);
+
+    [[nodiscard]] JudgedRule judge_rule(std::size_t rule) const;
+    [[nodiscard]] TimeStops time_stops() const;
+
+private:
+    class Question;
+    [[nodiscard]] std::unique_ptr<cspm::Session> make_session(cspm::Script script) const;
+    void follow_rule(JudgedRule& judged) const;
+
+    RulesOf of_;
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    const csp_emit::ComponentProcesses& component_;
+    SearchContext search_;
+    sleec::ComponentLinking linking_;
+};
+
+}  // namespace robochart::driver

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rules are in files in the folder of
+// the assertions.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "driver/model/pipeline.hpp"
+#include "driver/results/results.hpp"
+#include "driver/results/rule_verdict.hpp"
+#include "driver/rules/model_rules.hpp"
+#include "driver/settings/search_context.hpp"
+#include "sleec/checks/checked.hpp"
+
+namespace robochart::driver {
+
+/// A rule file with its findings.
+struct LoadedRules {
+    std::string path;
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::optional<sleec::CheckedRules> rules;  ///< no value: see the findings
+};
+/// Reads a rule file; "-" is standard input.
+void load_rules(const std::string& path, LoadedRules& loaded);
+
+/// Decides the claims of one model. Every file is read once. Refers to its constructor's arguments.
+class RuleClaims {
+public:
+    RuleClaims(const Project& project, const csp_emit::Emission& emission, const SearchContext& search);
+    ~RuleClaims();
+    RuleClaims(const RuleClaims&) = delete;
+    RuleClaims& operator=(const RuleClaims&) = delete;
+
+    /// Answers a property of the kind `conforms`. It is an error if the rule does not fit the component, or if no file
+    /// or several files contain it.
+    void decide_property(const ir::Property& property, const SearchContext& search, AssertionReport& report);
+
+private:
+    struct Found {
+        const LoadedRules* file = nullptr;
+        std::size_t rule = 0;
+    };
+    const std::vector<std::unique_ptr<LoadedRules>>& rule_files_for(const std::string& assertions);
+    Found find(const ir::Property& property);
+    const csp_emit::ComponentProcesses* find_component(const ir::Property& property) const;
+    TimeStops time_stops(const csp_emit::ComponentProcesses& component, const LoadedRules& file,
+                         const SearchContext& search);
+
+    const Project& project_;
+    const csp_emit::Emission& emission_;
+    SearchContext search_;
+    std::map<std::string, std::vector<std::unique_ptr<LoadedRules>>> folders_;
+    std::map<std::string, TimeStops> time_stops_;  ///< by the path of the component
+};
+
+}  // namespace robochart::driver

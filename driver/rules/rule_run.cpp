@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// See rule_run.hpp.
+#include "driver/rules/rule_run.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "sleec/analysis/explain.hpp"
+
+namespace robochart::driver {
+namespace {
+
+std::vector<std::size_t> all_of(const std::multimap<std::string, std::size_t>& names, std::string_view word) {
+    std::vector<std::size_t> result;
+    const auto [from, to] = names.equal_range(std::string(word.substr(0, word.find_first_of("?!"))));
+    for (auto at = from; at != to; ++at) result.push_back(at->second);
+    return result;
+}
+
+}  // namespace
+
+RuleWords::RuleWords(const sleec::CheckedRules& rules) : rules_(rules) {
+    for (std::size_t i = 0; i < rules.file->events.size(); ++i) events_.emplace(model_name(rules.event_name(i)), i);
+    for (std::size_t i = 0; i < rules.file->measures.size(); ++i)
+        measures_.emplace(model_name(rules.measure(i).name.text), i);
+}
+
+std::vector<std::size_t> RuleWords::events_of_word(std::string_view word) const {
+    return all_of(events_, word);
+}
+
+std::vector<std::size_t> RuleWords::measures_of_word(std::string_view word) const {
+    return all_of(measures_, word);
+}
+
+std::optional<std::int64_t> RuleWords::value_in(std::size_t measure, std::string_view word) const {
+    const std::size_t mark = word.find_first_of("?!");
+    const std::string_view text = mark == std::string_view::npos ? std::string_view() : word.substr(mark + 1);
+    const sleec::Measure& of = rules_.measure(measure);
+    if (of.type == sleec::MeasureType::boolean)
+        return text == "true"    ? std::optional<std::int64_t>(1)
+               : text == "false" ? std::optional<std::int64_t>(0)
+                                 : std::nullopt;
+    if (of.type == sleec::MeasureType::scale) {
+        for (std::size_t i = 0; i < of.literals.size(); ++i)
+            if (of.literals[i].text == text) return static_cast<std::int64_t>(i);
+        return std::nullopt;
+    }
+    std::int64_t number = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = code == std::errc() && end == text.data() + text.size() && !text.empty();
+    return whole ? std::optional(number) : std::nullopt;
+}
+
+std::string RuleWords::model_name(const std::string& name) const {
+    for (const sleec::Mapping& each : rules_.file->mappings)
+        if (each.name.text == name) return each.element.text.substr(each.element.text.rfind(':') + 1);
+    return name;
+}
+
+RuleRun::RuleRun(RulesOf of, sleec::WithoutLimit without)
+    : of_(of),
+      monitor_(of.rules, without),
+      readings_(of.rules.file->measures.size()),
+      read_(of.rules.file->measures.size(), false) {}
+
+void RuleRun::read(std::size_t measure, std::optional<std::int64_t> value) {
+    readings_[measure] = read_[measure] && readings_[measure] != value ? std::nullopt : value;
+    read_[measure] = true;
+}
+
+void RuleRun::add_event(std::size_t event, std::uint64_t line) {
+    instant_.push_back({event, line});
+}
+
+void RuleRun::end_second(std::uint64_t line) {
+    end_instant();
+    monitor_.end_second();
+    note_violations(line);
+}
+
+void RuleRun::drop_obligations() {
+    instant_.clear();
+    monitor_.drop_obligations();
+    readings_.assign(readings_.size(), std::nullopt);
+    read_.assign(read_.size(), false);
+}
+
+void RuleRun::end_instant() {
+    for (const Happened& each : instant_) {
+        monitor_.observe_event(each.event, readings_);
+        note_violations(each.line);
+    }
+    instant_.clear();
+    readings_.assign(readings_.size(), std::nullopt);
+    read_.assign(read_.size(), false);
+}
+
+/// Only the first violation is recorded.
+void RuleRun::note_violations(std::uint64_t line) {
+    for (const sleec::Violation& each : monitor_.take_violations()) {
+        if (is_broken()) return;
+        line_ = line;
+        place_ = of_.rules.rules[each.rule].written->span;
+        for (const sleec::Demand& demand : each.obligation.any)
+            text_.push_back(sleec::side_text({each.rule, each.began, each.values, demand}, of_.rules, of_.sources));
+        text_.push_back(each.event
+                            ? fmt::format("{} comes at second {}", of_.rules.event_name(*each.event), each.second)
+                            : fmt::format("second {} ends without it", each.second));
+    }
+}
+
+}  // namespace robochart::driver

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs SLEEC rules along with a log or a robot of a simulation.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/rules/model_rules.hpp"
+#include "sleec/monitor/rule_monitor.hpp"
+
+namespace robochart::driver {
+
+/// Maps words of logs to events and measures of a rule file. Equal names are linked, unless `map` states otherwise.
+/// Refers to the rules.
+class RuleWords {
+public:
+    explicit RuleWords(const sleec::CheckedRules& rules);
+
+    /// The events that belong to the word, by its name before `?` or `!`.
+    [[nodiscard]] std::vector<std::size_t> events_of_word(std::string_view word) const;
+    [[nodiscard]] std::vector<std::size_t> measures_of_word(std::string_view word) const;
+    /// The value in the word. No value if the rules cannot express it: a fraction, or a literal that they do not
+    /// declare.
+    [[nodiscard]] std::optional<std::int64_t> value_in(std::size_t measure, std::string_view word) const;
+
+private:
+    using Names = std::multimap<std::string, std::size_t>;
+    [[nodiscard]] std::string model_name(const std::string& name) const;
+
+    const sleec::CheckedRules& rules_;
+    Names events_, measures_;
+};
+
+/// One run. Everything in an instant is processed together, because a measure may be read after a trigger. Refers to
+/// the rules.
+class RuleRun {
+public:
+    RuleRun(RulesOf of, sleec::WithoutLimit without);
+
+    /// A reading at this instant; without a value, one that the rules cannot express.
+    void read(std::size_t measure, std::optional<std::int64_t> value);
+    /// An event at this instant; `line` is its line in a log.
+    void add_event(std::size_t event, std::uint64_t line = 0);
+    /// The end of a second.
+    void end_second(std::uint64_t line = 0);
+    /// Drops all open obligations.
+    void drop_obligations();
+    /// The end of the run, possibly in the middle of an instant.
+    void end() { end_instant(); }
+
+    [[nodiscard]] bool is_broken() const { return !text_.empty(); }
+    /// The first violation: its line, and its description, with one line per duty, then the event that broke them.
+    [[nodiscard]] std::uint64_t violation_line() const { return line_; }
+    [[nodiscard]] const std::vector<std::string>& violation_text() const { return text_; }
+    [[nodiscard]] diagnostics::Span violation_place() const { return place_; }
+    /// Rules with a trigger that was not followed because a measure had not been read.
+    [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return monitor_.open_triggers(); }
+    [[nodiscard]] std::int64_t elapsed_seconds() const { return monitor_.current_second(); }
+
+private:
+    struct Happened {
+        std::size_t event;
+        std::uint64_t line;
+    };
+    void end_instant();
+    void note_violations(std::uint64_t line);
+
+    RulesOf of_;
+    sleec::RuleMonitor monitor_;
+    sleec::MeasureReadings readings_;
+    std::vector<bool> read_;
+    std::vector<Happened> instant_;
+    std::vector<std::string> text_;
+    diagnostics::Span place_;
+    std::uint64_t line_ = 0;
+};
+
+}  // namespace robochart::driver

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The limits of a whole run.
+#pragma once
+
+#include <cstdint>
+
+#include "base/diagnostics/budget.hpp"
+#include "driver/settings/settings.hpp"
+
+namespace robochart::driver {
+
+/// 16 GiB, or three quarters of the memory of the machine or its control group, whichever is less.
+[[nodiscard]] std::uint64_t default_memory();
+
+/// The limits of a run that starts now.
+[[nodiscard]] diagnostics::Limits run_limits(const LimitSettings&);
+
+}  // namespace robochart::driver

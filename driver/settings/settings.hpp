@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The settings of the phases over a model, one struct for each phase. A phase gets the settings that it needs; what a
+// run provides to all phases (budget, cache, progress) is in services.hpp.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace robochart::driver {
+
+/// What the claims of a model are used for.
+enum class ClaimUse {
+    decide,  ///< they are decided; without claims, the core properties are
+    write,   ///< they are written to scripts
+    read,    ///< they are read with the model, and nothing else
+    ignore,  ///< only the model is used, so assertion files with errors are ignored
+};
+
+/// A file whose text is given.
+struct TextInput {
+    std::string path;  ///< for messages; its ending tells models (.rct) and assertions (.assertions) apart
+    std::string text;
+};
+
+/// Which files are read, and which findings reject them.
+struct LoadSettings {
+    std::vector<std::string> inputs;   ///< files or folders
+    std::vector<TextInput> texts;      ///< if there are any, they are the whole project, and the inputs only name it
+    std::vector<std::string> allowed;  ///< codes of warnings to suppress
+    bool deny_warnings = false;        ///< treats warnings as errors
+    std::string component;             ///< only this module, controller or machine is used; "": all
+    ClaimUse claims = ClaimUse::decide;
+    bool split_broken_claims = true;  ///< claims are decided although other claims have errors
+};
+
+/// How a model is made finite.
+struct InstantiationSettings {
+    std::vector<std::string> constants;  ///< NAME=VALUE
+    /// NAME=VALUE from a scenario, a swarm or a log. These values are used for constants that `constants` does not set.
+    std::vector<std::string> weaker_constants;
+    std::vector<std::string> ranges;  ///< TYPE=LOW..HIGH
+};
+
+/// A swarm whose claims replace those of the model.
+struct SwarmSettings {
+    std::string file;          ///< "": no swarm
+    std::uint32_t robots = 0;  ///< overrides the file; 0: as in the file
+    std::string grid;          ///< WIDTHxHEIGHT, overrides the file; "": as in the file
+};
+
+/// The semantics that are checked.
+enum class Times { both, timed, untimed };
+
+/// Which claims are decided.
+struct ClaimSettings {
+    std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); empty: all
+    Times times = Times::both;
+    bool core = false;   ///< also the core properties of every component
+    bool sizes = false;  ///< also the sizes of the components' processes
+};
+
+/// The Markov models on which probabilistic claims are decided.
+enum class Encoding {
+    csp,      ///< decision processes from the timed CSP semantics
+    robotool  ///< RoboTool's Markov chains
+};
+
+/// Who resolves the choices of a decision process.
+enum class Scheduler {
+    any,     ///< best and worst case
+    urgent,  ///< internal steps before inputs and time
+    uniform  ///< all choices are equally likely
+};
+
+/// How probabilistic claims are decided.
+struct ProbabilitySettings {
+    Encoding encoding = Encoding::csp;
+    Scheduler scheduler = Scheduler::any;
+    bool exact = false;       ///< exact fractions instead of intervals
+    double epsilon = 1e-6;    ///< relative width of intervals
+    std::uint64_t seed = 0;   ///< of random paths
+    std::string preferences;  ///< RoboTool's file with ranges; "": --range, or the defaults
+};
+
+/// The limits of a run, and of each claim in it.
+struct LimitSettings {
+    std::uint64_t memory_bytes = 0;  ///< 0: `default_memory`
+    double timeout_seconds = 0;      ///< of the whole run; 0: none
+    double assertion_seconds = 0;    ///< of each claim; 0: none
+    std::uint64_t max_states = 500'000'000;
+    bool reduction = true;  ///< skips states that only lead on by confluent taus
+    unsigned threads = 0;   ///< 0: one per core
+    bool progress = true;   ///< the progress of searches is reported
+};
+
+/// The settings of all phases over a model.
+struct Settings {
+    LoadSettings load;
+    InstantiationSettings instantiation;
+    SwarmSettings swarm;
+    ClaimSettings claims;
+    ProbabilitySettings probability;
+    LimitSettings limits;
+};
+
+}  // namespace robochart::driver

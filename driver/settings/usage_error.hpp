@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The error of settings that contradict each other, or that name something that does not exist.
+#pragma once
+
+#include <stdexcept>
+
+namespace robochart::driver {
+
+/// The settings cannot be used; the message says why.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace robochart::driver
