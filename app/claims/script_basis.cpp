@@ -1,33 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/claims/script_basis.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <new>
-
-#include "app/command/run.hpp"
-#include "checker/lts/graph.hpp"
-#include "checker/lts/tau_components.hpp"
 
 namespace robochart::app {
 namespace {
 
 /// More states are not looked at.
-constexpr std::size_t most_states = 50'000;
+constexpr std::uint64_t most_states = 50'000;
 
-/// There are more.
-struct TooMany {};
-
-bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, const driver::SearchContext& search) {
-    const refine::Limits bounds = driver::limits_of_check(search);
-    const auto system = session.system(process, bounds);
-    const lts::Exploration all = lts::explore(*system, [&](std::size_t states) {
-        if (states > most_states) throw TooMany{};
-        search.services.budget().poll();
-        if (bounds.deadline && std::chrono::steady_clock::now() >= *bounds.deadline) throw TooMany{};
-    });
-    const lts::TauComponents taus = lts::tau_components(all.graph);
-    return std::ranges::find(taus.cyclic, true) != taus.cyclic.end();
+/// Asks for divergence with a search of its own: what the verdict rests on is no question of the run, so `--checkpoint`
+/// keeps nothing of it and it shows no progress.
+bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, const cspm::Decl& assertion,
+                          const driver::SearchContext& search) {
+    cspm::Decl question = assertion;
+    question.assertion = {};
+    question.assertion.kind = cspm::AssertionKind::divergence_free;
+    question.assertion.specification = process;
+    refine::Limits bounds = driver::limits_of_check(search);
+    bounds.max_states = most_states;
+    bounds.by_levels = nullptr;
+    bounds.progress = {};
+    return session.check(question, bounds).verdict.outcome == refine::Outcome::fails;
 }
 
 }  // namespace
@@ -42,10 +36,8 @@ driver::Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, cons
     try {
         // With priorities internal events may be kept from happening: that process is another one.
         if (asked.tau_priority ||
-            !can_go_on_internally(session, refinement ? asked.implementation : asked.specification, search))
+            !can_go_on_internally(session, refinement ? asked.implementation : asked.specification, assertion, search))
             return {};
-    } catch (const TooMany&) {
-        return {};
     } catch (const diagnostics::LimitReached&) {
         return {};
     } catch (const cspm::EvaluationError&) {
