@@ -22,5 +22,8 @@ git rev-parse -q --verify "refs/tags/v$version" >/dev/null && stop "the tag v$ve
 
 scripts/test.sh
 scripts/package.sh
+program="$(build/package/app/robochart-verify version --format json)"
+grep -qF "\"commit\": \"$(git rev-parse HEAD)\"" <<<"$program" && grep -qF '"modified": false' <<<"$program" ||
+  stop "the packaged program was not built from this commit: $program"
 (cd build/package/packages && sha256sum ./*.deb ./*.tar.gz | tee SHA256SUMS)
 echo "To release: git tag -a v$version -m 'robochart-verify $version' && git push origin v$version"

@@ -5,17 +5,24 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rule_pages.hpp"
 #include "app/command/run.hpp"
+#include "app/command/run_record.hpp"
 
 namespace robochart::app {
 
 void output_document(const Options& options, const std::function<std::string(Format)>& document) {
-    if (options.output.format != Format::text) print_exact(document(options.output.format));
-    for (const auto& [format, path] : options.output.files) options.run->keep_for(path, document(format));
+    const RunRecord record = record_of(options);  // one for all, so that equal formats give equal documents
+    const auto complete = [&](Format format) {
+        std::string text = document(format);
+        return format == Format::json ? with_run(std::move(text), record) : text;
+    };
+    if (options.output.format != Format::text) print_exact(complete(options.output.format));
+    for (const auto& [format, path] : options.output.files) options.run->keep_for(path, complete(format));
 }
 
 bool is_requested(const Options& options, Format format) {

@@ -11,7 +11,8 @@
 
 namespace robochart::app {
 
-/// Outputs the document in each requested format. Files are written when the run ends; later documents are appended.
+/// Outputs the document in each requested format; a document in JSON also gets the record of the run. Files are written
+/// when the run ends; later documents are appended.
 void output_document(const Options&, const std::function<std::string(Format)>& document);
 
 /// True if a program receives the answer in this format.

@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "app/base/built_commit.hpp"
 #include "app/command/help.hpp"
 #include "app/command/option_table.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {
@@ -150,8 +153,13 @@ Parsed answer_help(const Options& options) {
     return help_of(fmt::format("{}", fmt::join(options.load.inputs, " ")));
 }
 
-std::string version_text() {
-    return fmt::format("robochart-verify {}\n", program_version);
+std::string version_text(Format format = Format::text) {
+    if (format == Format::text)
+        return fmt::format("robochart-verify {} ({})\n", program_version, commit_text(built_commit()));
+    diagnostics::Json json;
+    json["schema"] = "robochart-verify/version/1";
+    json.update(program_json(program_version, built_commit()));
+    return diagnostics::json_text(json, 2) + "\n";
 }
 
 /// A verb without the option --no-cache has no cache.
@@ -275,7 +283,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
         return parse_failed(app, error);
     }
     if (options.verb == Verb::help) return answer_help(options);
-    if (options.verb == Verb::version) return answer_with_text(version_text());
+    if (options.verb == Verb::version) return answer_with_text(version_text(options.output.format));
     if (const std::string wrong = overwritten_input(options); !wrong.empty()) return wrong_usage(wrong);
     options.cache = options.cache && has_cache(options.verb);
     return Parsed{options, Exit::success, ""};

@@ -89,6 +89,7 @@ struct OutputOptions {
     bool quiet = false;
     ProgressMode progress = ProgressMode::automatic;
     std::string html;            ///< file for the report as an HTML page; "": none
+    bool provenance = false;     ///< ends text reports with the record of the run
     bool show_internal = false;  ///< --trace: shows raw event traces with a counterexample
     Phase phase = Phase::none;   ///< phase to print instead of results
 };
@@ -214,10 +215,11 @@ struct Options : driver::Settings {
     ConformOptions conform;
     SimulateOptions simulate;
     TuneOptions tune;
-    bool fix = false;                      ///< validate: apply certain fixes to the files
-    Generated generate = Generated::none;  ///< help: what is written
-    bool cache = true;                     ///< use results of earlier runs, and store new ones
-    Run* run = nullptr;                    ///< the run of these options: its budget and signals
+    bool fix = false;                         ///< validate: apply certain fixes to the files
+    Generated generate = Generated::none;     ///< help: what is written
+    bool cache = true;                        ///< use results of earlier runs, and store new ones
+    std::optional<std::uint64_t> given_seed;  ///< the value of --seed, for the record of the run
+    Run* run = nullptr;                       ///< the run of these options: its budget and signals
 };
 
 /// Sets the verb, and what it does with claims.

@@ -42,7 +42,9 @@ Run::Run(const Options& options)
     : budget_(driver::run_limits(options.limits)),
       output_(options.output),
       storage_(options.storage),
-      threads_wanted_(options.limits.threads) {
+      threads_wanted_(options.limits.threads),
+      recorder_(options, budget_.limits().memory_bytes),
+      prints_record_(options.output.provenance && options.output.format == Format::text) {
     constexpr std::uint64_t most_cached_bytes = std::uint64_t{512} << 20U;
     if (options.cache) cache_.emplace(diagnostics::cache_folder(), diagnostics::program_identity(), most_cached_bytes);
     last_word_ = [](const std::string& why) {
@@ -122,6 +124,11 @@ void Run::finish() {
 Exit Run::end_run(const std::string& why) {
     finish();
     return last_word_(why);
+}
+
+void Run::print_record() const {
+    if (!prints_record_) return;
+    print_styled(wrap_lines("\n" + run_text(recorder_.record()), line_width(STDOUT_FILENO)));
 }
 
 void Run::keep_for(const std::string& path, const std::string& text) {
@@ -206,6 +213,7 @@ void Run::say_and_end(const std::string& why) {
     Exit exit = Exit::inconclusive;
     try {
         exit = last_word_(why);
+        print_record();
         if (!write_kept_files()) exit = Exit::bad_input;
         finish_output();
     } catch (const OutputError& error) {
@@ -246,7 +254,7 @@ Exit run_within(Run& run, const Options& options, const std::function<Exit(const
     }
 }
 
-Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb) {
+Exit run_verb(const char* program, int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb) {
     const Parsed parsed = parse_command_line(argc, argv);
     if (!parsed.options) {
         if (parsed.exit == Exit::success)
@@ -260,8 +268,12 @@ Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const 
     if (options.verb == Verb::lsp) return verb(options);
     Run run(options);
     options.run = &run;
+    std::vector<std::string> command(argv + std::min(argc, 1), argv + argc);
+    command.insert(command.begin(), program);
+    run.recorder().set_command(std::move(command));
     try {
         const Exit exit = run_within(run, options, verb);
+        run.print_record();
         return run.write_kept_files() ? exit : Exit::bad_input;
     } catch (const OutputError&) {
         (void)run.write_kept_files();
@@ -276,7 +288,7 @@ int run_command(const char* program, int argc, const char* const* argv,
     allow_many_files();
     try {
         prepare_output();
-        const Exit exit = run_verb(argc, argv, verb);
+        const Exit exit = run_verb(program, argc, argv, verb);
         finish_output();
         return static_cast<int>(exit);
     } catch (const OutputError& error) {

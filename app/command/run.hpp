@@ -19,7 +19,7 @@
 #include <thread>
 
 #include "app/command/options.hpp"
-#include "app/command/run.hpp"
+#include "app/command/run_record.hpp"
 #include "base/cache/cache.hpp"
 #include "base/diagnostics/budget.hpp"
 #include "driver/settings/services.hpp"
@@ -44,6 +44,8 @@ public:
     [[nodiscard]] bool continues_searches() const override;
     /// Throws UsageError, storage::BadFile or storage::CannotWrite if the files cannot be used.
     [[nodiscard]] refine::LevelStrategy* level_searches() override;
+    /// Collects what every report says about this run.
+    [[nodiscard]] RunRecorder& recorder() { return recorder_; }
     /// Searches are done by several programs (app/mpi). `identity`: of programs that can share checkpoints. Must be
     /// called before the first search.
     void search_by(refine::LevelStrategy& programs, const std::string& identity);
@@ -68,6 +70,9 @@ public:
     /// True if the watching thread calls this; data of the verb's thread must not be accessed then.
     [[nodiscard]] bool is_watching() const { return std::this_thread::get_id() == watcher_.get_id(); }
 
+    /// Prints the record of the run below a text report, if --provenance is given.
+    void print_record() const;
+
     /// Appends to a text that is written to the file with this path when the run ends, even if it ends early.
     void keep_for(const std::string& path, const std::string& text);
     /// Writes these files. Returns false, with a message, if one cannot be written.
@@ -85,6 +90,8 @@ private:
     unsigned threads_wanted_;  ///< of a search in files
     refine::LevelStrategy* programs_ = nullptr;
     std::string identity_;  ///< "": the program's own
+    RunRecorder recorder_;
+    const bool prints_record_;
     std::optional<diagnostics::Cache> cache_;
     std::unique_ptr<refine::LevelStrategy> threads_, kept_searches_;  ///< kept_searches_ uses threads_
     sigset_t signals_taken_{};

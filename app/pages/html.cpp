@@ -104,8 +104,9 @@ std::string name_of(const Report& report, const std::vector<driver::Part>& parts
 /// One page.
 class ReportPage {
 public:
-    ReportPage(const Report& report, const std::vector<driver::Part>& parts, diagnostics::Budget& budget)
-        : report_(report), name_(name_of(report, parts)), diagrams_(parts, budget) {}
+    ReportPage(const Report& report, const std::vector<driver::Part>& parts, const RunRecord& run,
+               diagnostics::Budget& budget)
+        : report_(report), run_(run), name_(name_of(report, parts)), diagrams_(parts, budget) {}
 
     std::string write() {
         write_head();
@@ -115,7 +116,7 @@ public:
             if (report_.assertions[i].run) write_claim(i, report_.assertions[i]);
         write_conformance();
         write_diagrams();
-        return page_text({name_, "script.js", std::move(out_)});
+        return page_text({name_, "script.js", std::move(out_), run_});
     }
 
 private:
@@ -143,6 +144,7 @@ private:
                                           const std::vector<runs::Machine>& after) const;
 
     const Report& report_;
+    const RunRecord& run_;
     std::string name_;  ///< of the subject of the page
     PartDiagrams diagrams_;
     std::vector<std::pair<std::string, std::string>> machines_;  ///< of the current run: instance, definition
@@ -567,8 +569,9 @@ void ReportPage::write_diagrams() {
 
 }  // namespace
 
-std::string render_html(const Report& report, const std::vector<driver::Part>& parts, diagnostics::Budget& budget) {
-    return ReportPage(report, parts, budget).write();
+std::string render_html(const Report& report, const std::vector<driver::Part>& parts, const RunRecord& run,
+                        diagnostics::Budget& budget) {
+    return ReportPage(report, parts, run, budget).write();
 }
 
 std::string last_page(const std::vector<driver::Part>& parts, bool may_draw,

@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "app/command/run_record.hpp"
 #include "app/report/report.hpp"
 #include "driver/model/pipeline.hpp"
 
 namespace robochart::app {
 
 /// The page. `parts`: the parts of the run, whose diagrams are drawn within the budget. Throws LimitReached.
-[[nodiscard]] std::string render_html(const Report&, const std::vector<driver::Part>& parts, diagnostics::Budget&);
+[[nodiscard]] std::string render_html(const Report&, const std::vector<driver::Part>& parts, const RunRecord&,
+                                      diagnostics::Budget&);
 
 /// The page of a run that ended early, made by `page`. `may_draw`: no other thread changes the parts, so diagrams are
 /// included if they can be drawn quickly.

@@ -42,10 +42,10 @@ std::string page_text(const Page& page) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; script-src '{}'; "
         "base-uri 'none'; form-action 'none'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{} - robochart-verify</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n"
+        "<title>{} - robochart-verify</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}{}</main>\n"
         "<script>{}</script>\n</body>\n</html>\n",
         fmt::join(hashes, " "), diagnostics::policy_hash(script), diagnostics::xml_text(page.title), style, page.body,
-        script);
+        run_html(page.run), script);
 }
 
 std::string page_data(std::string_view id, std::string json) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/command/run_record.hpp"
+
 namespace robochart::app {
 
 /// The text of app/pages/parts/`path`.
@@ -16,6 +18,7 @@ struct Page {
     std::string title;   ///< unescaped
     std::string script;  ///< script in app/pages/parts that runs after tables.js: "script.js"
     std::string body;    ///< HTML; each `<style>` in it, from a diagram, is allowed by hash
+    RunRecord run;       ///< shown below the body
 };
 
 [[nodiscard]] std::string page_text(const Page&);

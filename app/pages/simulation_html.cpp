@@ -46,6 +46,7 @@ class SimulationPage {
 public:
     SimulationPage(const SimulationRun& run, const Options& options)
         : run_(run),
+          options_(options),
           scenario_(run.scenario),
           result_(run.result),
           machines_(run.machines),
@@ -64,7 +65,7 @@ public:
         write_trials();
         write_diagrams();
         write_notes();
-        return page_text({scenario_.name.text, "simulation.js", std::move(out_)});
+        return page_text({scenario_.name.text, "simulation.js", std::move(out_), record_of(options_)});
     }
 
 private:
@@ -108,6 +109,7 @@ private:
     [[nodiscard]] std::vector<std::string> omitted_notes() const;
 
     const SimulationRun& run_;
+    const Options& options_;
     const simulation::Scenario& scenario_;
     const simulation::RunResult& result_;
     simulation::Machines machines_;

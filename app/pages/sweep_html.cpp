@@ -43,7 +43,7 @@ std::string sweep_table(const simulation::Scenario& scenario, const simulation::
 }  // namespace
 
 std::string render_sweep_html(const simulation::Scenario& scenario, const simulation::SweepResult& result,
-                              const std::vector<simulation::SweepPlot>& plots) {
+                              const std::vector<simulation::SweepPlot>& plots, const RunRecord& run) {
     std::string out =
         fmt::format("<style>{}</style>\n<h1>{}</h1>\n", page_part("simulation.css"), xml_text(scenario.name.text));
     for (const std::string& line : simulation::least_lines(scenario, result))
@@ -55,7 +55,7 @@ std::string render_sweep_html(const simulation::Scenario& scenario, const simula
     out += "<h2>In this world</h2>\n<ul>\n";
     for (const std::string& line : simulation::world_lines(scenario))
         out += fmt::format("<li>{}</li>\n", xml_text(line));
-    return page_text({scenario.name.text, "simulation.js", out + "</ul>\n"});
+    return page_text({scenario.name.text, "simulation.js", out + "</ul>\n", run});
 }
 
 }  // namespace robochart::app

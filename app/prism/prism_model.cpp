@@ -6,22 +6,27 @@
 
 #include <algorithm>
 
+#include "app/command/recording.hpp"
+#include "app/command/run.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "driver/model/pipeline.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/emit/emit.hpp"
 #include "prism/emit/ranges.hpp"
 #include "prism/session/experiment.hpp"
+#include "prism/syntax/printer.hpp"
 #include "prism/syntax/reader.hpp"
 #include "prism/syntax/rules.hpp"
 
 namespace robochart::app {
 namespace {
 
-std::optional<diagnostics::SourceId> load_text(const std::string& path, LoadedModel& loaded) {
+std::optional<diagnostics::SourceId> load_text(const std::string& path, const Options& options, LoadedModel& loaded) {
     std::string error;
     const std::optional<diagnostics::SourceId> source = driver::load_input(loaded.sources, path, error);
-    if (!source)
+    if (source)
+        record_text(loaded.sources, *source, options);
+    else
         loaded.diagnostics.report(prism::rules::unreadable, {}, {diagnostics::escape_for_display(path), error});
     return source;
 }
@@ -50,16 +55,48 @@ void resolve_choices(const Options& options, LoadedModel& loaded) {
     }
 }
 
+/// The parts of "N=4:6,p=max(1,2)". A comma between parentheses separates arguments.
+std::vector<std::string> split_settings(const std::string& list) {
+    std::vector<std::string> settings(1);
+    int depth = 0;
+    for (const char c : list) {
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        if (c == ',' && depth == 0)
+            settings.emplace_back();
+        else
+            settings.back() += c;
+    }
+    return settings;
+}
+
+/// Adds the constants to the record of the run: those that the files define, and the values that --const gives.
+void record_constants(const Options& options, const LoadedModel& loaded) {
+    const std::string& model = options.load.inputs.front();
+    std::vector<RecordedConstant> constants;
+    for (const auto* list : {&loaded.model->constants, &loaded.properties.constants})
+        for (const prism::Constant& constant : *list)
+            if (constant.value != nullptr)
+                constants.push_back({model, constant.name.text, prism::print(constant.value), ValueSource::model});
+    for (const std::string& list : options.instantiation.constants)
+        for (const std::string& setting : split_settings(list)) {
+            const std::size_t equals = std::min(setting.find('='), setting.size());
+            constants.push_back({model, setting.substr(0, equals), setting.substr(std::min(equals + 1, setting.size())),
+                                 ValueSource::option});
+        }
+    options.run->recorder().add_constants(constants);
+}
+
 }  // namespace
 
 void load_model(const Options& options, LoadedModel& loaded) {
-    const auto source = load_text(options.load.inputs.front(), loaded);
+    const auto source = load_text(options.load.inputs.front(), options, loaded);
     if (!source) return;
     const prism::ModelFile model = prism::read_model(loaded.sources, *source, loaded.diagnostics);
     if (loaded.diagnostics.ok() || model.kind_given) loaded.kind = model.kind;
     prism::PropertyFile properties;
     for (std::size_t i = 1; i < options.load.inputs.size(); ++i)
-        if (const auto file = load_text(options.load.inputs[i], loaded))
+        if (const auto file = load_text(options.load.inputs[i], options, loaded))
             add(properties, prism::read_properties(loaded.sources, *file, loaded.diagnostics));
     for (const std::string& text : options.prism.properties) {
         const auto id = loaded.sources.add("--property", text);
@@ -70,6 +107,7 @@ void load_model(const Options& options, LoadedModel& loaded) {
     if (loaded.model) note_left_out(loaded.sources.source_text(*source), *loaded.model);
     if (loaded.model) resolve_choices(options, loaded);
     if (loaded.model) loaded.properties = prism::check_properties(*loaded.model, properties, loaded.diagnostics);
+    if (loaded.model) record_constants(options, loaded);
 }
 
 Experiment make_experiment(const LoadedModel& loaded, const Options& options) {

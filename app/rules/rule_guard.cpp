@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/command/run.hpp"
+#include "app/rules/record_rules.hpp"
 #include "app/rules/show_findings.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "cpp_emit/files/trace_names.hpp"
@@ -188,6 +189,7 @@ std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_em
     loaded->diagnostics.set_budget(&options.run->budget());
     for (const std::string& code : options.load.allowed) loaded->diagnostics.allow_code(code);
     load_rules(file, *loaded);
+    record_rules(*loaded, options);
     show_rule_findings(*loaded, options);
     if (!loaded->rules) {
         error = "the file has errors";

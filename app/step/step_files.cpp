@@ -305,13 +305,22 @@ std::string log_head(const Stepped& stepped) {
     return fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\n{}run by hand\n", stepped.name, constants);
 }
 
+namespace {
+
+/// A log with the record of the run in a comment below its first line.
+std::string with_comment(std::string log, const RunRecord& record) {
+    return log.insert(log.find('\n') + 1, fmt::format("// run: {}\n", run_line(record)));
+}
+
+}  // namespace
+
 std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {
     const std::string extension = std::filesystem::path(path).extension().string();
     if (stepped.project == nullptr) return "only the ways of components are saved";
     try {
         std::string text;
         if (extension == ".trace")
-            text = log_text(stepper, stepped);
+            text = with_comment(log_text(stepper, stepped), run.recorder().record());
         else if (extension == ".assertions")
             text = assertion_text(stepper, stepped, path);
         else
@@ -329,6 +338,7 @@ std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const
 
 Followed follow_log(runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {
     if (stepped.project == nullptr || stepped.time != csp_emit::Time::timed) return {"logs are of components, in time"};
+    run.recorder().add_input_file(path);
     try {
         const std::vector<Wanted> cycles = read_log(path, stepped);
         stepper.back_to(0);

@@ -283,7 +283,8 @@ std::string counts_text(const Exploration& space) {
                                : fmt::format("{}; {}; found and left out: {}", states, space.limit, space.left_out);
 }
 
-std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<driver::Part>& parts) {
+std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<driver::Part>& parts,
+                      const RunRecord& run) {
     diagnostics::Budget drawing;  // separate, so that a limit that ended the exploration does not prevent the page
     const PartDiagrams diagrams(parts, drawing);
     const std::vector<Instance> instances = instances_of(space);
@@ -291,7 +292,8 @@ std::string step_page(const Exploration& space, const Stepped& stepped, const st
     return page_text({stepped.name, "explorer.js",
                       fmt::format("<style>{}</style>\n{}{}", page_part("explorer.css"),
                                   Body(space, stepped).write(figures_of(space, instances, diagrams)),
-                                  page_data("space", diagnostics::json_text(data)))});
+                                  page_data("space", diagnostics::json_text(data))),
+                      run});
 }
 
 }  // namespace robochart::app

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command/run_record.hpp"
 #include "app/step/step_files.hpp"
 #include "counterexample/exploration.hpp"
 #include "driver/model/pipeline.hpp"
@@ -14,6 +15,7 @@ namespace robochart::app {
 /// "17 states, all that can be reached", or the limit that was reached.
 [[nodiscard]] std::string counts_text(const runs::Exploration&);
 /// The page. `parts`: those of the model, whose machines are drawn; empty for a process of a script.
-[[nodiscard]] std::string step_page(const runs::Exploration&, const Stepped&, const std::vector<driver::Part>& parts);
+[[nodiscard]] std::string step_page(const runs::Exploration&, const Stepped&, const std::vector<driver::Part>& parts,
+                                    const RunRecord&);
 
 }  // namespace robochart::app

@@ -86,9 +86,9 @@ std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<d
         report.assertions.push_back(report_of(logs[i]));
         if (i < most_replayed && limit.empty()) report.assertions.back().run = replays.run_of_log(logs[i]);
     }
-    if (limit.empty()) return render_html(report, parts, options.run->budget());
+    if (limit.empty()) return render_html(report, parts, record_of(options), options.run->budget());
     return last_page(parts, true, [&](const std::vector<driver::Part>& drawn, diagnostics::Budget& budget) {
-        return render_html(report, drawn, budget);
+        return render_html(report, drawn, record_of(options), budget);
     });
 }
 

@@ -14,6 +14,7 @@
 #include "app/claims/script_claims.hpp"
 #include "app/command/answer.hpp"
 #include "app/command/output.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/run.hpp"
 #include "app/command/script.hpp"
 #include "app/report/script_report.hpp"
@@ -41,7 +42,7 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
     return diagnostics::json_text(json) + "\n";
 }
 
-/// Prints the answer about a script. If it is the answer of the run, a limit must not print a second document.
+/// Prints the answer about a script, in JSON. If it is the answer of the run, a limit must not print a second document.
 void print_answer(const std::string& text, const Options& options) {
     if (options.load.inputs.size() == 1) options.run->finish();
     const auto edit = options.run->edit();
@@ -55,9 +56,10 @@ void keep_json(const std::string& text, const Options& options) {
 }
 
 void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
-    keep_json(types_json(path, loaded), options);
+    const std::string answer = with_run(types_json(path, loaded), record_of(options));
+    keep_json(answer, options);
     if (options.output.format == Format::json) {
-        print_answer(types_json(path, loaded), options);
+        print_answer(answer, options);
     } else if (options.script.types) {
         for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
     } else if (!options.output.quiet) {
@@ -69,8 +71,9 @@ Exit check_types(const Options& options) {
     Exit exit = Exit::success;
     for (const std::string& path : options.load.inputs) {
         options.run->last_word([path, &options](const std::string& why) {
-            keep_json(types_json(path, {}, why), options);
-            if (options.output.format == Format::json) print_exact(types_json(path, {}, why));
+            const std::string answer = with_run(types_json(path, {}, why), record_of(options));
+            keep_json(answer, options);
+            if (options.output.format == Format::json) print_exact(answer);
             print_error("robochart-verify: {}; the types of {} are not known\n", why,
                         diagnostics::escape_for_display(path));
             return Exit::inconclusive;
@@ -79,6 +82,7 @@ Exit check_types(const Options& options) {
         loaded.diagnostics.set_budget(&options.run->budget());
         const diagnostics::Budget::Phase phase(options.run->budget(), "checking the types of " + path);
         load_script(path, loaded);
+        record_texts(loaded.sources, options);
         show_findings(loaded, options);
         if (loaded.diagnostics.ok()) {
             show_types(path, loaded, options);
@@ -185,7 +189,7 @@ void print_decided(const ScriptAssertion& decided, const process::EventTable& ev
     } else {
         ScriptReport frame = script;
         frame.assertions = {decided};
-        print_exact(refines_json(frame, options));
+        print_exact(with_run(refines_json(frame, options), record_of(options)));
     }
     finish_output();
 }
@@ -222,8 +226,9 @@ Report with_refused(const Known& known) {
 }
 
 /// Stores the contents of the files of --json (per script) and --junit (for the run).
-void keep_object(const ScriptReport& script, const Options& options) {
-    if (options.output.files.contains(Format::json)) keep_json(refines_json(script, options), options);
+void keep_object(const ScriptReport& script, const RunRecord& record, const Options& options) {
+    if (options.output.files.contains(Format::json))
+        keep_json(with_run(refines_json(script, options), record), options);
 }
 void keep_cases(const Known& known, const Options& options) {
     if (const auto file = options.output.files.find(Format::junit); file != options.output.files.end())
@@ -256,8 +261,9 @@ void print_last(const std::string& text, const Options& options, Known& known) {
 void print_object(const Options& options, Known& known) {
     const bool json = options.output.format == Format::json || options.output.format == Format::framed_json;
     const auto edit = options.run->edit();
-    keep_object(known.script, options);
-    print_last(json ? refines_json(known.script, options) : "", options, known);
+    const RunRecord record = record_of(options);
+    keep_object(known.script, record, options);
+    print_last(json ? with_run(refines_json(known.script, options), record) : "", options, known);
 }
 
 /// The script's errors so far, also as the case of a script that is refused.
@@ -289,7 +295,7 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
     // Frames belong to assertions; a script with only print statements gets one frame.
     if (options.output.format == Format::framed_json && asserts) {
         const auto edit = options.run->edit();
-        keep_object(script, options);
+        keep_object(script, record_of(options), options);
         print_last("", options, known);
     } else {
         print_object(options, known);
@@ -306,6 +312,7 @@ Exit decide_script(const Options& options, Known& known) {
     {
         const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + known.script.path);
         load_script(known.script.path, loaded);
+        record_texts(loaded.sources, options);
     }
     show_findings(loaded, options);
     {
@@ -364,7 +371,8 @@ Exit print_partial_result(const std::string& why, const Options& options, Known&
         if (each.errors == std::vector<std::string>{driver::undecided_at_limit}) each.errors = {"not decided: " + why};
     script.errors.push_back(why);
     const bool is_open = !script.path.empty();
-    if (is_open) keep_object(script, options);
+    const RunRecord record = record_of(options);
+    if (is_open) keep_object(script, record, options);
     keep_cases(known, options);
     if (options.output.format == Format::text || options.output.format == Format::junit) {
         print_report(known, options);
@@ -374,7 +382,7 @@ Exit print_partial_result(const std::string& why, const Options& options, Known&
         if (options.output.format == Format::framed_json)
             std::erase_if(script.assertions,
                           [](const ScriptAssertion& each) { return each.answer != driver::Answer::inconclusive; });
-        print_exact(refines_json(script, options));
+        print_exact(with_run(refines_json(script, options), record));
     }
     return report.exit_code();
 }
@@ -390,10 +398,12 @@ void load_script(const std::string& path, LoadedScript& loaded) {
 void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
     const bool types_only = options.script.typecheck || options.script.types;
+    std::string answer;  // the findings in JSON, if they are the answer
     if (types_only && !loaded.diagnostics.ok())
-        keep_json(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
-    if (options.output.format == Format::json && types_only && !loaded.diagnostics.ok()) {
-        print_answer(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
+        answer = with_run(diagnostics::render_json(loaded.sources, loaded.diagnostics), record_of(options));
+    if (!answer.empty()) keep_json(answer, options);
+    if (options.output.format == Format::json && !answer.empty()) {
+        print_answer(answer, options);
     } else {
         print_error("{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
     }

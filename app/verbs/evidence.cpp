@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/command/recording.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
@@ -93,6 +94,7 @@ void decide_assertions(const Options& options, const simulation::Scenario& scena
     for (std::size_t controller = 0; controller < scenario.controller_count(); ++controller) {
         Options wanted = over_the_model(options, scenario, controller, Verb::check);
         const std::vector<driver::Part> parts = driver::load_parts(wanted, wanted.run->budget());
+        record_projects(parts, wanted, options);
         if (done.insert(model_read(wanted, parts)).second)
             decide_assertions_of(wanted, parts, in_front(scenario, controller), evidence);
     }
@@ -106,6 +108,7 @@ void decide_conformance(const Options& options, const simulation::Scenario& scen
         wanted.code.cycle = scenario.units_per_step;
         wanted.code.cycle_given = true;
         const std::vector<driver::Part> parts = driver::load_parts(wanted, wanted.run->budget());
+        record_projects(parts, wanted, options);
         if (!done.emplace(wanted.load.component, model_read(wanted, parts)).second) continue;
         Report report;
         for (const driver::Part& part : parts)

@@ -13,6 +13,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/record_rules.hpp"
 #include "app/rules/rule_guard.hpp"
 #include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
@@ -222,6 +223,7 @@ bool write_rule_monitor(const std::string& file, driver::Project& output, const 
     loaded.diagnostics.set_budget(&options.run->budget());
     for (const std::string& code : options.load.allowed) loaded.diagnostics.allow_code(code);
     load_rules(file, loaded);
+    record_rules(loaded, options);
     show_rule_findings(loaded, options);
     if (!loaded.rules || (options.load.deny_warnings && loaded.diagnostics.warning_count() > 0)) return false;
     try {

@@ -183,6 +183,7 @@ private:
     /// Answers by random paths: `threads` paths at once, one property after another.
     void sample_paths(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
                       diagnostics::Diagnostics& findings, unsigned threads) {
+        options_.run->recorder().set_seed(options_.probability.seed);
         const prism::SamplingOptions sampling{*options_.prism.sampling, options_.probability.seed, threads,
                                               &options_.run->budget()};
         answer_all(

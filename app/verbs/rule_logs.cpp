@@ -13,6 +13,7 @@
 #include "app/command/answer.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/record_rules.hpp"
 #include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
@@ -166,6 +167,7 @@ void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogRep
         return;
     }
     ++report.logs;
+    options.run->recorder().add_input_file(path);
     try {
         RuleLog(of, path, report, options).read(in);
     } catch (const conformance::TraceFault& fault) {
@@ -225,6 +227,7 @@ Exit conform_rules(const Options& options) {
         driver::LoadedRules loaded;
         loaded.diagnostics.set_budget(&options.run->budget());
         load_rules(file, loaded);
+        record_rules(loaded, options);
         show_rule_findings(loaded, options);
         if (!loaded.rules) {
             report.errors.push_back(fmt::format("{} cannot be read", diagnostics::escape_for_display(file)));

@@ -10,8 +10,10 @@
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/run.hpp"
 #include "app/report/rules_report.hpp"
+#include "app/rules/record_rules.hpp"
 #include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
@@ -43,6 +45,7 @@ public:
     Exit operator()() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.load.inputs.front());
         load_rules(options_.load.inputs.front(), loaded_);
+        record_rules(loaded_, options_);
         show_rule_findings(loaded_, options_);
         if (!loaded_.rules || (options_.load.deny_warnings && loaded_.diagnostics.warning_count() > 0))
             return end_refused(loaded_.diagnostics, loaded_.sources, Exit::bad_input);
@@ -230,9 +233,11 @@ private:
         of_model.load.claims = driver::ClaimUse::decide;
         of_model.claims.times = driver::Times::timed;
         const std::unique_ptr<driver::Project> project = driver::load_project(of_model, options_.run->budget());
+        record_project(*project, of_model, options_);
         const csp_emit::Emission* emission = nullptr;
         if (project->diagnostics.ok())
             emission = &emit_csp(*project, of_model.claims, of_model.swarm, csp_emit::Time::timed);
+        record_block_values(*project, options_);
         app::show_findings(*project, options_);
         if (emission == nullptr || !is_acceptable(*project, of_model.load))
             return end_refused(project->diagnostics, project->sources, refusal_code(*project));

@@ -17,6 +17,7 @@
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
 #include "app/command/progress.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/simulation_html.hpp"
@@ -49,6 +50,11 @@ simulation::Scenario read_scenario_of(driver::Project& project, const Options& o
     simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
     if (options.simulate.trials > 0) scenario.set_trials(options.simulate.trials);
     if (options.simulate.seed) scenario.seed = *options.simulate.seed;
+    record_text(project.sources, *source, options);
+    RunRecorder& recorder = options.run->recorder();
+    for (std::size_t i = 0; i < scenario.drawings.size(); ++i)
+        recorder.add_input(scenario.drawing_files[i], scenario.drawings[i]);
+    if (options.verb == Verb::simulate) recorder.set_seed(scenario.seed);
     return scenario;
 }
 
@@ -140,6 +146,7 @@ bool load_other(Simulation& simulation, std::size_t number, const Options& optio
     const driver::Settings wanted = settings_for(simulation.scenario, options, number);
     other.model = wanted.load.inputs.front();
     other.project = driver::load_project(wanted, options.run->budget());
+    record_project(*other.project, wanted, options);
     if (is_acceptable(*other.project, wanted.load))
         other.emission = emit_component(simulation, *other.project, simulation.scenario.controller_at(number).component,
                                         other.model);
@@ -267,6 +274,7 @@ simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t 
     wanted.constants = constants_of(simulation.project_of(kind));
     wanted.first = simulation.scenario.first_robot(kind);
     wanted.scenario = simulation.scenario.name.text;
+    wanted.run = run_line(record_of(options));
     wanted.budget = &options.run->budget();
     wanted.failed = [&failure](const std::string& error) {
         const std::lock_guard lock(failure.mutex);
@@ -361,6 +369,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     if (!simulation->project->diagnostics.ok()) return simulation;
     const driver::Settings model = settings_for(simulation->scenario, options, 0);
     simulation->project = driver::load_project(model, options.run->budget());
+    record_project(*simulation->project, model, options);
     if (!is_acceptable(*simulation->project, options.load)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);
     emit_controllers(*simulation, model.load.inputs.front(), options);

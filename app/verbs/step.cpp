@@ -15,6 +15,7 @@
 #include "app/command/findings.hpp"
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/run.hpp"
 #include "app/command/script.hpp"
 #include "app/report/structure_text.hpp"
@@ -379,7 +380,8 @@ Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& s
     const runs::Exploration space = runs::explore_process(stepper.reader(), stepper.current_term(), {}, budget);
     const std::string reached = budget.reached_limit();
     options.run->finish();
-    const std::string error = diagnostics::replace_file(options.output.html, step_page(space, stepped, parts), &budget);
+    const std::string error =
+        diagnostics::replace_file(options.output.html, step_page(space, stepped, parts, record_of(options)), &budget);
     if (!error.empty()) {
         print_error("robochart-verify: {}\n", error);
         return Exit::bad_input;
@@ -432,6 +434,7 @@ Exit step_component(const Options& options) {
     driver::Settings model = options;
     model.load.inputs.resize(1);
     const std::vector<driver::Part> parts = driver::load_parts(model, options.run->budget());
+    record_projects(parts, model, options);
     for (const driver::Part& part : parts)
         if (!show_diagnostics(*part.project, options)) return refusal_code(*part.project);
     const auto [project, component] =
@@ -443,6 +446,7 @@ Exit step_component(const Options& options) {
         show_findings(*project, options);
         return refusal_code(*project);
     }
+    record_block_values(*project, options);
     const std::string name = ir::qualified_name(component);
     try {
         SteppedComponent stepped(*project, name, time, options);
@@ -458,6 +462,7 @@ Exit step_script(const Options& options) {
     LoadedScript loaded;
     loaded.diagnostics.set_budget(&options.run->budget());
     load_script(options.load.inputs.front(), loaded);
+    record_texts(loaded.sources, options);
     const cspm::DeclPtr asked =
         loaded.diagnostics.ok() ? parse_process(loaded, options.load.inputs[1], options.load.inputs[1]) : nullptr;
     if (!asked) {

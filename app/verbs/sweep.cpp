@@ -227,7 +227,8 @@ private:
         }
         if (!options_.output.html.empty())
             report_unwritable(diagnostics::replace_file(
-                options_.output.html, render_sweep_html(scenario_, result_, plots), &options_.run->budget()));
+                options_.output.html, render_sweep_html(scenario_, result_, plots, record_of(options_)),
+                &options_.run->budget()));
         options_.run->finish();
         if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
         const Exit exit = exit_code();

@@ -16,6 +16,7 @@
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/step/trace_page.hpp"
@@ -135,6 +136,7 @@ private:
             driver::Settings wanted = options_;
             wanted.instantiation.weaker_constants = constants;
             parts = driver::load_parts(wanted, options_.run->budget());
+            record_projects(parts, wanted, options_);
         }
         for (const driver::Part& part : parts)
             for (const diagnostics::Diagnostic& each : part.project->diagnostics.sorted_findings())
@@ -339,7 +341,10 @@ Exit conform_traces(const std::vector<driver::Part>& parts, const Options& optio
     std::optional<std::string> page;
     try {
         Checkers checkers(parts, options);
-        for (const std::string& path : paths) check_log(path, project, checkers, totals);
+        for (const std::string& path : paths) {
+            options.run->recorder().add_input_file(path);
+            check_log(path, project, checkers, totals);
+        }
         if (!options.output.html.empty()) page = trace_page(totals.compared, parts, options, "");
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();

@@ -265,6 +265,7 @@ public:
         if (!asked_.tune.certificate.empty()) return verify_certificate();
         if (!begin()) return show_refusal();
         const std::uint64_t search = options_.tune.seed;
+        options_.run->recorder().set_seed(search);
         const simulation::RaceOptions wanted{options_.tune.trials, search, options_.tune.elimination};
         Subject subject(options_, parameters_, scenario_, search);
         simulation::Race race(parameters_, wanted, subject);
@@ -276,6 +277,8 @@ public:
             options_.run->finish();
             limit_ = limit.what();
         }
+        if (!limit_.empty() || race.elites().empty())
+            options_.run->recorder().forget_values();  // those of the candidates, none of which is the answer
         if (!limit_.empty()) return end_interrupted(race);
         if (race.elites().empty()) return without_winner(race, subject);
         if (!project_->diagnostics.ok()) return show_refusal();
@@ -408,6 +411,7 @@ private:
 
     /// Decides everything for the certificate.
     void decide_all(const Options& options) {
+        options_.run->recorder().forget_values();  // those of other candidates
         driver::Evidence& evidence = certificate_.evidence;
         decide_assertions(options, scenario_, evidence);
         decide_conformance(options, scenario_, evidence);
@@ -446,6 +450,7 @@ private:
     Exit write_results(const simulation::Race& race, const Subject& subject) {
         const std::string folder = "tuning/" + scenario_.name.text + "/";
         const std::string path = folder + "certificate.json";
+        certificate_.run = diagnostics::json_text(run_json(record_of(options_)));
         write(path, certificate_text(certificate_));
         write(folder + "candidates.csv", candidates_csv(race));
         options_.run->finish();
@@ -548,6 +553,7 @@ private:
             report_option("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
         if (!project_->diagnostics.ok()) return show_refusal();
+        options_.run->recorder().set_seed(scenario_.seed);
         for (const auto& [name, value] : certified->constants)
             options_.instantiation.constants.push_back(fmt::format("{}={}", name, value));
         options_.instantiation.ranges = certified->ranges;

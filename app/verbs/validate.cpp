@@ -8,6 +8,7 @@
 
 #include "app/command/answer.hpp"
 #include "app/command/output.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
@@ -30,6 +31,7 @@ bool is_syntax(const diagnostics::Rule& rule) {
 /// The parts, including the findings in their CSP blocks.
 std::vector<driver::Part> read_with_blocks(const Options& options) {
     std::vector<driver::Part> parts = driver::read_parts(options.load, options.run->budget());
+    for (const driver::Part& part : parts) record_texts(part.project->sources, options);
     for (const driver::Part& part : parts)
         csp_emit::check_blocks(*part.project->model, part.project->sources, part.project->diagnostics);
     return parts;

@@ -14,6 +14,7 @@
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
+#include "app/command/recording.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/html.hpp"
@@ -202,6 +203,7 @@ bool run_phases(driver::Project& project, const Options& options, bool code, Rep
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, search_context(options), report);
     if ((all || options.verb == Verb::emit_csp) && !write_csp(project, options, report)) return false;
+    record_block_values(project, options);
     if (!code) return project.diagnostics.ok();
     if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
     if (all || options.verb == Verb::conform) check_conformance(project, options, report);
@@ -476,7 +478,8 @@ void report_broken_claims(const driver::Project& project, const Options& options
 /// Stores the page of `--html`.
 void keep_page(const std::vector<driver::Part>& parts, const Options& options, const Report& report) {
     if (!options.output.html.empty())
-        options.run->keep_for(options.output.html, render_html(report, parts, options.run->budget()));
+        options.run->keep_for(options.output.html,
+                              render_html(report, parts, record_of(options), options.run->budget()));
 }
 
 /// Stores the page of `--html` for a run that ended early.
@@ -485,7 +488,7 @@ void keep_last_page(const std::vector<driver::Part>& parts, const Options& optio
     options.run->keep_for(options.output.html,
                           last_page(parts, !options.run->is_watching(),
                                     [&](const std::vector<driver::Part>& drawn, diagnostics::Budget& budget) {
-                                        return render_html(report, drawn, budget);
+                                        return render_html(report, drawn, record_of(options), budget);
                                     }));
 }
 
@@ -590,6 +593,7 @@ Options with_buffers(Options options) {
 Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
     parts = driver::load_parts(options, options.run->budget());
+    record_projects(parts, options, options);
     if (options.output.phase != Phase::none) return print_phases(parts, options);
     if (!options.code.mapping.empty() && options.code.target != cpp_emit::Target::ros2)
         throw UsageError("--mapping needs --target ros2");

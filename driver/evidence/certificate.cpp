@@ -59,6 +59,7 @@ Json certificate_json(const Certificate& certificate) {
     return {{"schema", schema},
             {"program", certificate.program},
             {"build", certificate.build},
+            {"run", Json::parse(certificate.run)},
             {"scenario", evidence.scenario},
             {"scenarioDigest", evidence.scenario_digest},
             {"model", pairs_json(evidence.model, "file", "digest")},
@@ -183,6 +184,9 @@ Certificate read_fields(const Json& json) {
     Certificate result;
     result.program = fields.read_text("program");
     result.build = fields.read_text("build");
+    const Json& run = fields["run"];
+    if (!run.is_object()) throw Malformed("run of the certificate is no object");
+    result.run = diagnostics::json_text(run);
     result.evidence.scenario = fields.read_text("scenario");
     result.evidence.scenario_digest = fields.read_text("scenarioDigest");
     result.evidence.model = read_pairs(fields, "model", "file", "digest");

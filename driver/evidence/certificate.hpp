@@ -68,6 +68,7 @@ struct SearchRecord {
 struct Certificate {
     std::string program;                                         ///< "robochart-verify 0.1.0"
     std::string build;                                           ///< build ID of the program; "" if unknown
+    std::string run = "{}";                                      ///< record of the run, in JSON; not compared
     std::vector<std::pair<std::string, std::string>> constants;  ///< those found, then those given
     std::vector<std::string> ranges;                             ///< `--range`
     SearchRecord search;

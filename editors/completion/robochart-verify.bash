@@ -7,28 +7,28 @@ _robochart_verify_warnings='CSPM-P18 CSPM-T21 Cn11 PJ3 PRISM-E08 PRISM-E12 PT2 R
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --json --sarif --junit --html --color -q --quiet --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings --component --cycle -o --out --format --json --sarif --junit --html --color -q --quiet --provenance --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'init') echo '--simulation --ros2 -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --json --sarif --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --swarm --robots --grid --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --json --sarif --junit --html --color -q --quiet --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
-    'emit csp') echo '--timed --untimed --core --swarm --robots --grid --const --range --print --allow --deny-warnings -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --json --junit --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'cspm') echo '--assertion --typecheck --types --format --json --junit --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
-    'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --json --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
-    'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --swarm --robots --grid --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --json --sarif --junit --html --color -q --quiet --provenance --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
+    'emit csp') echo '--timed --untimed --core --swarm --robots --grid --const --range --print --allow --deny-warnings -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --choices -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --json --junit --html --color -q --quiet --provenance --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'cspm') echo '--assertion --typecheck --types --format --json --junit --color -q --quiet --provenance -b --brief --reveal-taus --split --export --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
+    'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --json --plot --color -q --quiet --provenance --export --memory --timeout --threads --max-states -h --help' ;;
+    'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
     'draw') echo '--allow --deny-warnings -o --out --format --theme --color -q --quiet --memory --timeout -h --help' ;;
-    'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --json --html --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
-    'tune') echo '--const --range --allow --deny-warnings --budget --seed --test --verify-certificate -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'simulate') echo '--const --allow --deny-warnings --trials --seed --compare --monitor --log --no-pictures -o --out --format --json --html --color -q --quiet --provenance --progress --memory --timeout --threads --no-cache -h --help' ;;
+    'tune') echo '--const --range --allow --deny-warnings --budget --seed --test --verify-certificate -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
     'explain') echo '--color -h --help' ;;
     'lsp') echo '--stdio -h --help' ;;
     'help') echo '--generate -h --help' ;;
-    'version') echo '-h --help' ;;
+    'version') echo '--format -h --help' ;;
     *) echo '-h --help --version' ;;
   esac
 }
@@ -83,7 +83,7 @@ _robochart_verify_argument() {
     'validate --format') echo 'text json sarif' ;;
     'cspm --format') echo 'text plain json framed_json junit' ;;
     'prism --format') echo 'text json csv' ;;
-    'rules --format') echo 'text json' ;;
+    'rules --format' | 'version --format') echo 'text json' ;;
     'verify --json' | 'validate --json' | 'check --json' | 'emit csp --json' | 'emit cpp --json' | 'emit prism --json' | 'emit monitor --json' | 'emit tests --json' | 'conform --json' | 'cspm --json' | 'prism --json' | 'rules --json' | 'simulate --json' | 'tune --json') echo '<file>' ;;
     'verify --sarif' | 'validate --sarif' | 'check --sarif') echo '<file>' ;;
     'verify --junit' | 'check --junit' | 'conform --junit' | 'cspm --junit') echo '<file>' ;;

@@ -333,9 +333,10 @@ struct Scenario : RobotKind {
     std::vector<Variation> variations;  ///< at most two
     std::optional<Abstraction> abstraction;
     std::vector<ChainQuestion> chain_questions;
-    std::vector<std::string> drawings;  ///< texts of the drawings that contain obstacles
-    std::vector<double> pictures;       ///< times, s
-    double record = 0.5;                ///< s between recorded positions
+    std::vector<std::string> drawings;       ///< texts of the drawings that contain obstacles
+    std::vector<std::string> drawing_files;  ///< their paths, in the same order
+    std::vector<double> pictures;            ///< times, s
+    double record = 0.5;                     ///< s between recorded positions
 
     [[nodiscard]] std::uint64_t step_count() const;
     /// The number of control steps between two states of the chain.

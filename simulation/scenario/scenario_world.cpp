@@ -76,6 +76,7 @@ void ScenarioReader::parse_drawn_obstacles() {
     std::vector<std::vector<Vector>> found;
     if (const auto drawing = drawings.load_file(path.string(), error)) {
         scenario_.drawings.emplace_back(drawings.source_text(*drawing));
+        scenario_.drawing_files.push_back(path.string());
         found = drawn_obstacles(scenario_.drawings.back(), error);
     }
     if (!error.empty())

@@ -48,6 +48,7 @@ std::string TraceLog::log_path(std::size_t robot) const {
 void TraceLog::begin(std::size_t robot) {
     std::string& text = robots_[robot].text;
     text = fmt::format("robochart-trace {}\n", cpp_emit::trace_version);
+    if (!options_.run.empty()) text += fmt::format("// run: {}\n", options_.run);
     if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::escape_for_display(options_.model));
     for (const std::string& each : options_.constants)
         text += fmt::format("const {}\n", diagnostics::escape_for_display(each));

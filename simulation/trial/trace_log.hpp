@@ -20,6 +20,7 @@ struct TraceLogOptions {
     std::string model;
     std::vector<std::string> constants;  ///< NAME=VALUE of the model in this run
     std::string scenario;
+    std::string run;        ///< the record of the run on one line, a comment for readers; "": none
     std::size_t first = 0;  ///< index of the first robot; earlier ones are of another kind
     diagnostics::Budget* budget = nullptr;
     std::function<void(const std::string&)>

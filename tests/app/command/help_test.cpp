@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "app/base/built_commit.hpp"
 #include "app/command/help.hpp"
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
@@ -96,7 +97,8 @@ TEST(Help, AsAVerbSaysTheSame) {
         EXPECT_EQ(ran.err, "");
     }
     EXPECT_EQ(run({"version"}).out, run({"--version"}).out);
-    EXPECT_EQ(run({"version"}).out, std::string("robochart-verify ") + program_version + "\n");
+    EXPECT_EQ(run({"version"}).out,
+              std::string("robochart-verify ") + program_version + " (" + commit_text(built_commit()) + ")\n");
 }
 
 /// If a verb and a folder have the same name, the word means the verb. A folder whose name is similar to a verb is a
