@@ -47,10 +47,12 @@ std::string text_of(const ir::SequenceLimit& limit, const std::string& expressio
 
 }  // namespace
 
-BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission)
+BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission,
+                       const ir::Instantiation& instantiation)
     : project_(project),
       emission_(emission),
-      sequence_limits_(ir::sequence_limits(project.system, project.instantiation)) {}
+      instantiation_(instantiation),
+      sequence_limits_(ir::sequence_limits(project.system, instantiation)) {}
 
 cspm::CallObserver BoundWatch::observer() {
     std::set<std::string> functions = emission_.bounded;
@@ -65,12 +67,11 @@ void BoundWatch::note_call(const cspm::ObservedCall& call) {
         for (const ir::SequenceLimit& limit : sequence_limits_)
             if (is_inside(limit.span, call.span))
                 add(limit.span,
-                    text_of(limit, expression_text(project_.sources, limit.span),
-                            project_.instantiation.sequence_bound),
+                    text_of(limit, expression_text(project_.sources, limit.span), instantiation_.sequence_bound),
                     fmt::format("--range Seq=0..{} lets sequences hold more", limit.needed));
         return;
     }
-    const auto text = csp_emit::reached_bound(emission_, project_.instantiation, call);
+    const auto text = csp_emit::reached_bound(emission_, instantiation_, call);
     if (!text) return;
     const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
     if (!known_.emplace(call.function, at).second) return;
@@ -149,7 +150,7 @@ const ReachedBounds::Visited& ReachedBounds::visit_process(const cspm::ExprPtr& 
     // A separate session: in the session of another claim, values may be cached, and the observer would not see their
     // evaluation.
     cspm::Session session(emission_.script, &search_.services.budget());
-    BoundWatch watch(project_, emission_);
+    BoundWatch watch(project_, emission_, instantiation_);
     session.set_observer(watch.observer());
     try {
         std::deque<process::TermId> waiting{session.process(process)};
@@ -186,18 +187,23 @@ bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& pro
 
 Basis ReachedBounds::basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met) {
     Basis result;
-    for (const cspm::ExprPtr& process : processes_of(claim)) {
-        const Visited& found = visit_process(process);
-        for (const Ground& ground : found.reached) add(result, ground);
-        if (found.all) continue;
-        for (Ground ground : met) {
-            const bool reached = std::ranges::any_of(found.reached, [&](const Ground& other) {
-                return other.place == ground.place && other.element == ground.element && other.remedy == ground.remedy;
-            });
-            if (reached || !is_part(ground.element, process)) continue;
-            ground.text += fmt::format(" (not in the first {} states, and it is not known whether later)", most_states);
-            add(result, std::move(ground));
-        }
+    for (const cspm::ExprPtr& process : processes_of(claim))
+        for (Ground& ground : basis_of_process(process, met)) add(result, std::move(ground));
+    return result;
+}
+
+Basis ReachedBounds::basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met) {
+    const Visited& found = visit_process(process);
+    Basis result;
+    for (const Ground& ground : found.reached) add(result, ground);
+    if (found.all) return result;
+    for (Ground ground : met) {
+        const bool reached = std::ranges::any_of(found.reached, [&](const Ground& other) {
+            return other.place == ground.place && other.element == ground.element && other.remedy == ground.remedy;
+        });
+        if (reached || !is_part(ground.element, process)) continue;
+        ground.text += fmt::format(" (not in the first {} states, and it is not known whether later)", most_states);
+        add(result, std::move(ground));
     }
     return result;
 }

@@ -21,7 +21,8 @@ namespace robochart::driver {
 /// Observes the evaluation of one script.
 class BoundWatch {
 public:
-    BoundWatch(const Project& project, const csp_emit::Emission& emission);
+    /// All arguments must outlive the object.
+    BoundWatch(const Project& project, const csp_emit::Emission& emission, const ir::Instantiation& instantiation);
 
     [[nodiscard]] cspm::CallObserver observer();
     /// The bounds observed so far, once for each function and place.
@@ -33,6 +34,7 @@ private:
 
     const Project& project_;
     const csp_emit::Emission& emission_;
+    const ir::Instantiation& instantiation_;
     std::vector<ir::SequenceLimit> sequence_limits_;
     std::set<std::pair<std::string, std::uint64_t>> known_;
     std::vector<Ground> met_;
@@ -43,11 +45,15 @@ private:
 /// whole process are explored again, up to a limit.
 class ReachedBounds {
 public:
-    ReachedBounds(const Project& project, const csp_emit::Emission& emission, const SearchContext& search)
-        : project_(project), emission_(emission), search_(search) {}
+    /// All arguments must outlive the object.
+    ReachedBounds(const Project& project, const csp_emit::Emission& emission, const ir::Instantiation& instantiation,
+                  const SearchContext& search)
+        : project_(project), emission_(emission), instantiation_(instantiation), search_(search) {}
 
     /// `met`: the bounds observed by the search, for this claim or others.
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
+    /// The same for one process.
+    [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);
 
 private:
     struct Visited {
@@ -59,6 +65,7 @@ private:
 
     const Project& project_;
     const csp_emit::Emission& emission_;
+    const ir::Instantiation& instantiation_;
     SearchContext search_;
     std::map<std::string, Visited> visited_;  // by the text of the process
 };

@@ -26,6 +26,7 @@
 #include "driver/claims/sizes.hpp"
 #include "driver/claims/taken_guards.hpp"
 #include "driver/claims/turns.hpp"
+#include "driver/model/preferences.hpp"
 #include "driver/rules/rule_claims.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -396,8 +397,8 @@ public:
           time_(time),
           emission_(emit_csp(project, search.settings.claims, search.settings.swarm, time)),
           results_(results),
-          watch_(project, emission_),
-          reached_(project, emission_, search),
+          watch_(project, emission_, project.instantiation),
+          reached_(project, emission_, project.instantiation, search),
           guards_(project, emission_, time),
           rules_(project, emission_, search) {
         if (!project.diagnostics.ok() || (emission_.obligations.empty() && !search.settings.claims.sizes)) return;
@@ -531,6 +532,9 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
 }  // namespace
 
 void check_assertions(Project& project, const SearchContext& search, ClaimResults& results) {
+    // A file that cannot be read is an error even if no claim needs it.
+    if (!search.settings.probability.preferences.empty() && !read_preferences(project, search.settings.probability))
+        return;
     std::vector<WaitingClaim> claims;
     std::unique_ptr<ProbabilityClaims> probabilities;
     if (search.settings.swarm.file.empty()) {

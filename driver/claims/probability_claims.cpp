@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/diagnostics/escape.hpp"
+#include "driver/claims/probability_basis.hpp"
 #include "driver/model/preferences.hpp"
 #include "driver/settings/usage_error.hpp"
 #include "frontend/syntax/print.hpp"
@@ -112,8 +113,12 @@ public:
         try {
             const probability::Question question = this->make_question(claim);
             report.reason.clear();
-            probability::decide_question(*encoding_, question, deciding_options(), budget_,
-                                         [&](Row row) { add_row(std::move(row), report); });
+            RowBasis basis;
+            probability::decide_question(*encoding_, question, deciding_options(), budget_, [&](Row row) {
+                if (row.error.empty()) basis.add_row(row, basis_of(row));
+                add_row(std::move(row), report);
+            });
+            if (report.answer != Answer::inconclusive) report.basis = basis.basis();
         } catch (const diagnostics::LimitReached& limit) {
             encoding_.reset();  // it may be incomplete
             if (run_is_over(search_.services.budget())) throw;
@@ -186,7 +191,24 @@ private:
         wanted.max_states = search_.settings.limits.max_states;
         wanted.exact = search_.settings.probability.exact;
         wanted.budget = &budget_;
+        wanted.on_session = [this](const csp_emit::Emission& emission, const ir::Instantiation& instantiation,
+                                   cspm::Session& session) {
+            watched_ = std::make_unique<WatchedProcess>(project_, search_, emission, instantiation, session);
+        };
         return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, wanted);
+    }
+
+    /// The basis of a row while the encoding is still that of the row.
+    [[nodiscard]] Basis basis_of(const Row& row) {
+        const std::string subject = ir::qualified_name(subject_);
+        Basis basis;
+        if (!chain_) {
+            basis = watched_->reached_bounds(subject);
+            for (Ground& ground : chosen_constants(project_, watched_->instantiation(), subject, row))
+                add(basis, std::move(ground));
+        }
+        for (Ground& ground : sampling_basis(row, search_.settings.probability.seed)) add(basis, std::move(ground));
+        return basis;
     }
 
     static void add_row(Row row, AssertionReport& report) {
@@ -204,6 +226,7 @@ private:
     probability::Assertions all_;
     Turn turn_;
     diagnostics::Budget budget_;
+    std::unique_ptr<WatchedProcess> watched_;  ///< observes the session of the encoding, so it must outlive it
     std::unique_ptr<probability::Encoding> encoding_;
     ir::ComponentRef subject_;
     bool chain_ = false;  ///< RoboTool's chain is used

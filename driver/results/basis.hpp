@@ -22,6 +22,8 @@ enum class GroundKind : unsigned char {
     ended,          ///< the component can terminate, and nothing is required after that
     never_at_rest,  ///< refusals were not compared, because the component never becomes stable
     never_asked,    ///< no run reaches the subject of the claim
+    constant,       ///< probabilistic: a constant has a chosen value, because nothing gives it one
+    sampling,       ///< probabilistic: random paths, not all states
 };
 
 /// As data: "guard", "noTime".

@@ -73,6 +73,7 @@ std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const
     add_observers(made->emission, observed);
     try {
         made->session = std::make_unique<cspm::Session>(made->emission.script, limits.budget, true);
+        if (limits.on_session) limits.on_session(made->emission, made->instantiation, *made->session);
         made->system = made->session->whole_system(component_process(made->emission, path), limits_of(limits.budget));
         made->exploration = std::make_unique<Exploration>(*made->system, limits.most_states, poll);
     } catch (const cspm::EvaluationError& error) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,12 +32,17 @@ struct ExploredProcess {
     std::uint64_t compared = 0;  ///< states of the comparison; 0: not compared
 };
 
+/// Receives the script of a process, its instantiation, and the session that is going to explore it.
+using SessionObserver = std::function<void(const csp_emit::Emission&, const ir::Instantiation&, cspm::Session&)>;
+
 struct ExploreLimits {
     std::uint64_t most_states = 500'000'000;
     /// Up to this number of states, the process is compared by branching bisimulation with the one that is used for
     /// refinement checks.
     std::uint64_t compared_states = 1'000'000;
     diagnostics::Budget* budget = nullptr;
+    /// Called before anything is evaluated; emission and instantiation live as long as the result.
+    SessionObserver on_session = {};
 };
 
 /// System and sources must outlive the result. Throws Wrong if there is no such process, and diagnostics::LimitReached.

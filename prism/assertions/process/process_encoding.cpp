@@ -130,8 +130,9 @@ const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Val
     wanted.constants.merge(chosen);
     ir::Instantiation instantiation = ir::instantiate_system(system_, wanted, findings);
     if (!findings.ok()) throw Wrong(first_error(findings));
-    made->process = explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
-                                    {options_.max_states, options_.compared_states, options_.budget});
+    made->process =
+        explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
+                        {options_.max_states, options_.compared_states, options_.budget, options_.on_session});
     explored_ = std::move(made);
     return *explored_;
 }

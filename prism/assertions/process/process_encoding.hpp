@@ -10,6 +10,7 @@
 #include "base/diagnostics/source.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
 #include "prism/assertions/process/decision_process.hpp"
+#include "prism/assertions/process/explored_process.hpp"
 #include "prism/assertions/process/process_names.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
@@ -26,6 +27,9 @@ struct ProcessOptions {
     std::uint64_t compared_states = 1'000'000;
     bool exact = false;
     diagnostics::Budget* budget = nullptr;
+    /// Called for the process of each set of values of constants, before its states are explored. What it receives is
+    /// valid until the next call.
+    SessionObserver on_session = {};
 };
 
 class ProcessEncoding final : public Encoding {

@@ -23,11 +23,23 @@ public:
         for (const Import& import : file.imports) lines(import.span);
         for (const Assertion& assertion : file.assertions) lines(assertion.span);
         for (const CspBlock& block : file.csp_blocks) lines(block.span);
+        comments();
     }
 
 private:
     void add(std::size_t begin, std::size_t end, std::string replacement) {
         if (end - begin > replacement.size()) out_.push_back({file_, begin, end, std::move(replacement)});
+    }
+    void comments() {
+        for (std::size_t at = text_.find('/'); at != std::string_view::npos; at = text_.find('/', at + 1)) {
+            const std::string_view rest = text_.substr(at);
+            const bool block = rest.starts_with("/*");
+            if (!block && !rest.starts_with("//")) continue;
+            const std::size_t last = text_.find(block ? "*/" : "\n", at + 2);
+            const std::size_t end = std::min(text_.size(), last + (block && last != std::string_view::npos ? 2 : 0));
+            add(at, end, "");
+            at = end;
+        }
     }
     void whole(diagnostics::Span span) {
         if (span.is_known()) add(span.begin, span.end, "");

@@ -2,6 +2,7 @@
 // Machines and operations of random models: nodes, transitions, actions (private to the component).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -90,8 +91,11 @@ private:
     /// The condition under which a communication on a broadcast event is accepted: `[| x = from | p |]`; "" if it is
     /// always accepted.
     std::string filter(const Port& port, const std::string& peer);
-    /// The text of the variable that stores an input on the port; "" if there is none.
+    /// The text of the variable that stores an input on the port; "" if there is none. With reals in the shape, whole
+    /// numbers are often received into variables of wider types.
     std::string stored_variable(const Port& port);
+    /// The text of the first variable with a suitable type; "" if there is none.
+    std::string first_variable(const std::function<bool(const DataType&)>& suits);
     std::string timed_statement();
     /// A number of time units.
     std::string duration();

@@ -116,8 +116,17 @@ std::string Behaviour::filter(const Port& port, const std::string& peer) {
 }
 
 std::string Behaviour::stored_variable(const Port& port) {
+    if (shape_.data.reals && port.type != nullptr && random_.chance(50)) {
+        const std::string wider =
+            first_variable([&](const DataType& type) { return &type != port.type && fits_type(*port.type, type); });
+        if (!wider.empty()) return wider;
+    }
+    return first_variable([&](const DataType& type) { return &type == port.type; });
+}
+
+std::string Behaviour::first_variable(const std::function<bool(const DataType&)>& suits) {
     for (const Named& variable : around_.writable) {
-        if (variable.type != port.type) continue;
+        if (!suits(*variable.type)) continue;
         const bool qualified = shape_.qualified_names && !variable.interface.empty() && random_.chance(20);
         return (qualified ? variable.interface + "::" : "") + variable.name;
     }

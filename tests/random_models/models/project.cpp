@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
@@ -20,7 +21,11 @@ bool Text::is_assertions() const {
 
 std::size_t lines(const Project& project) {
     std::size_t sum = 0;
-    for (const Text& file : project) sum += static_cast<std::size_t>(std::ranges::count(file.text, '\n'));
+    for (const Text& file : project) {
+        std::istringstream text(file.text);
+        for (std::string line; std::getline(text, line);)
+            if (line.find_first_not_of(' ') != std::string::npos) ++sum;
+    }
     return sum;
 }
 

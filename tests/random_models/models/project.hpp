@@ -25,7 +25,7 @@ struct Text {
 /// The files of a project, in the order of their paths.
 using Project = std::vector<Text>;
 
-/// The number of lines in all files.
+/// The number of lines that are not blank, in all files.
 [[nodiscard]] std::size_t lines(const Project& project);
 /// All files in one text, each preceded by its path, for messages of failing tests.
 [[nodiscard]] std::string listing(const Project& project);

@@ -3,8 +3,10 @@
 // rule.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/diagnostics/render.hpp"
@@ -94,6 +96,42 @@ TEST(Semantics, TakesTheUntimedCore) {
 TEST(Semantics, TakesTheTimedCore) {
     const Tally tally = pass_all_through(Shape::timed_core(), csp_emit::Time::timed, 25);
     EXPECT_GE(tally.emitted * 10, tally.models * 9);
+}
+
+/// Whether a machine receives a number of type nat or int into a variable of reals.
+bool widens_input(const ir::System& system, const ir::Machine& machine) {
+    const auto widens = [&](const ir::Communication& input) {
+        if (input.kind != ir::CommKind::input || !input.variable.is_valid()) return false;
+        const std::optional<ir::TypeId> carried = machine.events[input.event.index].type;
+        if (!carried) return false;
+        const ir::TypeKind from = system.type(*carried).kind;
+        const bool whole = from == ir::TypeKind::nat || from == ir::TypeKind::integer;
+        return whole && system.type(machine.variables[input.variable.index].type).kind == ir::TypeKind::real;
+    };
+    return std::ranges::any_of(machine.transitions, [&](const ir::Transition& transition) {
+        return transition.trigger && widens(*transition.trigger);
+    });
+}
+
+/// A variable of reals receives a whole number v as v times the scale, which matters only if decimals occur.
+TEST(Semantics, ReceivesWholeNumbersAsRealsInModelsWithDecimals) {
+    Shape shape = Shape::timed_core();
+    shape.data.reals = true;
+    shape.variables = {1, 3};
+    std::size_t widened = 0;
+    for (const std::uint64_t seed : seeds(40)) {
+        const auto loaded = load(well_formed(seed, shape));
+        diagnostics::Diagnostics findings;
+        const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
+        const ir::Instantiation instantiation = ir::instantiate_system(system, {}, findings);
+        ASSERT_TRUE(findings.ok()) << seed << diagnostics::render_text(loaded->sources, findings);
+        const bool receives = std::ranges::any_of(
+            system.machines, [&](const ir::Machine& machine) { return widens_input(system, machine); });
+        if (receives && instantiation.scale != 1) ++widened;
+    }
+    EXPECT_GT(widened, 0U);
+    const Tally tally = pass_all_through(shape, csp_emit::Time::timed, 25);
+    EXPECT_GE(tally.emitted * 10, tally.models * 8);
 }
 
 /// `tests/long.sh scripts` tries a thousand models. The test starts with seed 2, because the model of seed 1 has
