@@ -96,7 +96,7 @@ TEST(BrokenClaims, OfAnotherFileMayNameTheBlock) {
 
 // A syntax error after a claim may have been meant as a part of the claim. A syntax error before it on the same line
 // may have been meant as its time.
-TEST(BrokenClaims, AreThoseBesideAMistakeOfSyntaxToo) {
+TEST(BrokenClaims, IncludeClaimsNextToASyntaxError) {
     const std::string before = "untimed assertion Before : M is deadlock-free\n";
     const std::string after = "untimed assertion After : M is deadlock-free\n";
     const auto with = [&](const std::string& between) {

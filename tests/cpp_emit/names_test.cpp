@@ -151,7 +151,7 @@ void expect_listed(const Emission& emission) {
     }
 }
 
-TEST(Names, WhatGeneratedCodeCallsItsOwnThingsIsListed) {
+TEST(Names, IdentifiersOfGeneratedCodeAreReserved) {
     for (const char* name : {"marked", "marked_messages"}) {
         const ir::System system = testing::load_model(contents(std::string("tests/cpp_emit/models/") + name + ".rct"));
         for (const Target target :

@@ -24,7 +24,7 @@ protected:
     std::string folder_ = testing::TempDir() + "programs-XXXXXX";
 };
 
-TEST_F(Programs, TellHowTheyEnded) {
+TEST_F(Programs, ReturnTheirExitStatus) {
     EXPECT_EQ(run_program({"sh", "-c", "exit 3"}, log(), error_), 3);
     diagnostics::Budget budget;
     EXPECT_EQ(run_program({"sh", "-c", "exit 0"}, log(), error_, &budget), 0);

@@ -51,7 +51,7 @@ robochart::StepResult cycle(core::State<robochart::Deployment>& state,
     Folder folder_;
 };
 
-TEST_F(TraceHook, NothingIsLeftOfItWhereNobodyListens) {
+TEST_F(TraceHook, GeneratesNoCodeIfThePlatformHasNoHook) {
     const std::string as_emitted = compile_to_assembly("");
     const std::string heard = compile_to_assembly("-DLISTENS");
     folder_.run("grep -q 'taken([0-9]*);' Aggregation_core.hpp");

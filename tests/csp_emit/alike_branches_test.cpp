@@ -56,7 +56,7 @@ TEST(AlikeBranches, AreThoseWithoutGuardOutputOrUseOfTheirValue) {
         EXPECT_EQ(gather_branches(kept).body, kept);
 }
 
-TEST(AlikeBranches, AreFoundBehindGuardsAndPrefixes) {
+TEST(AlikeBranches, AreFoundAfterGuardsAndPrefixes) {
     EXPECT_EQ(gather_branches("go -> (if v > 0 then a?x -> P(v) [] b?x -> P(v) else STOP)").body,
               "go -> (if v > 0 then [] e__:others @ e__ -> P(v) else STOP)");
 }

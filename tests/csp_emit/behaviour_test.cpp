@@ -272,7 +272,7 @@ TEST(Actions, AssignmentsOfDuringActionsMayComeTooLate) {
               "holds");
 }
 
-TEST(Actions, DuringOfACompositeRunsBesideItsInside) {
+TEST(Actions, DuringActionRunsInParallelWithInnerStates) {
     EXPECT_EQ(compare_untimed(machine(R"(
         initial i
         state C {
@@ -516,7 +516,7 @@ TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
 }
 
 /// While the output b waits, x is false.
-TEST(Time, ATransitionsDeadlineBeginsAnewWhereItsGuardIsFalse) {
+TEST(Time, DeadlineOfATransitionRestartsWhenItsGuardIsFalse) {
     EXPECT_EQ(compare_timed(machine(R"(
         var x:boolean = true
         initial i

@@ -98,7 +98,7 @@ TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
 
 // The result of the operation is read only after the call, in a condition. The values that it depends on are read
 // inside the operation.
-TEST(Calls, GiveTheCallersVariableWhatIsComputedInside) {
+TEST(Calls, WriteResultsToTheCallersVariable) {
     const std::string reading = R"(
         uses V
         initial i state A { entry op(2) ; if x == 2 then a else b end } transition t0 { from i to A })";

@@ -389,7 +389,7 @@ TEST(GenericFunctions, AreThereForEachOfTheirTypes) {
               "holds");
 }
 
-TEST(GenericFunctions, ThatNeedThemselvesForEverLargerTypesAreRefused) {
+TEST(GenericFunctions, PolymorphicRecursionIsRejected) {
     const auto m = load_model(R"(
         function deep(x : ?X) : boolean { postcondition result == deep(<x>) }
         stm S { event t : boolean initial j state A { entry t ! (deep(1)) } transition t0 { from j to A } })");

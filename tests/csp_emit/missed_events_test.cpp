@@ -38,7 +38,7 @@ std::vector<std::string> decide_missed(const std::string& text, const std::strin
     return decide_obligations(*m, Time::timed);
 }
 
-TEST(MissedEvents, AreThoseThatNothingTakesWhileTimePasses) {
+TEST(MissedEvents, AreEventsThatNoTransitionTakesWhileTimePasses) {
     const std::string three = moving_machine("entry wait(3)");
     EXPECT_THAT(
         decide_missed(three, claim_text("S::Moving", 0) + claim_text("S::Moving", 3) + claim_text("S::Moving", 4)),

@@ -89,7 +89,7 @@ TEST(Chain, OfTheDecisionIsNotRefuted) {
 
 /// The chain does not observe the robots that say B, so it treats the start like a state in which all robots say B. The
 /// next states differ.
-TEST(Chain, OfTheDecisionIsRefutedByItsOrderWhereItTellsLessApart) {
+TEST(Chain, WithTooFewObservationsIsRefutedByTheOrderTest) {
     std::string text = tests::read_contents(repository("corpus/best_of_n/chain.scenario"));
     text.erase(text.find("abstract by"));
     text += "abstract by surveys_a, says_a, surveys_b every 10 s estimate average says_a with confidence 95 % }\n";

@@ -51,7 +51,7 @@ transition t3 { from B to B trigger e condition x == 1 } })");
 
 // Both guards may be true, and the step does not show which transition was taken. One transition being taken says
 // nothing about the other.
-TEST(Firing, IsNotKnownWhereAStepDoesNotTellTransitionsApart) {
+TEST(Firing, IsUnknownIfAStepMayBeOneOfSeveralTransitions) {
     const std::string out = checked(R"(stm S { event e initial i var x : nat
 state A { } state B { }
 transition t0 { from i to A }

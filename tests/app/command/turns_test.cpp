@@ -102,7 +102,7 @@ TEST(Turns, ALimitOfTheRunNamesTheClaim) {
     }
 }
 
-TEST(Turns, WhoseTimeHasEndedIsSaid) {
+TEST(Turns, ReportNamesTheLimitThatEnded) {
     Options options = within(0, 5);
     app::Run run(options);
     options.run = &run;

@@ -130,7 +130,7 @@ TEST_F(Compiled, PrioritiesInsideAndOutside) {
         << "b, b, a, a and its end, which begins the same again; then its end is one more";
 }
 
-TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
+TEST_F(Compiled, RemovesEventsThatOtherComponentsBlock) {
     // A cell that can output its value, one of ten. No other component listens, so the values are equivalent.
     std::vector<TermId> cell;
     std::vector<std::pair<std::string, TermId>> writes;
@@ -154,7 +154,7 @@ TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
     EXPECT_EQ(states(hears_one), 4U) << "whether it is 7, times whether it has been heard";
 }
 
-TEST_F(Compiled, KeepsWhatAPriorityLooksAtEvenIfItCannotHappen) {
+TEST_F(Compiled, KeepsBlockedEventsThatAPriorityDependsOn) {
     // Inside, b has priority over a; outside, b is blocked. So neither of them occurs, and only c remains.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), stop}), {{"b"}, {"a"}});
     EXPECT_EQ(states(s.over(Op::parallel, {inner, twice("c")}, {"b"})), 3U);

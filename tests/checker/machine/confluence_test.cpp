@@ -191,7 +191,7 @@ TEST_F(Conditions, EventsOfOneComponentMayCommute) {
 }
 
 // 3. The tau changes the state of another component, which could do x before.
-TEST_F(Conditions, ATauThatTurnsOffWhatCouldActIsNotFollowed) {
+TEST_F(Conditions, TauThatDisablesAnotherComponentIsNotFollowed) {
     make({{{{a, 1}}, {}}, {{{x, 1}}, {{o, 1}}, {{o, 2}}}}, {{a, {0}, {{1, 2}}}, {x, {1}, {}}, {o, {1}, {}}});
     EXPECT_TRUE(can_do_x());
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
@@ -246,7 +246,7 @@ TEST_F(Conditions, WhatIsTrackedIsPutIntoStates) {
 
 // The second component becomes ready for x only together with the first one, after the tau. So the tau is followed. The
 // states of the two are (0, 0), (1, 0), (3, 1).
-TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForIt) {
+TEST_F(Conditions, TauIsFollowedIfConflictingStepsDependOnIt) {
     make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{c, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 1}, {}}});
     EXPECT_FALSE(can_do_x());

@@ -174,7 +174,7 @@ TEST_F(HiddenSteps, AreFollowed) {
 }
 
 /// The verdict needs one state; the search for a shortest counterexample visits all states.
-TEST_F(HiddenSteps, ARunIsSaidToBeNoShortestOneWhereALimitIsReached) {
+TEST_F(HiddenSteps, CounterexampleMayBeLongerIfALimitIsReached) {
     EXPECT_EQ(ask(false, 100).outcome, refine::Outcome::inconclusive);
     const refine::Verdict verdict = ask(true, 100);
     EXPECT_EQ(verdict.outcome, refine::Outcome::fails);

@@ -105,7 +105,7 @@ TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
 
 /// Random tests found this case: the packed state of a component that always runs cannot represent that another
 /// component is off.
-TEST_F(SymmetryTest, WhatMayBeOffIsNoReplicaOfWhatAlwaysRuns) {
+TEST_F(SymmetryTest, ComponentsThatMayBeOffAreNoReplicasOfPermanentOnes) {
     const TermId never = s.over(Op::parallel, {s.stop(), s.stop()}, {});
     const TermId first = s.op(Op::exception, {never, s.skip()}, static_cast<std::uint32_t>(s.set({})));
     const auto system = compiled(s.over(Op::parallel, {first, s.skip()}, {}));

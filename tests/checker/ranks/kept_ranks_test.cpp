@@ -350,7 +350,7 @@ TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
 
 // A limit is reached while the first rank waits for another one. The rank must not be killed before the checkpoint is
 // complete.
-TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
+TEST_F(KeptRanks, AreNotKilledWhileTheyWaitAfterALimit) {
     std::atomic<bool> interrupted{false};
     std::atomic<int> held{0}, disturbed{0};
     const auto undisturbed = [&]() -> std::shared_ptr<void> {

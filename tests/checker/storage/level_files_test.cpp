@@ -168,7 +168,7 @@ TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
 }
 
 // Discarded levels still exist for the previous checkpoint.
-TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
+TEST_F(Levels, CanBeDiscardedAndRewritten) {
     LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 10; ++level) files.add_level(rows_of(level));
     files.checkpoint({});

@@ -67,7 +67,7 @@ TEST(PartialReadings, AgreeWithAllValuations) {
 /// Each state takes one of sixteen events. There are 65,536 valuations, and each state of NF could store as many
 /// contents of registers. However, a cycle without the state's event changes nothing, and a cycle with the event reads
 /// at most the next event.
-TEST(PartialReadings, ReachWhatAllValuationsCannot) {
+TEST(PartialReadings, ScaleToManyEvents) {
     std::string text = "stm Ring {\n initial i transition t { from i to S0 }\n event x : nat\n";
     constexpr int states = 16;
     for (int s = 0; s < states; ++s)

@@ -193,7 +193,7 @@ TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
         "n[2].at = 1; w[1][2] = false } transition t0 { from i to A }"));
 }
 
-TEST(Regressions, APartIsWrittenWhereverActionsStand) {
+TEST(Regressions, PartsOfVariablesAreAssignedInEveryKindOfAction) {
     expect_conformance_of(with_platform(
         "var a : boolean * boolean var b : boolean * boolean var c : boolean * boolean var d : boolean * boolean var f "
         ": boolean",
@@ -225,7 +225,7 @@ TEST(Regressions, DurationsReadVariables) {
 }
 
 /// Conditionals, implications and sums in every position at which the generator composes C++ text.
-TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
+TEST(Regressions, LowPrecedenceOperandsAreParenthesised) {
     expect_conformance_of(
         "record R { a : nat f : boolean }\n"
         "stm S { event e : boolean event o : boolean var b : boolean var c : boolean var n : nat\n"

@@ -72,7 +72,7 @@ TEST(Standstill, OfOutputsWithoutEndNamesTheOutputToo) {
 }
 
 // The meaning of a call depends on the component: in the controller that defines the operation, the call may take time.
-TEST(Standstill, OfCallsWithoutEndPointsOutThatTheyTakeNoTime) {
+TEST(Standstill, InfiniteCallsAreReportedAsTakingNoTime) {
     const Result result =
         run_in_cycles(braking_machine("",
                                       "state B { entry Brake() } transition t1 { from Idle to B trigger go }\n"
@@ -162,7 +162,7 @@ TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
 }
 
 /// A violated additional property, such as repeated outputs or missed deadlines, has a rule.
-TEST(Asides, HaveTheRuleThatSaysWhatTheyMeanForARobot) {
+TEST(AdditionalProperties, ViolationsReferToTheirRule) {
     const Result twice = run_in_cycles(
         braking_machine("event x : nat", "state B { entry x!1 ; x!2 } transition t1 { from Idle to B trigger go }"));
     ASSERT_EQ(twice.outcome, Outcome::conforms) << twice.reason;

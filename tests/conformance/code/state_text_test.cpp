@@ -86,7 +86,7 @@ TEST(StateText, ReportsTellThem) {
 }
 
 /// A translation unit with several candidates, each with its own trace header.
-TEST(StateText, BatchesTellThemToo) {
+TEST(StateText, IsPrintedForCandidatesOfABatch) {
     std::vector<std::unique_ptr<test::Model>> models;
     std::vector<std::unique_ptr<Candidate>> candidates;
     for (const char* text : {matrix_model, every_type, every_type}) {

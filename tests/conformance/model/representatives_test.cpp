@@ -159,7 +159,7 @@ TEST(FewValues, ConformWhereAllDo) {
     EXPECT_LT(few.code_states, all.code_states);
 }
 
-TEST(FewValues, OfPartsOfWhatIsLookedInto) {
+TEST(FewValues, RepresentPartsOfInspectedRecords) {
     const Result result = check_text(unpack);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     ASSERT_EQ(result.represented.size(), 1U);
@@ -182,7 +182,7 @@ TEST(FewValues, FindTheFaultsThatAllFind) {
 
 /// The model may output either of two records, and so may the code. With few values, a wrong record could by chance be
 /// equal to the right one.
-TEST(FewValues, DoNotStandForAllWhereTheModelChoosesBetweenValues) {
+TEST(FewValues, AreInconclusiveIfTheModelChoosesBetweenValues) {
     const std::string text =
         "datatype R { a : real b : real c : real d : real e : real f : real }\n"
         "stm S { event one : R event two : R event answer : R var x : R var y : R\n"

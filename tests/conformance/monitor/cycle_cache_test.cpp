@@ -144,7 +144,7 @@ private:
 
 /// Ten thousand cycles of swarm taxis. Most outputs are allowed by the model, as a trial on a copy shows. Some are
 /// forbidden, among them headings that never occurred before.
-TEST(CycleCache, AreWhatTheirEventsAre) {
+TEST(CycleCache, WholeCyclesGiveTheResultsOfTheirEvents) {
     const Made made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();
     std::vector<Port> inputs(tables.inputs);

@@ -309,7 +309,7 @@ int main() {
 })");
 }
 
-TEST_F(Package, WarnsOfAnOperationThatNobodyDoes) {
+TEST_F(Package, WarnsOfOperationsWithoutImplementation) {
     emit(testing::load_model(testing::typed_model), "Mod",
          "ros2 for Mod { publish operation go as geometry_msgs/Vector3 on \"go\" { x = a y = b } }");
     drive("M_node.hpp", R"(

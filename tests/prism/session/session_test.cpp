@@ -129,7 +129,7 @@ TEST(PrismSession, AnswersWorkedOutByHand) {
     }
 }
 
-TEST(PrismSession, WhatIsNotDecidedSaysSo) {
+TEST(PrismSession, UndecidedPropertiesAreReported) {
     EXPECT_THAT(exact(fork, "P=? [ G (s=1 => F (s=0 & G s=2)) ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "A [ (F s=1) & (F s=2) ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "A [ F G s=1 ]"), HasSubstr("not decided"));

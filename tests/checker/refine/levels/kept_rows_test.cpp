@@ -489,7 +489,7 @@ TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
 }
 
 // The next checkpoint does not reuse a number that only one rank has used, and incomplete checkpoints are skipped.
-TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
+TEST_F(KeptRows, RestartAfterIncompleteCheckpoints) {
     LoneExchange alone;
     KeptWhere where = this->folder_for(alone, 1);
     storage::LevelFiles files({where.folder, where.kind, {1, 2}});
@@ -578,7 +578,7 @@ TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
     EXPECT_EQ(end_without_stacks("program ", as_two_programs), 3);
 }
 
-TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
+TEST(RowFilters, ContainAllRowsAndHaveFewFalsePositives) {
     std::mt19937_64 random(7);
     for (const unsigned bits : {1U, 4U, 16U, 24U, 32U}) {
         RowFilter filter(bits, 1U << 20U);

@@ -126,7 +126,7 @@ TEST(NormalForms, RefuseANodeBeyondTheLimitEachTime) {
     EXPECT_TRUE(refused(event));
 }
 
-TEST(Antichains, DecideWhatHasNoNormalFormOfAnySize) {
+TEST(Antichains, DecideSpecificationsWithHugeNormalForms) {
     const process::EventTable table;
     for (const lts::StateIndex k : {16U, 20U, 24U}) {
         const Graph graph = kth_last_letter(k);

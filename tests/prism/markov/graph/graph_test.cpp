@@ -83,7 +83,7 @@ TEST(EndComponents, AreTheMaximalSetsThatCanBeStayedIn) {
     }
 }
 
-TEST(EndComponents, OnlyOfWhatIsAdmitted) {
+TEST(EndComponents, UseOnlyAdmittedChoices) {
     // States 0 and 1 lead to each other. State 1 may also stay, by its second choice.
     const Model model = model_of(mdp({{{{{1, 1}}}}, {{{{0, 1}}}, {{{1, 1}}}}}));
     const Graph graph(model);

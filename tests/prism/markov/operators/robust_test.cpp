@@ -292,7 +292,7 @@ TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
 /// These swarms are locked forever in the initial state with probability 0.6, and otherwise leave it with probability
 /// one half in each step. Their behaviour depends on more than the state. The estimated chain leaves at the average
 /// rate of all swarms, but fresh trials leave soon or never.
-TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
+TEST(Robust, ChainThatHidesLockedRunsIsRefuted) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> draw(0, 1);
     const auto trial = [&] {

@@ -67,7 +67,7 @@ const char* const claims = R"(
 )";
 
 /// Tries each name in half of the forms; with ROBOCHART_SEEDS in all forms.
-TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
+TEST(NameClashes, DeclarationsOfBlocksDoNotChangeTheLibrary) {
     const char* const forms[] = {
         "NAME(_) = error(\"captured\")",
         "NAME = 1",
@@ -117,7 +117,7 @@ TEST(Apart, WhatBlocksDeclareIsNothingInTheLibrary) {
 }
 
 // Decides the claims for each name that an Instantiations block defines as a function.
-TEST(Apart, InstantiationsDoNotChangeWhatIsDecided) {
+TEST(NameClashes, InstantiationsDoNotChangeVerdicts) {
     for (const std::string& name : taken_names()) {
         const std::string block = insert_name("csp Instantiations csp-begin\nNAME(x__y) = 0\ncsp-end\n", name);
         const auto m = testing::load_model(variety, block + claims);
@@ -127,7 +127,7 @@ TEST(Apart, InstantiationsDoNotChangeWhatIsDecided) {
     }
 }
 
-TEST(Apart, ABlocksFunctionIsTheModels) {
+TEST(NameClashes, BlocksDefineFunctionsOfTheModel) {
     for (const std::string& name : taken_names()) {
         if (name.find('\'') != std::string::npos || name == "Seq" || name == "Set") continue;  // not a RoboChart name
         if (name == "InOut" || name == "in" || name == "out" || name == "tock") continue;      // declared twice in CSPM
@@ -146,7 +146,7 @@ TEST(Apart, ABlocksFunctionIsTheModels) {
     }
 }
 
-TEST(Apart, BlocksCallElementsByTheirNamesInTheModel) {
+TEST(NameClashes, BlocksCallElementsByTheirNamesInTheModel) {
     const auto m = testing::load_model(
         R"(
         stm S { event union : nat event halt initial i state A { } state halt { initial i state entered_ { } transition t { from i to entered_ } }
@@ -182,7 +182,7 @@ TEST(Apart, BlocksCallElementsByTheirNamesInTheModel) {
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
 }
 
-TEST(Apart, FilesAreScopesOfTheirOwn) {
+TEST(NameClashes, EveryAssertionFileIsAScope) {
     const auto m = testing::model_of({{"m.rct",
                                        "stm S { event a initial i0 state A { } transition t0 { from i0 to A } "
                                        "transition t1 { from A to A trigger a } }"},
@@ -307,7 +307,7 @@ void expect_apart(const std::string& text, bool and_read_again) {
 }
 
 /// Tries each name in a third of the positions, which rotate from name to name; with ROBOCHART_SEEDS in all positions.
-TEST(Apart, EveryNameMayStandEverywhere) {
+TEST(NameClashes, EveryNameIsValidInEveryPosition) {
     const std::size_t share = is_long_run() ? 1 : 3;
     std::size_t number = 0;
     for (const char* text : everywhere) {
@@ -409,7 +409,7 @@ TEST(Apart, EveryNameMayStandEverywhere) {
 }
 
 // A reference to S denotes the first of two machines. The script contains both.
-TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
+TEST(NameClashes, ScriptContainsBothMachinesOfTheSameName) {
     const auto m = testing::model_of(
         {{"a.rct", "stm S { event a initial i state A { entry a } transition t { from i to A } }"},
          {"b.rct", "stm S { event b initial i state A { entry b } transition t { from i to A } }"},
@@ -423,7 +423,7 @@ TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
 }
 
 // If a component cannot be renamed, the model is rejected before any output.
-TEST(Apart, TwoComponentsOfOneNameAreRefused) {
+TEST(NameClashes, ComponentsWithTheSameNameAreRejected) {
     const char* const machine = "stm S { event a initial i state A { } transition t { from i to A } }";
     const auto twice = testing::model_of({{"a.rct", std::string("operation o() ") + (machine + 6)},
                                           {"b.rct", std::string("operation o() ") + (machine + 6)}});
