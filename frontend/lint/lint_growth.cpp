@@ -4,8 +4,12 @@
 // bound. The finite instantiation stops such a variable at its last value; generated code stops it at the end of its
 // type (semantics 3.13). Beyond that value the model and the robot differ.
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/strong_components.hpp>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 #include "frontend/lint/lints.hpp"
 #include "frontend/rules/rules.hpp"
@@ -53,6 +57,37 @@ struct Growth {
     const Stmt* again = nullptr;         ///< the first step that can happen repeatedly
 };
 
+/// The cycles of the transitions of one container: its strongly connected components.
+class Cycles {
+public:
+    explicit Cycles(const NodeContainer& container) {
+        for (const auto& node : container.nodes) numbers_.emplace(node.get(), numbers_.size());
+        boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> graph(numbers_.size());
+        for (const auto& transition : container.transitions) {
+            const auto source = numbers_.find(transition->source), target = numbers_.find(transition->target);
+            if (source != numbers_.end() && target != numbers_.end())
+                boost::add_edge(source->second, target->second, graph);
+        }
+        component_.resize(numbers_.size());
+        boost::strong_components(graph,
+                                 boost::make_iterator_property_map(component_.begin(), boost::identity_property_map()));
+        for (const auto& transition : container.transitions)
+            if (contain(*transition)) on_cycle_.insert(transition->source);
+    }
+
+    [[nodiscard]] bool contain(const Transition& transition) const {
+        const auto source = numbers_.find(transition.source), target = numbers_.find(transition.target);
+        return source != numbers_.end() && target != numbers_.end() &&
+               component_[source->second] == component_[target->second];
+    }
+    [[nodiscard]] bool contain(const State& node) const { return on_cycle_.contains(&node); }
+
+private:
+    std::unordered_map<const State*, std::size_t> numbers_;
+    std::vector<std::size_t> component_;
+    std::unordered_set<const State*> on_cycle_;
+};
+
 class Growing {
 public:
     /// Variables that a called operation writes are skipped: the operation may reset them.
@@ -65,16 +100,14 @@ public:
     }
 
     void read_container(const NodeContainer& container, bool repeated) {
-        const Graph graph(container);
+        const Cycles cycles(container);
         for (const auto& transition : container.transitions) {
             if (transition->condition) read_condition(*transition->condition);
             if (transition->trigger) read_communication(*transition->trigger);
-            const bool cycle = transition->source != nullptr && transition->target != nullptr &&
-                               can_reach(graph, *transition->target, *transition->source);
-            if (transition->action) read_action(*transition->action, repeated || cycle);
+            if (transition->action) read_action(*transition->action, repeated || cycles.contain(*transition));
         }
         for (const auto& node : container.nodes) {
-            const bool again = repeated || on_cycle(graph, *node);
+            const bool again = repeated || cycles.contain(*node);
             for (const Action& each : node->actions)
                 if (each.statement) read_action(*each.statement, again);
             this->read_container(*node, again);
@@ -91,24 +124,6 @@ public:
     }
 
 private:
-    static bool can_reach(const Graph& graph, const State& from, const State& to) {
-        std::unordered_set<const State*> seen{&from};
-        std::vector<const State*> open{&from};
-        while (!open.empty()) {
-            const State* node = open.back();
-            open.pop_back();
-            if (node == &to) return true;
-            for (const Transition* way : graph.transitions_from(*node))
-                if (way->target != nullptr && seen.insert(way->target).second) open.push_back(way->target);
-        }
-        return false;
-    }
-    static bool on_cycle(const Graph& graph, const State& node) {
-        for (const Transition* way : graph.transitions_from(node))
-            if (way->target != nullptr && can_reach(graph, *way->target, node)) return true;
-        return false;
-    }
-
     void read_condition(const Expr& expr) {
         walk_tree(expr, [&](const Expr& part) {
             const auto found = part.kind == ExprKind::name ? variables_.find(part.target) : variables_.end();
