@@ -14,12 +14,17 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "code"))
+
+import write_machines
+
 MACHINES = ("m1", "m2", "m3", "m4")
 BARS = {("m1", "rand"): 1.00, ("m1", "pat"): 1.00, ("m2", "rand"): 1.00, ("m2", "pat"): 1.00,
         ("m3", "rand"): 0.97, ("m3", "pat"): 0.80, ("m4", "rand"): 0.70, ("m4", "pat"): 0.70}
 
 
 def emit(command, strategy, folder):
+    write_machines.write_switches(folder)
     for machine in MACHINES:
         subprocess.run([command, "emit", "cpp", HERE / "models" / f"{machine}.rct", "--strategy", strategy, "--out",
                         folder / machine, "--quiet"], check=True, stdout=subprocess.DEVNULL)
@@ -32,7 +37,7 @@ def compile_unit(compiler, machine, back_end, folder, level, purpose="size"):
     words = [compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", f"-{level}", "-fno-exceptions", "-fno-rtti", "-c",
              HERE / "code" / "unit.cpp", "-o", target, f"-DMACHINE={machine}", f"-DNAME={name}",
              f"-DHEADER={name}_core.hpp", f"-DBACK_END={back_end}", f"-DGENERATED={int(back_end == 'generated')}",
-             f"-DTICKS={int(machine == 'm2')}", "-I", HERE / "code", "-I", folder / machine / "cpp" / name]
+             f"-DTICKS={int(machine == 'm2')}", "-I", HERE / "code", "-I", folder, "-I", folder / machine / "cpp" / name]
     more = {"size": [], "check": ["-DLOOP", "-DCHECK"], "time": ["-DLOOP", "-falign-functions=64"]}
     process = subprocess.Popen([str(word) for word in words + more[purpose]])
     _, status, usage = os.wait4(process.pid, 0)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the machines of the code benchmark: each as a RoboChart model (../models) and as a nested switch (here).
+"""Writes the machines of the code benchmark: each as a RoboChart model (../models) and as a nested switch.
 
 M1: two states, two events. M2: three states with a clock, two booleans, a during action. M3: three levels with 20
 states, six of them composite, 40 transitions between siblings of which 12 have guards, entry, exit and transition
 actions everywhere, 8 events. M4: flat, 100 states, 200 transitions, 8 events. Every action is one store to an actuator.
-Usage: write_machines.py; the generated files are stored with the sources.
+Usage: write_machines.py; it writes the models, which are stored because tests read them. The benchmark calls
+`write_switches` (../bench_code.py); the switch of M2 is written by hand.
 """
 import pathlib
 import random
@@ -196,11 +197,11 @@ def enumerators(every):
     return ["    " + ", ".join(names[i:i + 10]) + "," for i in range(0, len(names), 10)]
 
 
-def hand(name, states, variable):
+def write_switch(name, states, variable, folder):
     inner = composites(states)
     every = [leaf for state in states for leaf in leaves(state)]
-    lines = [f"// Machine {name} of the code benchmark as one writes it by hand: a switch on the state, in it a switch on "
-             "the", "// event; what a composite state does is asked after its children.", "#pragma once", "",
+    lines = [f"// Machine {name} of the code benchmark as hand-written code: a switch on the state, with a nested switch on "
+             "the event.", "// Transitions of a composite state are tried after those of its children.", "#pragma once", "",
              "#include <cstdint>", "", '#include "actuator.hpp"', "", f"namespace by_hand_{name.lower()} {{", "",
              "enum class At : std::uint8_t {", *enumerators(every), "};", "", "struct State {"]
     if variable:
@@ -219,13 +220,22 @@ def hand(name, states, variable):
         outer = " || ".join(f"on_{state.path}(s, e)" for state in around(leaf))
         lines.append(f"            return {outer or 'false'};")
     lines += ["    }", "    return false;", "}", "", f"}}  // namespace by_hand_{name.lower()}"]
-    (HERE / f"{name.lower()}_switch.hpp").write_text("\n".join(lines) + "\n")
+    (folder / f"{name.lower()}_switch.hpp").write_text("\n".join(lines) + "\n")
+
+
+def machines():
+    """Name, states and number of events."""
+    return ("M1", pair(), 2), ("M3", nested(), 8), ("M4", flat(), 8)
+
+
+def write_switches(folder):
+    for name, states, _ in machines():
+        write_switch(name, states, name == "M3", folder)
 
 
 def main():
-    for name, states, events in (("M1", pair(), 2), ("M3", nested(), 8), ("M4", flat(), 8)):
+    for name, states, events in machines():
         model(name, states, events, name == "M3")
-        hand(name, states, name == "M3")
 
 
 if __name__ == "__main__":
