@@ -73,17 +73,25 @@ private:
         return plain && part.op != Op::negation ? condition_text(part) : "(" + condition_text(part) + ")";
     }
 
-    /// Comparisons that compilers warn about are evaluated here: a measure with itself, and two numbers.
+    /// Comparisons that compilers warn about are evaluated here: a measure with itself, and two numbers. So are those
+    /// of a scale with a number that none of its literals has: they have one result for all literals.
     [[nodiscard]] std::string comparison_text(const Condition& condition) const {
         const Condition& left = condition.parts[0];
         const Condition& right = condition.parts[1];
         const bool same = left.op == right.op && (left.op == Op::number || left.measure == right.measure);
-        if (same && (left.op == Op::number || left.op == Op::name))
+        const bool beyond = is_beyond_scale(left, right) || is_beyond_scale(right, left);
+        if (beyond || (same && (left.op == Op::number || left.op == Op::name)))
             return evaluate_condition(condition, Valuation(rules_.file->measures.size(), 0)) != 0 ? "true" : "false";
         const std::string op = condition.op == Op::equal     ? "=="
                                : condition.op == Op::unequal ? "!="
                                                              : symbol_of(condition.op);
         return fmt::format("{} {} {}", compared_operand(condition, 0), op, compared_operand(condition, 1));
+    }
+    [[nodiscard]] bool is_beyond_scale(const Condition& number, const Condition& measure) const {
+        if (number.op != Op::number || measure.op != Op::name) return false;
+        const auto literals = static_cast<std::int64_t>(names_.literals[measure.measure].size());
+        return rules_.measure(measure.measure).type == MeasureType::scale &&
+               (number.value < 0 || number.value >= literals);
     }
     /// A literal is compared with a measure of its scale.
     [[nodiscard]] std::string compared_operand(const Condition& condition, std::size_t side) const {
@@ -92,7 +100,7 @@ private:
         if (part.op != Op::number || other.op != Op::name) return condition_text(part);
         if (rules_.measure(other.measure).type != MeasureType::scale) return condition_text(part);
         return names_.types[other.measure] +
-               "::" + names_.literals[other.measure][static_cast<std::size_t>(part.value)];
+               "::" + names_.literals[other.measure].at(static_cast<std::size_t>(part.value));
     }
 
     [[nodiscard]] std::string arithmetic_text(const Condition& condition) const {

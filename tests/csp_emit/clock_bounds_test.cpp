@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include "checker/cspm/eval/evaluation_error.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Constants without a value are 0, so the machine never starts to turn.
 std::string turning_machine(const std::string& bound) {
@@ -29,6 +32,13 @@ TEST(ClockBounds, DoNotDivideByZero) {
         const auto model = testing::load_model(turning_machine(bound), claims);
         EXPECT_THAT(testing::decide_obligations(*model, Time::timed), ElementsAre("holds", "holds")) << bound;
     }
+}
+
+TEST(ClockBounds, LargestNumberIsItsOwnLimit) {
+    const auto model = testing::load_model(turning_machine("9223372036854775807"));
+    const std::string script = cspm::print(model->emit(Time::timed).script);
+    EXPECT_THAT(script, HasSubstr("clock_step(c_C, 9223372036854775807)"));
+    EXPECT_THAT(script, Not(HasSubstr("-9223372036854775807")));
 }
 
 TEST(ClockBounds, GuardsDoDivide) {

@@ -7,6 +7,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/expressions.hpp"
+#include "semantics/ir/arithmetic.hpp"
 
 namespace robochart::csp_emit {
 
@@ -63,8 +64,13 @@ private:
     ir::NodeId entry_of_;
 };
 
+/// The largest number stays as it is: no run is long enough for a clock to pass it.
+ExprPtr number_after(std::int64_t value) {
+    return b::number(ir::checked_add(value, 1).value_or(value));
+}
+
 ExprPtr plus_one(const ExprPtr& value) {
-    if (value->kind == Op::integer) return b::number(value->number + 1);
+    if (value->kind == Op::integer) return number_after(value->number);
     return b::binary(Op::plus, value, b::number(1));
 }
 
@@ -90,7 +96,7 @@ ExprPtr ClockLimits::limit_of(const ir::Machine& opened, const std::string& cloc
                 sets.push_back(variables.empty() ? b::set({value}) : b::set_comprehension({value}, variables));
         }
     }
-    if (sets.empty()) return b::number(literal + 1);
+    if (sets.empty()) return number_after(literal);
     sets.push_back(b::set({b::number(literal)}));
     const std::string name = names_.unique_name("CLID_" + flatten_name(clock) + "_max");
     const ExprPtr largest = b::call("clock_type_max", {b::call("Union", {b::set(sets)})});

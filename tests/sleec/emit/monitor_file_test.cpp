@@ -296,6 +296,22 @@ TEST(MonitorFile, ComputesLikeTheRules) {
         }
 }
 
+// A constant may be a number that no literal of the scale has.
+TEST(MonitorFile, ComparesScalesWithNumbersBeyondTheirLiterals) {
+    Read read(
+        with_definitions("A when Go and ({load} > MAX) then Stop within 2 seconds\n"
+                         "B when Go and ({load} < MAX) then Stop within 2 seconds\n"
+                         "C when Go and (MAX = {load}) then not Stop within 2 seconds"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    const Compiled compiled({&*read.checked}, {&read});
+    ASSERT_TRUE(compiled);
+    for (const std::int64_t load : {0, 1, 2}) {
+        Both both(*read.checked, compiled.functions(0));
+        both.step(0, {0, 0, 0, load});
+        for (int second = 0; second < 4; ++second) both.step(no_event, {0, 0, 0, load});
+    }
+}
+
 /// Duties beyond the capacity are counted, but not followed.
 TEST(MonitorFile, CountsWhatItCannotFollow) {
     Read read(with_definitions("R when Go then Stop within [600, 700] seconds"));
