@@ -40,7 +40,7 @@ void add_exploration(const Generation& generation, const Core& core, Emission& e
     const OutputFile files[] = {
         {emission.shim, shim_source(generation, core)}, {"robochart/finite.hpp", finite_header()},
         {"robochart/explore.hpp", explore_helpers()},   {"robochart/explore_values.hpp", explore_values()},
-        {"robochart/explore_abi.h", explore_header()},
+        {"robochart/explore_abi.h", explore_header()},  {"robochart/probes.hpp", probes_header()},
     };
     emission.files.insert(emission.files.end(), std::begin(files), std::end(files));
 }
@@ -65,6 +65,10 @@ diagnostics::ForeignText Generation::file_text(diagnostics::Span span) const {
 
 std::string Generation::bound_test() const {
     return mutation.is_seeded(Fault::loop_never_ends) ? "" : "!exhausted() && ";
+}
+
+std::string Generation::round_test() const {
+    return mutation.is_seeded(Fault::loop_never_ends) ? "" : "next_round() && ";
 }
 
 Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,

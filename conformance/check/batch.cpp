@@ -36,7 +36,8 @@ std::unique_ptr<Batch> Batch::build(std::vector<std::unique_ptr<Candidate>> cand
     return batch->code_ ? std::move(batch) : nullptr;
 }
 
-Result Batch::judge_candidate(std::size_t index, std::optional<std::chrono::steady_clock::time_point> deadline) const {
+Result Batch::judge_candidate(std::size_t index, std::optional<std::chrono::steady_clock::time_point> deadline,
+                              InputSearch inputs) const {
     const Candidate& candidate = *candidates_.at(index);
     Result result;
     std::string fault;
@@ -47,6 +48,7 @@ Result Batch::judge_candidate(std::size_t index, std::optional<std::chrono::stea
         return result;
     }
     Options options = options_;
+    options.inputs = inputs;
     if (deadline) options.limits.deadline = deadline;
     return judge_code(candidate.script, candidate.system, candidate.instantiation, candidate.component, *code, options);
 }

@@ -42,7 +42,8 @@ public:
     [[nodiscard]] const Candidate& candidate(std::size_t index) const { return *candidates_.at(index); }
     /// Checks schedulability and refinement of one candidate.
     [[nodiscard]] Result judge_candidate(std::size_t index,
-                                         std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
+                                         std::optional<std::chrono::steady_clock::time_point> deadline = {},
+                                         InputSearch = InputSearch::automatic) const;
 
 private:
     Batch() = default;

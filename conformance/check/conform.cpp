@@ -110,13 +110,13 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
         const refine::Limits limits = limits_of_search(options);
         model = session.system(process, limits);
         result = judge_component(*model, session.event_table(), interface, code, options.cycle_length, limits,
-                                 options.relation, places);
+                                 options.relation, places, options.inputs);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     }
     const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
     if (result.outcome != Outcome::inconclusive || !wanted) return result;
-    if (model && options.relation == Relation::failures_divergences)
+    if (model && options.relation == Relation::failures_divergences && options.inputs != InputSearch::on_demand)
         try_partial_readings(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
     return combine_with_walks(std::move(result), session, model.get(), process, interface, code, options);

@@ -8,10 +8,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "conformance/check/cycle_schedule.hpp"
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/lost_events.hpp"
+#include "conformance/check/reading_on_demand.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/check/violated_precondition.hpp"
+#include "conformance/code/cycle_graph.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "conformance/model/rules.hpp"
 #include "conformance/model/tick_tock.hpp"
@@ -134,31 +137,6 @@ std::string timelock_reason(const refine::Counterexample& found) {
     return "the model can neither go on nor let time pass, at " + where;
 }
 
-void not_schedulable(Result& result, const refine::Counterexample& found, ModelGraph& model, const Alphabet& alphabet,
-                     std::uint32_t cycle_length, const refine::Limits& limits) {
-    Witness run = make_witness(found.steps, alphabet, cycle_length);
-    if (!found.steps.empty()) run.cycles.back().state = found.steps.back().state;
-    result.outcome = Outcome::not_schedulable;
-    result.reason = timelock_reason(found);
-    result.explanation.rule = &rule_of(found, model, alphabet, cycle_length, limits);
-    result.model_run = found;
-    result.cycles = std::move(run.cycles);
-    result.raw = std::move(run.raw);
-}
-
-Aside make_aside(const diagnostics::Rule& rule, std::string reason, const refine::Counterexample& found,
-                 const Alphabet& alphabet, std::uint32_t cycle_length) {
-    Witness run = make_witness(found.steps, alphabet, cycle_length);
-    std::vector<process::Event> trace;
-    for (const refine::Step& step : found.steps) {
-        const process::Event event = step.event == process::tau ? step.revealed : step.event;
-        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;  // reported even if it is hidden
-        if (step.event != process::tau || write) trace.push_back(event);
-    }
-    trace.pop_back();  // removes the event that marks the violation
-    return {false, std::move(reason), std::move(run.cycles), &rule, trace_as_run(trace), {}};
-}
-
 void report_difference(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
                        std::uint32_t cycle_length) {
     std::vector<refine::Step> steps = found.steps;
@@ -201,8 +179,33 @@ void record_counts(Result& result, const ModelGraph& model, const CodeSystem& co
 
 }  // namespace
 
-/// The first search checks two properties together: M can be run in cycles, and these cycles make each output once and
-/// miss no deadline. The search ends at the first violation, and the next search checks the remaining properties.
+void report_not_schedulable(Result& result, const refine::Counterexample& found, ModelGraph& model,
+                            const Alphabet& alphabet, std::uint32_t cycle_length, const refine::Limits& limits) {
+    Witness run = make_witness(found.steps, alphabet, cycle_length);
+    if (!found.steps.empty()) run.cycles.back().state = found.steps.back().state;
+    result.outcome = Outcome::not_schedulable;
+    result.reason = timelock_reason(found);
+    result.explanation.rule = &rule_of(found, model, alphabet, cycle_length, limits);
+    result.model_run = found;
+    result.cycles = std::move(run.cycles);
+    result.raw = std::move(run.raw);
+}
+
+Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refine::Counterexample& found,
+                  const Alphabet& alphabet, std::uint32_t cycle_length) {
+    Witness run = make_witness(found.steps, alphabet, cycle_length);
+    std::vector<process::Event> trace;
+    for (const refine::Step& step : found.steps) {
+        const process::Event event = step.event == process::tau ? step.revealed : step.event;
+        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;  // reported even if it is hidden
+        if (step.event != process::tau || write) trace.push_back(event);
+    }
+    trace.pop_back();  // removes the event that marks the violation
+    return {false, std::move(reason), std::move(run.cycles), &rule, trace_as_run(trace), {}};
+}
+
+/// The first search checks two things together: whether M can be run in cycles, and whether it can be run in cycles
+/// that make each output once and miss no deadline. It ends at the first violation; the next search checks the rest.
 Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                             const refine::Limits& limits) {
     Result result;
@@ -219,16 +222,16 @@ Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::ui
         const process::Event last = found.steps.empty() ? process::tau : found.steps.back().event;
         if (last == normal_form.repeat_event()) {
             result.register_cycles =
-                make_aside(rules::output_made_twice, last_state(found), found, alphabet, cycle_length);
+                found_aside(rules::output_made_twice, last_state(found), found, alphabet, cycle_length);
             frame.outputs = Outputs::sequence;
             frame.writes_hidden = true;
         } else if (last == normal_form.deadline_event()) {
-            result.deadlines = make_aside(rules::input_not_in_time,
-                                          "time stops in the model, which waits for an input, at " + last_state(found),
-                                          found, alphabet, cycle_length);
+            result.deadlines = found_aside(rules::input_not_in_time,
+                                           "time stops in the model, which waits for an input, at " + last_state(found),
+                                           found, alphabet, cycle_length);
             frame.deadlines = Deadlines::idle;
         } else {
-            not_schedulable(result, found, model, alphabet, cycle_length, limits);
+            report_not_schedulable(result, found, model, alphabet, cycle_length, limits);
             return result;
         }
     }
@@ -260,13 +263,59 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
     return result;
 }
 
+namespace {
+
+/// With more valuations of the inputs than this, a search that reads registers on demand is faster than one that tries
+/// all valuations.
+constexpr double few_valuations = 128;
+
+bool many_valuations(const Interface& interface) {
+    double valuations = 1;
+    for (const Register& input : interface.inputs) valuations *= input.reading_count();
+    return valuations > few_valuations;
+}
+
+bool on_demand(InputSearch inputs, const Interface& interface, const rc_interface& code) {
+    if (inputs != InputSearch::automatic) return inputs == InputSearch::on_demand;
+    return code.probe != nullptr && many_valuations(interface);
+}
+
+/// Throws NotProbed if another search has to decide.
+Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_interface& code,
+                        std::uint32_t cycle_length, const refine::Limits& limits, const EventPlaces& places) {
+    Result result;
+    try {
+        result = schedulable_on_demand(graph, alphabet, cycle_length, limits);
+        if (result.outcome != Outcome::conforms) return result;
+        Result refined = refined_on_demand(graph, alphabet, code, cycle_length, limits, places);
+        refined.schedulability = result.schedulability;
+        refined.register_cycles = std::move(result.register_cycles);
+        refined.deadlines = std::move(result.deadlines);
+        return refined;
+    } catch (const process::Interrupted& limit) {
+        result.outcome = Outcome::inconclusive;
+        result.reason = limit.what();
+        return result;
+    }
+}
+
+}  // namespace
+
 Result judge_component(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
                        const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits,
-                       Relation relation, const EventPlaces& places) {
+                       Relation relation, const EventPlaces& places, InputSearch inputs) {
     Result result;
     try {
         const Alphabet alphabet(interface, events);
         ModelGraph graph(model, alphabet);
+        if (relation == Relation::failures_divergences && on_demand(inputs, interface, code)) {
+            try {
+                return judged_on_demand(graph, alphabet, code, cycle_length, limits, places);
+            } catch (const NotProbed& reason) {
+                result.reason = reason.what();
+                if (inputs == InputSearch::on_demand) return result;
+            }
+        }
         result = check_schedulability(graph, alphabet, cycle_length, limits);
         if (result.outcome != Outcome::conforms) return result;
         Result refined = refined_by(graph, alphabet, code, cycle_length, limits, relation, places);

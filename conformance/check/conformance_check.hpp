@@ -22,11 +22,19 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the code's interface, completed with carriers, with
-/// `component` set to the CSP prefix of M's events. `events` is the table of M's events.
+/// Completes a result with a run of NF_c(M) that shows that M cannot be run in cycles; `model` is M's graph.
+void report_not_schedulable(Result&, const refine::Counterexample& found, ModelGraph& model, const Alphabet&,
+                            std::uint32_t cycle_length, const refine::Limits&);
+/// A further property that fails, with a run of NF_c(M) whose last event marks the violation.
+[[nodiscard]] Aside found_aside(const diagnostics::Rule&, std::string reason, const refine::Counterexample& found,
+                                const Alphabet&, std::uint32_t cycle_length);
+
+/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the code's, completed with carriers and with
+/// `component` set to the CSP prefix of M's events; `events` is the model's table. Components with many valuations of
+/// their inputs are searched by reading on demand, unless the relation is tick-tock.
 [[nodiscard]] Result judge_component(lts::TransitionSystem& model, process::EventTable& events,
                                      const Interface& interface, const rc_interface& code, std::uint32_t cycle_length,
                                      const refine::Limits&, Relation = Relation::failures_divergences,
-                                     const EventPlaces& = {});
+                                     const EventPlaces& = {}, InputSearch = InputSearch::automatic);
 
 }  // namespace robochart::conformance

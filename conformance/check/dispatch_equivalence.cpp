@@ -67,7 +67,7 @@ struct ApiComparison {
 
 class Comparison {
 public:
-    Comparison(const rc_interface& code, const CodeSystem& system, const Alphabet& alphabet,
+    Comparison(const rc_interface& code, const ExploredCode& system, const Alphabet& alphabet,
                const refine::Limits& limits)
         : code_(code), system_(system), alphabet_(alphabet), budget_(limits) {
         // an output that the cycle never makes is a difference of the event API
@@ -231,7 +231,7 @@ private:
     }
 
     const rc_interface& code_;
-    const CodeSystem& system_;
+    const ExploredCode& system_;
     const Alphabet& alphabet_;
     refine::Budget budget_;
     ApiComparison found_;
@@ -245,7 +245,7 @@ private:
 };
 
 /// Reports the cycles that lead to the state in which the APIs differ; the model allows all of them.
-void apis_differ(Result& result, const ApiComparison& found, const CodeSystem& code, const Alphabet& alphabet) {
+void apis_differ(Result& result, const ApiComparison& found, const ExploredCode& code, const Alphabet& alphabet) {
     result.outcome = Outcome::differs;
     result.api_difference = found.difference;
     result.reason = fmt::format("the event API differs from the cycle: {}", found.difference->what);
@@ -268,7 +268,7 @@ void apis_differ(Result& result, const ApiComparison& found, const CodeSystem& c
 
 }  // namespace
 
-void compare_event_api(Result& result, const rc_interface& compiled, const CodeSystem& code, const Alphabet& alphabet,
+void compare_event_api(Result& result, const rc_interface& compiled, const ExploredCode& code, const Alphabet& alphabet,
                        const refine::Limits& limits) {
     if (result.outcome == Outcome::differs) return;
     try {

@@ -4,14 +4,16 @@
 #pragma once
 
 #include "conformance/check/result.hpp"
-#include "conformance/code/code_system.hpp"
+#include "conformance/code/explored_code.hpp"
+#include "conformance/code/interface.hpp"
 
 namespace robochart::conformance {
 
-/// Compares both APIs in all states in which `system` has begun a cycle: with every event and each of its values, and
-/// without an event; for all answers if the code asks for a choice. Does nothing if the component receives no event. If
-/// no difference of the code is known yet, a difference becomes the result, with the cycles that lead to it and the
-/// behaviour of both APIs.
-void compare_event_api(Result&, const rc_interface&, const CodeSystem& system, const Alphabet&, const refine::Limits&);
+/// Compares both APIs in all states in which `system` has begun a cycle, with every event and each of its values, and
+/// without an event; for all answers if the code asks for a choice. If no difference of the code is known yet, a
+/// difference becomes the result: the cycles that lead there, and the behaviour of both APIs. Does nothing if the
+/// component receives no event.
+void compare_event_api(Result&, const rc_interface&, const ExploredCode& system, const Alphabet&,
+                       const refine::Limits&);
 
 }  // namespace robochart::conformance

@@ -6,7 +6,7 @@
 
 namespace robochart::conformance {
 
-void add_lost_events(Result& result, const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places) {
+void add_lost_events(Result& result, const ExploredCode& code, const Alphabet& alphabet, const EventPlaces& places) {
     if (result.outcome != Outcome::conforms) return;
     result.missed = missed_events(code, alphabet, places);
     result.overtaken = overtaken_events(code, alphabet, places);

@@ -5,11 +5,12 @@
 
 #include "conformance/check/places_in_state.hpp"
 #include "conformance/check/result.hpp"
-#include "conformance/code/code_system.hpp"
+#include "conformance/code/explored_code.hpp"
+#include "conformance/code/interface.hpp"
 
 namespace robochart::conformance {
 
-/// Adds these events to the result of code that conforms. All states of the code must have been explored.
-void add_lost_events(Result&, const CodeSystem& code, const Alphabet&, const EventPlaces&);
+/// Adds them to the result of code that conforms, all of whose states have been explored.
+void add_lost_events(Result&, const ExploredCode& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

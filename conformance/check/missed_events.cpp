@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there, for any readings of the
-// other registers. Equal trees then follow all of its readings.
+// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there for any readings of the
+// others.
 #include "conformance/check/missed_events.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 class Finder {
 public:
-    Finder(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places)
+    Finder(const ExploredCode& code, const Alphabet& alphabet, const EventPlaces& places)
         : code_(code),
           alphabet_(alphabet),
           places_(places),
@@ -44,7 +44,7 @@ private:
         std::vector<bool> lost;  // computed on first use
         for (const cpp_emit::EventPlace* found : places_.find_places(code_.print_image(image))) {
             const cpp_emit::EventPlace& place = *found;
-            if (lost.empty()) lost = lost_below(code_.known_root(image), 0);
+            if (lost.empty()) lost = code_.without_effect(image);
             for (std::uint32_t event = 0; event < events_; ++event)
                 if (place.events[event] && lost[event]) note_place(event, place, image);
         }
@@ -56,42 +56,11 @@ private:
         if (std::ranges::find(all.places, place.element) == all.places.end()) all.places.push_back(place.element);
     }
 
-    /// For each register from this one on, whether it makes no difference. Recursion depth: the number of registers.
-    const std::vector<bool>& lost_below(std::uint32_t node, std::size_t level) {
-        if (level == 0) lost_.resize(inputs_ + 1);
-        const auto found = lost_[level].find(node);
-        if (found != lost_[level].end()) return found->second;
-        std::vector<bool> lost(inputs_ + 1, true);
-        if (level < inputs_) {
-            const std::vector<std::uint32_t> below = code_.child_nodes(node);
-            lost[level] = std::ranges::all_of(below, [&](std::uint32_t each) { return each == below[0]; });
-            for (const std::uint32_t each : std::set<std::uint32_t>(below.begin(), below.end())) {
-                const std::vector<bool>& inner = lost_below(each, level + 1);
-                for (std::size_t i = level + 1; i < inputs_; ++i) lost[i] = lost[i] && inner[i];
-            }
-        }
-        return lost_[level].emplace(node, std::move(lost)).first->second;
-    }
-
     /// The images to which a cycle in this image may lead.
     const std::vector<std::uint32_t>& next_images(std::uint32_t image) {
         const auto known = behind_.find(image);
         if (known != behind_.end()) return known->second;
-        std::set<std::uint32_t> level{code_.known_root(image)};
-        for (std::size_t i = 0; i < inputs_; ++i) {
-            std::set<std::uint32_t> next;
-            for (const std::uint32_t node : level)
-                for (const std::uint32_t each : code_.child_nodes(node)) next.insert(each);
-            level = std::move(next);
-        }
-        std::set<std::uint32_t> images;
-        for (const std::uint32_t number : level) {
-            const CycleResult& result = code_.cycle_result(number);
-            if (result.ways.empty() && result.outcome == RC_QUIESCENT) images.insert(result.next);
-            for (const std::uint32_t way : result.ways)
-                if (code_.cycle_result(way).outcome == RC_QUIESCENT) images.insert(code_.cycle_result(way).next);
-        }
-        return behind_.emplace(image, std::vector<std::uint32_t>(images.begin(), images.end())).first->second;
+        return behind_.emplace(image, code_.next_images(image)).first->second;
     }
 
     void add_result(std::uint32_t event, std::vector<MissedEvent>& result) {
@@ -144,19 +113,18 @@ private:
         return longest;
     }
 
-    const CodeSystem& code_;
+    const ExploredCode& code_;
     const Alphabet& alphabet_;
     PlacesInState places_;
     std::size_t inputs_;
     std::size_t events_;
-    std::vector<std::unordered_map<std::uint32_t, std::vector<bool>>> lost_;  ///< by register; never iterated
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> behind_;    ///< never iterated
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> behind_;  ///< never iterated
     std::map<std::pair<std::uint32_t, bool>, Missed> missed_;
 };
 
 }  // namespace
 
-std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places) {
+std::vector<MissedEvent> missed_events(const ExploredCode& code, const Alphabet& alphabet, const EventPlaces& places) {
     return Finder(code, alphabet, places).find_missed();
 }
 

@@ -7,11 +7,12 @@
 
 #include "conformance/check/places_in_state.hpp"
 #include "conformance/check/result.hpp"
-#include "conformance/code/code_system.hpp"
+#include "conformance/code/explored_code.hpp"
+#include "conformance/code/interface.hpp"
 
 namespace robochart::conformance {
 
-/// The events whose registers may be raised without effect. `code` must have been explored completely.
-[[nodiscard]] std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet&, const EventPlaces&);
+/// The events whose register may be raised without effect. `code` must have been explored completely.
+[[nodiscard]] std::vector<MissedEvent> missed_events(const ExploredCode& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

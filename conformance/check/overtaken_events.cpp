@@ -22,7 +22,7 @@ bool starts_with(const Writes& writes, const Writes& front) {
 
 class Overtaking {
 public:
-    Overtaking(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places)
+    Overtaking(const ExploredCode& code, const Alphabet& alphabet, const EventPlaces& places)
         : code_(code),
           alphabet_(alphabet),
           places_(places),
@@ -39,9 +39,6 @@ public:
     }
 
 private:
-    /// A register and its reading.
-    using Raised = std::pair<std::size_t, std::uint32_t>;
-
     struct Found {
         std::set<std::size_t> by;
         bool due = false;
@@ -49,32 +46,31 @@ private:
     };
 
     void check_place(std::uint32_t image, const cpp_emit::EventPlace& place) {
-        const std::uint32_t root = code_.known_root(image);
-        if (!looked_at_.emplace(root, &place).second) return;  // equal trees have equal behaviour
+        if (!looked_at_.emplace(code_.cycles_of(image), &place).second) return;
         for (std::size_t event = 0; event < events_; ++event)
             if (place.level[event] > 0 && place.level[event] != cpp_emit::EventPlace::no_level)
-                check_place(root, place, event);
+                check_place(image, place, event);
     }
 
-    void check_place(std::uint32_t root, const cpp_emit::EventPlace& place, std::size_t event) {
-        const Writes& nothing = cycle_writes(root, {});
+    void check_place(std::uint32_t image, const cpp_emit::EventPlace& place, std::size_t event) {
+        const Writes nothing = code_.writes(image, {});
         for (const std::uint32_t reading : extreme_readings(event)) {
             const Raised raised{event, reading};
-            const Writes& alone = cycle_writes(root, {raised});
+            const Writes alone = code_.writes(image, {raised});
             if (alone.empty()) continue;
             if (!nothing.empty() && alone.size() > nothing.size() && starts_with(alone, nothing))
                 note_place(event, place).due = true;
             for (std::size_t other = 0; other < events_; ++other)
-                if (place.level[other] < place.level[event] && comes_first(root, other, raised, alone))
+                if (place.level[other] < place.level[event] && comes_first(image, other, raised, alone))
                     note_place(event, place).by.insert(other);
         }
     }
 
-    [[nodiscard]] bool comes_first(std::uint32_t root, std::size_t other, const Raised& raised,
+    [[nodiscard]] bool comes_first(std::uint32_t image, std::size_t other, const Raised& raised,
                                    const Writes& alone) const {
         return std::ranges::any_of(extreme_readings(other), [&](std::uint32_t reading) {
-            const Writes& others = cycle_writes(root, {{other, reading}});
-            const Writes& both = cycle_writes(root, {raised, {other, reading}});
+            const Writes others = code_.writes(image, {{other, reading}});
+            const Writes both = code_.writes(image, {raised, {other, reading}});
             return !others.empty() && starts_with(both, others) && !starts_with(both, alone);
         });
     }
@@ -90,16 +86,6 @@ private:
         return {1U, alphabet_.interface().inputs[event].reading_count() - 1};
     }
 
-    /// The outputs of a cycle in which only these events are raised; no value if probabilistic junctions decide.
-    [[nodiscard]] const Writes& cycle_writes(std::uint32_t root, const std::vector<Raised>& raised) const {
-        std::uint32_t node = root;
-        for (std::size_t input = 0; input < inputs_; ++input) {
-            const auto found = std::ranges::find(raised, input, &Raised::first);
-            node = code_.child_nodes(node)[found == raised.end() ? 0 : found->second];
-        }
-        return code_.cycle_result(node).ways.empty() ? code_.cycle_result(node).writes : none_;
-    }
-
     [[nodiscard]] std::string event_name(std::size_t event) const {
         const std::string text = alphabet_.describe_event(alphabet_.read_event(static_cast<std::uint32_t>(event), 1));
         return text.substr(0, text.find(" = "));
@@ -111,19 +97,18 @@ private:
         return result;
     }
 
-    const CodeSystem& code_;
+    const ExploredCode& code_;
     const Alphabet& alphabet_;
     PlacesInState places_;
     std::size_t inputs_;
     std::size_t events_;
-    Writes none_;
     std::set<std::pair<std::uint32_t, const cpp_emit::EventPlace*>> looked_at_;  ///< never iterated
     std::map<std::size_t, Found> found_;
 };
 
 }  // namespace
 
-std::vector<OvertakenEvent> overtaken_events(const CodeSystem& code, const Alphabet& alphabet,
+std::vector<OvertakenEvent> overtaken_events(const ExploredCode& code, const Alphabet& alphabet,
                                              const EventPlaces& places) {
     return Overtaking(code, alphabet, places).find_overtaken();
 }

@@ -7,11 +7,13 @@
 
 #include "conformance/check/places_in_state.hpp"
 #include "conformance/check/result.hpp"
-#include "conformance/code/code_system.hpp"
+#include "conformance/code/explored_code.hpp"
+#include "conformance/code/interface.hpp"
 
 namespace robochart::conformance {
 
 /// Results are in the order of the registers. `code` must have been explored completely.
-[[nodiscard]] std::vector<OvertakenEvent> overtaken_events(const CodeSystem& code, const Alphabet&, const EventPlaces&);
+[[nodiscard]] std::vector<OvertakenEvent> overtaken_events(const ExploredCode& code, const Alphabet&,
+                                                           const EventPlaces&);
 
 }  // namespace robochart::conformance

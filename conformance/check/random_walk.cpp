@@ -109,11 +109,18 @@ public:
     Result run() {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options_.seconds);
         while (cycles_ < options_.cycles && std::chrono::steady_clock::now() < end)
-            if (auto mismatch = one_walk()) return result_of(std::move(*mismatch));
+            if (auto mismatch = one_walk()) return result_of(std::move(*mismatch), " (found by guided walks)");
         Result result;
         result.reason = coverage_summary();
         count_coverage(result);
         return result;
+    }
+
+    std::optional<Result> difference_on(std::vector<Readings> way) {
+        auto mismatch = find_difference(way);
+        if (!mismatch) return std::nullopt;
+        way_ = std::move(way);
+        return result_of(std::move(*mismatch), "");
     }
 
     [[nodiscard]] std::string coverage_summary() const {
@@ -224,11 +231,11 @@ private:
             }
     }
 
-    Result result_of(Mismatch mismatch) {
+    Result result_of(Mismatch mismatch, const char* how) {
         shrink_run(mismatch);
         Result result;
         result.outcome = mismatch.outcome;
-        result.reason = fmt::format("{} (found by guided walks)", mismatch.reason);
+        result.reason = mismatch.reason + how;
         result.expected = mismatch.expected;
         Position at = walker_.start_position();
         std::vector<process::Event> trace;
@@ -261,6 +268,14 @@ private:
 };
 
 }  // namespace
+
+std::optional<Result> difference_on(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
+                                    std::uint32_t cycle_length, const refine::Limits& limits,
+                                    std::vector<std::vector<std::uint32_t>> way) {
+    Walker walker(model, alphabet, code, cycle_length, limits);
+    const WalkOptions options;
+    return Search(walker, alphabet, options).difference_on(std::move(way));
+}
 
 Result run_random_walks(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                         std::uint32_t cycle_length, const refine::Limits& limits, const WalkOptions& options) {

@@ -4,6 +4,9 @@
 // differences; they never prove that there are none.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "conformance/check/result.hpp"
 #include "conformance/code/code_system.hpp"
 #include "conformance/model/model_graph.hpp"
@@ -14,5 +17,11 @@ namespace robochart::conformance {
 /// `limits.deadline` is ignored; `walks.seconds` applies.
 [[nodiscard]] Result run_random_walks(ModelGraph&, const Alphabet&, const rc_interface& code,
                                       std::uint32_t cycle_length, const refine::Limits&, const WalkOptions&);
+
+/// Runs code and model with these readings of the registers, a list for each cycle. Returns the first difference with a
+/// minimised witness; no value if there is none. Throws process::Interrupted.
+[[nodiscard]] std::optional<Result> difference_on(ModelGraph&, const Alphabet&, const rc_interface& code,
+                                                  std::uint32_t cycle_length, const refine::Limits&,
+                                                  std::vector<std::vector<std::uint32_t>> way);
 
 }  // namespace robochart::conformance

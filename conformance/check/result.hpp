@@ -142,7 +142,14 @@ enum class Relation {
     tick_tock,             ///< [TT=, which observes refusals before each tock, and the code has no divergence
 };
 
-/// The format in which L(G) is exported: Aldebaran's, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
+/// How the inputs of the code are tried. The verdicts are the same.
+enum class InputSearch {
+    automatic,   ///< chosen by the number of valuations of all inputs
+    all_inputs,  ///< all valuations in each state
+    on_demand,   ///< registers that the code reads; inconclusive if this search cannot decide
+};
+
+/// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
 /// Guided random walks for systems that are too large for a search (random_walk.hpp).
@@ -156,6 +163,7 @@ struct WalkOptions {
 struct Options {
     std::uint32_t cycle_length = 1;  ///< c: number of tocks in a cycle
     Relation relation = Relation::failures_divergences;
+    InputSearch inputs = InputSearch::automatic;
     WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests

@@ -37,7 +37,7 @@ void append_text(std::string& text, const std::string& source, std::set<std::str
 }
 
 std::string batch_preamble(const std::set<std::string>& includes) {
-    std::string text = "#define RC_REQUIRE(condition) static_cast<void>(0)\n\n";
+    std::string text = "#define RC_REQUIRE(condition) static_cast<void>(0)\n#define ROBOCHART_PROBES\n\n";
     for (const std::string& include : includes) text += include + "\n";
     return text + "\n";
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <stdexcept>
 
 #include "conformance/code/watchdog.hpp"
@@ -24,9 +25,6 @@ enum Phase : lts::Word {
     acting,   ///< number: result; detail: number of writes done, then of tocks done
     over,     ///< terminated
 };
-
-/// Initial bytes of the state that `initial` fills: two patterns, which reveal bytes that `initial` does not write.
-constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
 /// Maximal number of results of one cycle, and of calls of `step` to find them.
 constexpr std::size_t max_ways = 4096;
@@ -64,56 +62,15 @@ Interface interface_of(const rc_interface& code) {
     return interface;
 }
 
-std::string state_text(const rc_interface& code, const void* state) {
-    std::string text;
-    for (std::size_t size = 4096; size <= longest_state_text; size *= 4) {
-        text.assign(size, '\0');
-        code.print(state, text.data(), text.size());
-        text.back() = '\0';
-        text.resize(text.find('\0'));
-        if (text.size() + 1 < size) break;
-    }
-    return text;
-}
-
 CodeSystem::CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length)
-    : code_(&code), alphabet_(&alphabet), cycle_length_(cycle_length == 0 ? 1 : cycle_length) {
+    : code_(&code), alphabet_(&alphabet), cycle_length_(cycle_length == 0 ? 1 : cycle_length), images_(code) {
     std::uint64_t valuations = 1;
     for (const Register& input : alphabet.interface().inputs) {
         valuations *= input.reading_count();
         if (valuations > max_valuations)
             throw std::length_error(fmt::format("the inputs have more than {} valuations together", max_valuations));
     }
-    const Bytes first = fresh_state(fills[0]);
-    if (first != fresh_state(fills[1])) unsound_ = "`initial` does not write the whole state";
-    reset_ = intern_image(first);
-}
-
-CodeSystem::Bytes CodeSystem::fresh_state(unsigned char fill) const {
-    Bytes state(code_->state_size, fill);
-    code_->initial(state.data());
-    return state;
-}
-
-std::uint32_t CodeSystem::intern_image(const Bytes& state) {
-    const std::string key(state.begin(), state.end());
-    const auto [place, fresh] = image_ids_.emplace(key, static_cast<std::uint32_t>(image_count_));
-    if (fresh) {
-        images_.insert(images_.end(), state.begin(), state.end());
-        ++image_count_;
-        const std::string text = print_image(place->second);
-        if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
-    }
-    return place->second;
-}
-
-CodeSystem::Bytes CodeSystem::image_bytes(std::uint32_t image) const {
-    const unsigned char* const begin = images_.data() + std::size_t{image} * code_->state_size;
-    return {begin, begin + code_->state_size};
-}
-
-std::string CodeSystem::print_image(std::uint32_t image) const {
-    return state_text(*code_, image_bytes(image).data());
+    if (!images_.reset_writes_all()) unsound_ = "`initial` does not write the whole state";
 }
 
 std::size_t CodeSystem::width() const {
@@ -121,7 +78,7 @@ std::size_t CodeSystem::width() const {
 }
 
 void CodeSystem::initial(std::span<lts::Word> state) {
-    enter_cycle(state, reset_);
+    enter_cycle(state, reset_image());
 }
 
 void CodeSystem::enter_cycle(std::span<lts::Word> state, std::uint32_t image) {
@@ -257,7 +214,7 @@ std::uint32_t CodeSystem::endless(const Bytes& from) {
     endless_ = true;
     CycleResult result;
     result.outcome = RC_STEP_BOUND;
-    result.next = intern_image(from);
+    result.next = images_.intern(from);
     return intern_result(std::move(result));
 }
 
@@ -273,7 +230,7 @@ CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const By
         result.writes.push_back(
             alphabet_->write_event(record.output, {record.argument, record.argument + record.count}));
     }
-    result.next = intern_image(after);
+    result.next = images_.intern(after);
     return result;
 }
 
@@ -319,7 +276,7 @@ void CodeSystem::explore_cycles_from(std::uint32_t image, std::vector<std::uint3
         const std::vector<std::uint32_t> ways = result.ways.empty() ? std::vector{place.node} : result.ways;
         for (const std::uint32_t way : ways) {
             const std::uint32_t next = results_[way].next;
-            if (results_[way].outcome != RC_QUIESCENT || next == reset_ || roots_.count(next) == 0) continue;
+            if (results_[way].outcome != RC_QUIESCENT || next == reset_image() || roots_.count(next) == 0) continue;
             if (found.from.emplace(next, Found::From{image, {place.readings, &results_[way]}}).second)
                 open.push_back(next);
         }
@@ -328,16 +285,64 @@ void CodeSystem::explore_cycles_from(std::uint32_t image, std::vector<std::uint3
 
 std::vector<PassedCycle> CodeSystem::path_to_image(std::uint32_t image) const {
     Found found;
-    std::vector<std::uint32_t> open{reset_};
-    for (std::size_t i = 0; i < open.size() && found.from.count(image) == 0 && image != reset_; ++i)
+    std::vector<std::uint32_t> open{reset_image()};
+    for (std::size_t i = 0; i < open.size() && found.from.count(image) == 0 && image != reset_image(); ++i)
         explore_cycles_from(open[i], open, found);
     std::vector<PassedCycle> way;
-    while (image != reset_ && found.from.count(image) != 0) {
+    while (image != reset_image() && found.from.count(image) != 0) {
         const Found::From& from = found.from.at(image);
         way.insert(way.begin(), from.cycle);
         image = from.image;
     }
     return way;
+}
+
+/// Which of the registers from this one on make no difference. Recursion depth: the number of registers.
+const std::vector<bool>& CodeSystem::without_effect_below(std::uint32_t node, std::size_t level) const {
+    const std::size_t inputs = alphabet_->interface().inputs.size();
+    without_effect_.resize(inputs + 1);
+    const auto found = without_effect_[level].find(node);
+    if (found != without_effect_[level].end()) return found->second;
+    std::vector<bool> lost(inputs + 1, true);
+    if (level < inputs) {
+        const Node& below = nodes_[node];
+        lost[level] = std::ranges::all_of(below, [&](std::uint32_t child) { return child == below[0]; });
+        for (const std::uint32_t child : std::set<std::uint32_t>(below.begin(), below.end())) {
+            const std::vector<bool>& inner = without_effect_below(child, level + 1);
+            for (std::size_t i = level + 1; i < inputs; ++i) lost[i] = lost[i] && inner[i];
+        }
+    }
+    return without_effect_[level].emplace(node, std::move(lost)).first->second;
+}
+
+std::vector<bool> CodeSystem::without_effect(std::uint32_t image) const {
+    return without_effect_below(roots_.at(image), 0);
+}
+
+std::vector<std::uint32_t> CodeSystem::next_images(std::uint32_t image) const {
+    std::set<std::uint32_t> level{roots_.at(image)};
+    for (std::size_t i = 0; i < alphabet_->interface().inputs.size(); ++i) {
+        std::set<std::uint32_t> next;
+        for (const std::uint32_t node : level) next.insert(nodes_[node].begin(), nodes_[node].end());
+        level = std::move(next);
+    }
+    std::set<std::uint32_t> images;
+    for (const std::uint32_t number : level) {
+        const CycleResult& result = results_[number];
+        if (result.ways.empty() && result.outcome == RC_QUIESCENT) images.insert(result.next);
+        for (const std::uint32_t way : result.ways)
+            if (results_[way].outcome == RC_QUIESCENT) images.insert(results_[way].next);
+    }
+    return {images.begin(), images.end()};
+}
+
+std::vector<process::Event> CodeSystem::writes(std::uint32_t image, const std::vector<Raised>& raised) const {
+    std::uint32_t node = roots_.at(image);
+    for (std::size_t input = 0; input < alphabet_->interface().inputs.size(); ++input) {
+        const auto found = std::ranges::find(raised, input, &Raised::first);
+        node = nodes_[node][found == raised.end() ? 0 : found->second];
+    }
+    return results_[node].ways.empty() ? results_[node].writes : std::vector<process::Event>();
 }
 
 const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::uint32_t>& readings,

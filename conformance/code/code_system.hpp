@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "checker/lts/transition_system.hpp"
+#include "conformance/code/code_images.hpp"
 #include "conformance/code/cycle_log.hpp"
+#include "conformance/code/explored_code.hpp"
 #include "conformance/code/interface.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
 
@@ -20,28 +22,7 @@ namespace robochart::conformance {
 /// The interface that the code describes; its carriers are numbers until the caller replaces them.
 [[nodiscard]] Interface interface_of(const rc_interface&);
 
-/// Maximal length of a state's text; longer texts are truncated. The text of a state of 64 KiB is shorter.
-inline constexpr std::size_t longest_state_text = 1U << 20U;
-
-/// The text that the code prints for a state.
-[[nodiscard]] std::string state_text(const rc_interface&, const void* state);
-
-/// The result of one call of `step`. Equal results share one object.
-struct CycleResult {
-    rc_result outcome = RC_QUIESCENT;
-    std::vector<process::Event> writes;
-    std::uint32_t next = 0;  ///< image
-    /// not empty: the cycle passed probabilistic junctions, and these are the results of their branches
-    std::vector<std::uint32_t> ways;
-};
-
-/// A cycle on the path to an image: one reading of each register, and the result.
-struct PassedCycle {
-    std::vector<std::uint32_t> readings;
-    const CycleResult* result = nullptr;
-};
-
-class CodeSystem : public lts::TransitionSystem {
+class CodeSystem : public lts::TransitionSystem, public ExploredCode {
 public:
     /// Maximal number of valuations of all inputs together.
     static constexpr std::uint64_t max_valuations = 1ULL << 24U;
@@ -56,50 +37,50 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void set_poll(const std::function<void()>& poll) override { poll_ = poll; }
 
-    /// For reports of runs: the reset image, one step (`readings` has one entry for each register), an image as text.
-    /// If a step has several branches, returns the branch that begins with these writes.
-    [[nodiscard]] std::uint32_t reset_image() const { return reset_; }
+    /// For reporting runs: the reset image, one step (`readings` has one entry for each register), an image as text. If
+    /// a step has several branches, the one that begins with these writes is taken.
+    [[nodiscard]] std::uint32_t reset_image() const override { return images_.reset(); }
     [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
                                           const std::vector<process::Event>& writes);
-    [[nodiscard]] std::string print_image(std::uint32_t image) const;
+    [[nodiscard]] std::string print_image(std::uint32_t image) const override { return images_.print(image); }
 
     /// The root of an image's tree of readings. Each node lists the next node for every reading of its register; the
     /// nodes after the last register are results. Equal trees are shared, so all children of a node are equal if its
     /// register makes no difference.
     [[nodiscard]] std::uint32_t reading_tree(std::uint32_t image);
-    /// Returns the same root for an image in which a cycle has already begun.
-    [[nodiscard]] std::uint32_t known_root(std::uint32_t image) const { return roots_.at(image); }
+    [[nodiscard]] std::uint32_t cycles_of(std::uint32_t image) const override { return roots_.at(image); }
     [[nodiscard]] std::vector<std::uint32_t> child_nodes(std::uint32_t node) const { return nodes_[node]; }
     [[nodiscard]] const CycleResult& cycle_result(std::uint32_t number) const { return results_[number]; }
 
-    /// The images in which a cycle has begun, ordered by their first cycle.
-    [[nodiscard]] const std::vector<std::uint32_t>& started_images() const { return begun_; }
-    [[nodiscard]] std::vector<unsigned char> image_bytes(std::uint32_t image) const;
-    /// A shortest path from the reset image to an image in which a cycle has begun.
-    [[nodiscard]] std::vector<PassedCycle> path_to_image(std::uint32_t image) const;
+    [[nodiscard]] const std::vector<std::uint32_t>& started_images() const override { return begun_; }
+    [[nodiscard]] std::vector<unsigned char> image_bytes(std::uint32_t image) const override {
+        return images_.bytes(image);
+    }
+    [[nodiscard]] std::vector<PassedCycle> path_to_image(std::uint32_t image) const override;
+    [[nodiscard]] std::vector<bool> without_effect(std::uint32_t image) const override;
+    [[nodiscard]] std::vector<std::uint32_t> next_images(std::uint32_t image) const override;
+    [[nodiscard]] std::vector<process::Event> writes(std::uint32_t image,
+                                                     const std::vector<Raised>& raised) const override;
 
-    [[nodiscard]] std::uint64_t image_count() const { return image_count_; }
+    [[nodiscard]] std::uint64_t image_count() const { return images_.size(); }
     [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
     /// Errors of the code that refinement does not detect: `step` or `initial` is not a function of its arguments.
     [[nodiscard]] const std::string& unsound_reason() const { return unsound_; }
     /// Whether some call of `step` did not return and was stopped (watchdog.hpp).
     [[nodiscard]] bool endless() const { return endless_; }
-    [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
-    /// The maximal number of outputs in a cycle.
-    [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
-    /// Whether two images have the same text but different bytes. The state is then not canonical, and the reported
-    /// numbers of states are larger than necessary.
-    [[nodiscard]] bool has_alias() const { return alias_found_; }
+    [[nodiscard]] std::uint32_t cycle_length() const override { return cycle_length_; }
+    [[nodiscard]] std::uint32_t most_writes() const override { return most_writes_; }
+    /// Whether two images print alike and differ in bytes.
+    [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
 
 private:
     using Bytes = std::vector<unsigned char>;
     /// A node of the tree of readings: for each reading of the next register a node, or after the last register a
     /// result.
     using Node = std::vector<std::uint32_t>;
-    std::uint32_t intern_image(const Bytes&);
     struct Found;
     void explore_cycles_from(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
-    [[nodiscard]] Bytes fresh_state(unsigned char fill) const;
+    const std::vector<bool>& without_effect_below(std::uint32_t node, std::size_t level) const;
     std::uint32_t build_tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
     std::uint32_t intern_node(std::size_t level, Node);
     [[nodiscard]] std::uint32_t run_all_choices(const Bytes& from, const std::vector<rc_register>& registers);
@@ -115,13 +96,10 @@ private:
     const rc_interface* code_;
     const Alphabet* alphabet_;
     std::uint32_t cycle_length_;
-    std::uint32_t reset_ = 0;
-    std::uint64_t image_count_ = 0;
-    Bytes images_;
-    std::unordered_map<std::string, std::uint32_t> image_ids_;  ///< never iterated, like the maps below
-    std::unordered_map<std::string, std::uint32_t> printed_;
-    std::unordered_map<std::uint32_t, std::uint32_t> roots_;  ///< image -> its tree of readings
-    std::vector<std::uint32_t> begun_;                        ///< images in roots_
+    CodeImages images_;
+    std::unordered_map<std::uint32_t, std::uint32_t>
+        roots_;                         ///< image -> its tree; never iterated, like the maps below
+    std::vector<std::uint32_t> begun_;  ///< images in roots_
     std::unordered_map<std::string, std::uint32_t> node_ids_;
     std::unordered_map<std::string, std::uint32_t> result_ids_;
     std::vector<Node> nodes_;
@@ -131,7 +109,7 @@ private:
     std::function<void()> poll_;  ///< called while the inputs of one state are tried, which may take long
     std::string unsound_;
     bool endless_ = false;
-    bool alias_found_ = false;
+    mutable std::vector<std::unordered_map<std::uint32_t, std::vector<bool>>> without_effect_;  ///< by register
 };
 
 }  // namespace robochart::conformance

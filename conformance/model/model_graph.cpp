@@ -4,12 +4,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <unordered_set>
 
 namespace robochart::conformance {
 
 namespace {
+
+/// States that one search before the next tock visits.
+constexpr std::size_t most_in_search = 20'000;
 
 struct Successor {
     process::Event event;
@@ -29,6 +33,7 @@ public:
 
 ModelGraph::ModelGraph(lts::TransitionSystem& model, const Alphabet& alphabet)
     : model_(&model), alphabet_(&alphabet), width_(model.width()) {
+    heard_.emplace_back(alphabet.interface().inputs.size(), true);
     std::vector<lts::Word> start(width_);
     model.initial(start);
     initial_ = intern_state(start);
@@ -90,11 +95,10 @@ namespace {
 /// there are too many states.
 template <class Enough>
 bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough) {
-    constexpr std::size_t most = 20'000;
     std::unordered_set<ModelState> seen{start};
     std::vector<ModelState> open{start};
     while (!open.empty()) {
-        if (seen.size() > most) return false;
+        if (seen.size() > most_in_search) return false;
         const ModelState state = open.back();
         open.pop_back();
         for (const ModelEdge& edge : graph.edges(state)) {
@@ -121,17 +125,80 @@ bool ModelGraph::goes_on(ModelState start) {
     return goes_on_.emplace(start, result).first->second;
 }
 
-/// If there are too many states, returns true for all registers, which only loses the reduction of readings.
-const std::vector<bool>& ModelGraph::heard_inputs(ModelState start) {
-    const auto found = hears_.find(start);
-    if (found != hears_.end()) return found->second;
+const std::vector<bool>& ModelGraph::heard_inputs(ModelState state) {
+    if (state >= component_of_.size() || component_of_[state] == unknown) find_components(state);
+    return heard_[component_of_[state]];
+}
+
+/// Strongly connected components of the graph without tocks (Tarjan): all states of a component hear the same. If there
+/// are too many states, the answer is yes for all registers of those that are still open: this only loses the reduction
+/// of readings.
+void ModelGraph::find_components(ModelState start) {
+    struct Visit {
+        ModelState state = 0;
+        std::size_t next = 0;  ///< edge
+    };
+    struct Numbers {
+        std::size_t own = 0;
+        std::size_t low = 0;
+    };
+    std::unordered_map<ModelState, Numbers> seen;  // never iterated
+    std::vector<ModelState> open;
+    std::vector<Visit> path;
+    const auto known = [&](ModelState state) {
+        return state < component_of_.size() && component_of_[state] != unknown;
+    };
+    const auto visit = [&](ModelState state) {
+        seen[state] = {seen.size(), seen.size()};
+        open.push_back(state);
+        path.push_back({state});
+    };
+    visit(start);
+    while (!path.empty()) {
+        const ModelState state = path.back().state;
+        const std::vector<ModelEdge>& all = edges(state);
+        component_of_.resize(std::max(component_of_.size(), edges_.size()), unknown);
+        if (seen.size() > most_in_search) {
+            for (const ModelState each : open) component_of_[each] = hears_all;
+            return;
+        }
+        if (path.back().next == all.size()) {
+            const Numbers numbers = seen.at(state);
+            if (numbers.low == numbers.own) close_component(open, state);
+            path.pop_back();
+            if (path.empty()) continue;
+            Numbers& before = seen.at(path.back().state);
+            before.low = std::min(before.low, numbers.low);
+            continue;
+        }
+        const ModelEdge& edge = all[path.back().next++];
+        if (edge.role.kind == ModelRole::Kind::tock || known(edge.target)) continue;
+        const auto met = seen.find(edge.target);
+        if (met == seen.end()) {
+            visit(edge.target);
+        } else {
+            Numbers& here = seen.at(state);
+            here.low = std::min(here.low, met->second.own);
+        }
+    }
+}
+
+/// The last states of `open`, down to `first`, are a component.
+void ModelGraph::close_component(std::vector<ModelState>& open, ModelState first) {
+    const auto begin = std::find(open.rbegin(), open.rend(), first).base() - 1;
+    const auto number = static_cast<std::uint32_t>(heard_.size());
     std::vector<bool> heard(alphabet_->interface().inputs.size());
-    const bool all = look_before_time_passes(*this, start, [&](const ModelEdge& edge) {
-        if (edge.role.kind == ModelRole::Kind::input) heard[edge.role.index] = true;
-        return false;
-    });
-    if (!all) heard.assign(heard.size(), true);
-    return hears_.emplace(start, std::move(heard)).first->second;
+    for (auto state = begin; state != open.end(); ++state) {
+        for (const ModelEdge& edge : edges(*state)) {
+            if (edge.role.kind == ModelRole::Kind::input) heard[edge.role.index] = true;
+            if (edge.role.kind == ModelRole::Kind::tock || component_of_[edge.target] == unknown) continue;
+            const std::vector<bool>& more = heard_[component_of_[edge.target]];
+            for (std::size_t i = 0; i < heard.size(); ++i) heard[i] = heard[i] || more[i];
+        }
+    }
+    for (auto state = begin; state != open.end(); ++state) component_of_[*state] = number;
+    open.erase(begin, open.end());
+    heard_.push_back(std::move(heard));
 }
 
 std::string ModelGraph::describe(ModelState state) const {

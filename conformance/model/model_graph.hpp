@@ -52,6 +52,8 @@ private:
     };
     ModelState intern_state(lts::StateView);
     void expand_state(ModelState);
+    void find_components(ModelState);
+    void close_component(std::vector<ModelState>& open, ModelState first);
     [[nodiscard]] const ModelRole& event_role(process::Event);
 
     std::function<void()> poll_;
@@ -62,7 +64,10 @@ private:
     std::unordered_map<std::string, ModelState> ids_;  ///< bytes of the packed state; never iterated
     std::vector<lts::Word> words_;
     std::deque<Node> edges_;  ///< a deque, so that references stay valid while the graph grows
-    std::unordered_map<ModelState, std::vector<bool>> hears_;
+    static constexpr std::uint32_t unknown = 0xffffffffU;
+    static constexpr std::uint32_t hears_all = 0;
+    std::vector<std::uint32_t> component_of_;  ///< by state: number in heard_, or unknown
+    std::deque<std::vector<bool>> heard_;      ///< the first: all registers; references stay valid
     std::unordered_map<ModelState, bool> goes_on_;
     std::vector<ModelRole> roles_;
     std::vector<bool> role_known_;

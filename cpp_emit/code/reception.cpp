@@ -80,8 +80,8 @@ private:
 
     void from_port(const EventPort& port) {
         const std::string input = "inputs_." + port.input;
-        out_.open(fmt::format("if ({}) {{", presence_condition(input + ".present", input + ".value")));
-        write_taking(consume_statement(port), storing_code(input + ".value"));
+        out_.open(fmt::format("if ({}) {{", presence_condition(input + ".present", input + ".get()")));
+        write_taking(consume_statement(port), storing_code(input + ".get()"));
         out_.close();
     }
 

@@ -248,7 +248,7 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
         return await_any(stmt, use, stem);
     }
     const EventPort& port = generation_.component.events[use.ports.front()];
-    const std::string value = "inputs_." + port.input + ".value";
+    const std::string value = "inputs_." + port.input + ".get()";
     waiting_ = fresh_label(stem);
     resume_at(waiting_, fmt::format("waits for {}", use.name));
     const CppExpr there("inputs_." + port.input + ".present");

@@ -171,7 +171,7 @@ void write_composition(const Generation& generation, const Core& core, CodeWrite
     for (const Part& part : generation.component.parts)
         if (core.machines[part.root].layout.prompt) out.line(fmt::format("prompt({});", part.frame_expression()));
     const std::vector<std::string> rounds = each_part(generation, "round({})");
-    out.open(fmt::format("while ({}({})) {{", generation.bound_test(), fmt::join(rounds, " || ")));
+    out.open(fmt::format("while ({}({})) {{", generation.round_test(), fmt::join(rounds, " || ")));
     out.close();
     out.close();
     out.open_declaration("All machines have ended: they terminate together.",

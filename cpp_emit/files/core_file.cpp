@@ -298,7 +298,7 @@ void keep_input(CodeWriter& out, const EventPort& event) {
     out.line(fmt::format("state_.kept_{0} = inputs_.{0}.present;", event.input));
     if (!event.type) return;
     out.line(fmt::format("state_.kept_value_{0} = {{}};", event.input));
-    out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.value;", event.input));
+    out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.get();", event.input));
 }
 
 /// Writes the effect of external writes, which is immediate. With Fault::outside_write_late they are added to `late`,
@@ -306,7 +306,7 @@ void keep_input(CodeWriter& out, const EventPort& event) {
 void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
                    std::vector<std::string>& late) {
     const std::string line =
-        fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path);
+        fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.get();", variable.input, variable.path);
     if (generation.mutation.hits(Fault::outside_write_late))
         late.push_back(line);
     else

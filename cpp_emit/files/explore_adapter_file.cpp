@@ -35,6 +35,7 @@ public:
         log_class();
         printers_.write(out_);
         write_functions();
+        if (probed()) probe_function();
         event_functions();
         interface_table();
         return out_.text();
@@ -43,11 +44,13 @@ public:
 private:
     void write_head() {
         file_comment(generation_, out_, "Exploration interface");
-        for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"})
+        for (const char* header : {"<cstddef>", "<cstring>", "<new>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
         out_.gap();
         out_.comment("A violated precondition is a result of step(), not an abort.");
         out_.line("#define RC_REQUIRE(condition) static_cast<void>(0)");
+        out_.comment("Inputs notice when they are read.");
+        out_.line("#define ROBOCHART_PROBES");
         out_.gap();
         out_.line(fmt::format("#include \"{}\"", core_.header));
         out_.line("#include \"robochart/explore.hpp\"");
@@ -250,6 +253,7 @@ private:
         out_.gap();
         out_.open("rc_result step_once(void* state, const rc_register* registers, rc_log* log) noexcept {");
         out_.line("State current;");
+        out_.line("robochart::probing = nullptr;  // a call that did not return has left it");
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("robochart::clear(*log);");
         out_.line("Log platform(*log);");
@@ -266,7 +270,51 @@ private:
         out_.close();
     }
 
-    /// Writes the event API if the component has one.
+    /// A cycle that reads its registers on demand. The bytes of the object are compared, so they are cleared before.
+    void probe_function() {
+        out_.gap();
+        out_.open("Inputs unread_inputs() noexcept {");
+        out_.line("Inputs read;");
+        for (std::size_t index = 0; index < registers_.size(); ++index) {
+            const Register& input = registers_[index];
+            out_.line(fmt::format("read.{}.present = robochart::Presence::in_register({});", input.member, index));
+            if (!input.type) continue;
+            const bool whole = is_composed(generation_.system.type(*input.type));
+            const std::string value =
+                whole ? table_name(*input.type) + "[place]"
+                      : fmt::format("robochart::from_raw<{}>({}_values[place])", type_text(*input.type), input.member);
+            out_.line(fmt::format("read.{0}.value = robochart::Content<{1}>::in_register({2},", input.member,
+                                  type_text(*input.type), index));
+            out_.line(fmt::format("    [](std::uint32_t place) noexcept -> {} {{ return {}; }});",
+                                  type_text(*input.type), value));
+        }
+        out_.line("return read;");
+        out_.close();
+        out_.gap();
+        out_.open("rc_result probe_once(void* state, const rc_probe* probe, rc_log* log) noexcept {");
+        out_.line("using Step = core::Step<Checking, Log>;");
+        out_.line("robochart::clear(*log);");
+        out_.comment(
+            "At the same address in each call, because the step contains references to the state and platform.");
+        out_.line("alignas(State) static thread_local unsigned char place_of_state[sizeof(State)];");
+        out_.line("alignas(Log) static thread_local unsigned char place_of_platform[sizeof(Log)];");
+        out_.line("alignas(Step) static thread_local unsigned char place_of_step[sizeof(Step)];");
+        out_.line("std::memset(place_of_step, 0, sizeof place_of_step);");
+        out_.line("auto* const current = new (place_of_state) State;");
+        out_.line("std::memcpy(current, state, sizeof *current);");
+        out_.line("auto* const platform = new (place_of_platform) Log(*log);");
+        out_.line("const Inputs read = unread_inputs();");
+        out_.line("auto* const step = new (place_of_step) Step(*current, read, *platform);");
+        out_.line("const robochart::Probing probing{probe, step, sizeof(Step), current};");
+        out_.line("robochart::probing = &probing;");
+        out_.line("const robochart::StepResult result = step->cycle();");
+        out_.line("robochart::probing = nullptr;");
+        out_.line("std::memcpy(state, current, sizeof *current);");
+        out_.line("return robochart::to_abi(result);");
+        out_.close();
+    }
+
+    /// The event API, if there is one.
     void event_functions() {
         const std::size_t events = input_events(generation_.component).size();
         if (events == 0) return;
@@ -274,6 +322,7 @@ private:
         out_.open(
             "rc_result dispatch_once(void* state, std::uint32_t event, const rc_register* registers, rc_log* log) "
             "noexcept {");
+        out_.line("robochart::probing = nullptr;");
         out_.line("State current;");
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("robochart::clear(*log);");
@@ -289,6 +338,7 @@ private:
         out_.close();
         out_.gap();
         out_.open("rc_result pass_once(void* state, rc_log* log) noexcept {");
+        out_.line("robochart::probing = nullptr;");
         out_.line("State current;");
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("Log platform(*log);");
@@ -312,6 +362,7 @@ private:
         out_.line("print_state,");
         const std::size_t events = input_events(generation_.component).size();
         out_.line(events == 0 ? "0, nullptr, nullptr," : fmt::format("{}, dispatch_once, pass_once,", events));
+        out_.line(probed() ? "probe_once," : "nullptr,");
         out_.close("};");
         out_.gap();
         out_.line("}  // namespace");
@@ -320,6 +371,9 @@ private:
         out_.line("return &interface;");
         out_.close();
     }
+
+    /// Registers are numbered with 16 bits there.
+    [[nodiscard]] bool probed() const { return !registers_.empty() && registers_.size() <= UINT16_MAX; }
 
     const Generation& generation_;
     const Core& core_;

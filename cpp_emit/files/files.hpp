@@ -56,6 +56,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_values();
 [[nodiscard]] std::string explore_header();
+[[nodiscard]] std::string probes_header();
 [[nodiscard]] std::string drive_header();
 [[nodiscard]] std::string monitor_header();
 [[nodiscard]] std::string rules_header();

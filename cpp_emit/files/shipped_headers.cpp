@@ -16,6 +16,7 @@ std::vector<OutputFile> shipped_headers() {
             {"robochart/finite.hpp", finite_header()},
             {"robochart/layout.hpp", layout_helpers()},
             {"robochart/matrix.hpp", matrix_header()},
+            {"robochart/probes.hpp", probes_header()},
             {"robochart/runtime.hpp", runtime_header()},
             {"robochart/text.hpp", text_header()},
             {"robochart/timer.hpp", timer_header()},

@@ -129,7 +129,7 @@ std::string DispatchCode::incoming_value(const ir::Transition& transition) const
     const EventUse& use = generation_.component.find_event(unit_, transition.trigger->event);
     if (use.is_spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
     assert(!use.ports.empty());
-    return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
+    return "inputs_." + generation_.component.events[use.ports.front()].input + ".get()";
 }
 
 /// The transitions of a leaf and its parents that an event (or, for null, no event) may trigger, in the order in which

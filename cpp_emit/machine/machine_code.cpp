@@ -211,7 +211,7 @@ void MachineWriter::run_alone(const std::string& parts, bool watches) {
     out_.open(function_head("void run"));
     if (propagation_.has_prompt_steps()) out_.line(function_call("prompt") + ";");
     if (watches) out_.line(function_call("watch") + ";");
-    out_.open(fmt::format("while ({}({})) {{", generation_.bound_test(), parts));
+    out_.open(fmt::format("while ({}({})) {{", generation_.round_test(), parts));
     if (watches) out_.line(function_call("watch") + ";");
     out_.close();
 }

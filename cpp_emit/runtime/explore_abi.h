@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 4
+#define ROBOCHART_ABI_VERSION 5
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_CHOICES 32
 
@@ -67,6 +67,21 @@ typedef struct rc_register {
     uint32_t value;
 } rc_register;
 
+/* A cycle whose registers are read when the code asks for them. Every function is called with the context. */
+typedef struct rc_probe {
+    void* context;
+    /* Returns the reading of an input: 0 absent, otherwise 1 + the index of its value. The same throughout a cycle. */
+    uint32_t (*read)(void* context, uint32_t input);
+    /* The same for the value alone: the index; 0 if the register is absent. */
+    uint32_t (*value)(void* context, uint32_t input);
+    /* The code consumes the input, or raises it itself: it does not ask whether it is there any more. */
+    void (*assigned)(void* context, uint32_t input);
+    /* A round of transitions begins. The rest of the cycle depends on the bytes of the state, on `size` bytes at `step`
+     * (which know what has been read and consumed), on the values of the inputs, and on steps_left only if the rest of
+     * the cycle takes as many steps. */
+    void (*round)(void* context, const void* step, uint32_t size, const void* state, uint32_t steps_left);
+} rc_probe;
+
 typedef struct rc_interface {
     uint32_t abi_version;
     const char* component;   /* "AggregationFSM" */
@@ -87,6 +102,8 @@ typedef struct rc_interface {
     uint32_t events;
     rc_result (*dispatch)(void* state, uint32_t event, const rc_register* registers, rc_log* log);
     rc_result (*pass)(void* state, rc_log* log);
+    /* `step` with registers that are read on demand; null: not possible. */
+    rc_result (*probe)(void* state, const rc_probe* probe, rc_log* log);
 } rc_interface;
 
 /* The only exported symbol, also of objects compiled with -fvisibility=hidden. */

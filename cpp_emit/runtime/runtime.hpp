@@ -9,6 +9,10 @@
 #include <type_traits>
 #include <utility>
 
+#ifdef ROBOCHART_PROBES
+#include "robochart/probes.hpp"
+#endif
+
 /// The reaction to a violated precondition of an operation. Define it before including generated code to change it.
 #ifndef RC_REQUIRE
 #include <cassert>
@@ -70,6 +74,7 @@ enum class StepResult : std::uint8_t {
     deadline,      ///< a deadline was missed
 };
 
+#ifndef ROBOCHART_PROBES
 /// An input without a value: raised or not.
 struct Signal {
     bool present = false;
@@ -80,7 +85,10 @@ template <class T>
 struct Message {
     bool present = false;
     T value{};
+
+    [[nodiscard]] constexpr const T& get() const noexcept { return value; }
 };
+#endif
 
 /// A one-place buffer between controllers: the writer overwrites, the reader empties. `mark` is as wide as the value,
 /// so that there is no padding.
@@ -378,6 +386,10 @@ constexpr void advance_wait(std::uint32_t& left, std::uint32_t units) noexcept {
     left = units < left ? left - units : 0;
 }
 
+#ifdef ROBOCHART_PROBES
+inline namespace probed {
+#endif
+
 /// The bookkeeping of one cycle.
 class Cycle {
 public:
@@ -406,6 +418,16 @@ public:
     }
     [[nodiscard]] constexpr bool violated() const noexcept { return violated_; }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
+    /// Whether another round of transitions may begin. Nothing but this object and the state survives a round.
+    [[nodiscard]] bool next_round() noexcept {
+#ifdef ROBOCHART_PROBES
+        const std::uint32_t left = budget_;
+        budget_ = 0;  // rounds are compared without their number
+        report_round(left);
+        budget_ = left;
+#endif
+        return budget_ != 0;
+    }
     [[nodiscard]] constexpr StepResult result(bool terminated) const noexcept {
         if (violated_) return StepResult::precondition;
         if (budget_ == 0) return StepResult::step_bound;
@@ -417,6 +439,10 @@ private:
     bool violated_ = false;
     bool late_ = false;
 };
+
+#ifdef ROBOCHART_PROBES
+}  // namespace probed
+#endif
 
 }  // namespace robochart
 

@@ -16,7 +16,7 @@ namespace {
 /// The types that a source defines in named namespaces, with these namespaces, without nested and local types. Relies
 /// on the layout of clang-format: namespaces and their types start at the left margin.
 std::set<std::string> defined_types(const std::string& text) {
-    static const std::regex opening(R"(namespace ?([\w:]*) ?\{.*)");
+    static const std::regex opening(R"((?:inline )?namespace ?([\w:]*) ?\{.*)");
     static const std::regex closing(R"(\}  // namespace.*)");
     static const std::regex type(R"((class|struct|union|enum|enum class) (\w+)( final)?( :[^;]*| \{.*)?)");
     std::set<std::string> found;

@@ -68,7 +68,7 @@ TEST(SharedObject, MissingInterface) {
 TEST(SharedObject, WrongVersion) {
     std::string error;
     EXPECT_FALSE(test::hand_made("turner", 12, error));
-    EXPECT_THAT(error, HasSubstr("version 5 where 4"));
+    EXPECT_THAT(error, HasSubstr("version 6 where 5"));
 }
 
 TEST(SharedObject, UndefinedSymbol) {

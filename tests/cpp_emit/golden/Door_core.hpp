@@ -238,7 +238,7 @@ private:
 
     /// Everything that can happen in this cycle.
     void run([[maybe_unused]] State<Types>& f) noexcept {
-        while (!exhausted() && (control(f) || transition(f))) {
+        while (next_round() && (control(f) || transition(f))) {
         }
     }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a model can be run in control cycles, without trying all readings of its registers: a register matters where
+// the model receives its input (docs/conformance.md, "Reading on demand").
+#pragma once
+
+#include "conformance/check/result.hpp"
+#include "conformance/code/interface.hpp"
+#include "conformance/model/model_graph.hpp"
+
+namespace robochart::conformance {
+
+/// The answer of `schedulable` (conformance_check.hpp), with a run that may be longer than necessary. `outcome` is
+/// `conforms` if M can be run in cycles. Throws diagnostics::LimitReached.
+[[nodiscard]] Result schedulable_on_demand(ModelGraph&, const Alphabet&, std::uint32_t cycle_length,
+                                           const refine::Limits&);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conformance of code with many inputs: a register is tried with each of its readings only where the code reads it, and
+// the model follows with runs that are possible whatever the other registers hold (docs/conformance.md, "Reading on
+// demand").
+#pragma once
+
+#include "conformance/check/places_in_state.hpp"
+#include "conformance/check/result.hpp"
+#include "conformance/code/interface.hpp"
+#include "conformance/model/model_graph.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+
+namespace robochart::conformance {
+
+/// NF_c(M) [FD= L(code) for a schedulable M, like `refined_by` (conformance_check.hpp). Throws NotProbed
+/// (cycle_graph.hpp) if this search cannot decide. Inconclusive at a limit.
+[[nodiscard]] Result refined_on_demand(ModelGraph&, const Alphabet&, const rc_interface& code,
+                                       std::uint32_t cycle_length, const refine::Limits&, const EventPlaces& = {});
+
+}  // namespace robochart::conformance

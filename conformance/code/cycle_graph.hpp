@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cycles of compiled code as graphs: a register is tried with each of its readings where the code reads it, and
+// paths that reach the same point of a cycle share what follows (docs/conformance.md, "Reading on demand").
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "conformance/code/code_images.hpp"
+#include "conformance/code/cycle_log.hpp"
+#include "conformance/code/explored_code.hpp"
+#include "conformance/code/interface.hpp"
+
+namespace robochart::conformance {
+
+/// The code cannot be explored in this way; the message says why. Nothing is known about it then.
+class NotProbed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+class CycleGraph : public ExploredCode {
+public:
+    /// What ends a segment of a cycle.
+    enum class End : std::uint8_t {
+        open,     ///< not explored yet
+        reading,  ///< the code reads `input`; with reading r it continues in segment `next + r`
+        round,    ///< it continues in segment `next`, which other segments may share
+        leaf,     ///< the cycle ends; `next` is the number of the leaf
+    };
+    struct Segment {
+        End end = End::open;
+        std::uint32_t writes = 0;  ///< number of the sequence of its outputs
+        std::uint32_t input = 0;
+        std::uint32_t next = 0;
+    };
+    struct Leaf {
+        rc_result outcome = RC_QUIESCENT;
+        std::uint32_t next = 0;    ///< image
+        std::vector<bool> unread;  ///< for each register, whether the cycle has not read it
+    };
+
+    /// Throws NotProbed if the code offers no such calls.
+    CycleGraph(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length);
+
+    /// The segment with which the cycles of this image begin. Throws NotProbed.
+    [[nodiscard]] std::uint32_t root(std::uint32_t image);
+    [[nodiscard]] const Segment& segment(std::uint32_t number) const { return segments_[number]; }
+    [[nodiscard]] const std::vector<process::Event>& outputs(const Segment& segment) const {
+        return sequences_[segment.writes];
+    }
+    [[nodiscard]] const Leaf& leaf(const Segment& segment) const { return leaves_[segment.next]; }
+
+    [[nodiscard]] std::uint32_t cycle_length() const override { return cycle_length_; }
+    [[nodiscard]] std::uint32_t reset_image() const override { return images_.reset(); }
+    [[nodiscard]] std::uint32_t most_writes() const override { return most_writes_; }
+    [[nodiscard]] std::vector<unsigned char> image_bytes(std::uint32_t image) const override {
+        return images_.bytes(image);
+    }
+    [[nodiscard]] std::string print_image(std::uint32_t image) const override { return images_.print(image); }
+    [[nodiscard]] const std::vector<std::uint32_t>& started_images() const override { return begun_; }
+    [[nodiscard]] std::vector<PassedCycle> path_to_image(std::uint32_t image) const override;
+    [[nodiscard]] std::uint32_t cycles_of(std::uint32_t image) const override { return roots_.at(image); }
+    [[nodiscard]] std::vector<bool> without_effect(std::uint32_t image) const override;
+    [[nodiscard]] std::vector<std::uint32_t> next_images(std::uint32_t image) const override;
+    [[nodiscard]] std::vector<process::Event> writes(std::uint32_t image,
+                                                     const std::vector<Raised>& raised) const override;
+
+    [[nodiscard]] std::uint64_t image_count() const { return images_.size(); }
+    [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
+    /// The number of cycles that were run, each for all readings of the registers that it does not read.
+    [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
+    /// Called for every cycle; may throw.
+    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+
+private:
+    using Bytes = CodeImages::Bytes;
+    struct Answer {
+        std::uint32_t input = 0;
+        std::uint32_t reading = 0;
+    };
+
+    // The functions of rc_probe, and their work.
+    static std::uint32_t on_read(void* graph, std::uint32_t input);
+    static std::uint32_t on_value(void* graph, std::uint32_t input);
+    static void on_assigned(void* graph, std::uint32_t input);
+    static void on_round(void* graph, const void* step, std::uint32_t size, const void* state, std::uint32_t left);
+    std::uint32_t read(std::uint32_t input);
+    std::uint32_t take(std::uint32_t input);
+    void round(const unsigned char* step, std::uint32_t size, const unsigned char* state, std::uint32_t left);
+
+    void run(std::uint32_t image, std::uint32_t root);
+    void begin_run(std::uint32_t root);
+    [[nodiscard]] bool next_answers();
+    void end_run(rc_result outcome, const Bytes& after);
+    void run_again(const Bytes& from, rc_result outcome, const Bytes& after, bool unread_present);
+    void check_shared_path(rc_result outcome, const Bytes& after);
+    void close(End end, std::uint32_t input, std::uint32_t next);
+    void close_endless();
+    [[nodiscard]] bool same_outputs(const Segment&) const;
+    void make_key(const unsigned char* step, std::uint32_t size, const unsigned char* state);
+    [[nodiscard]] process::Event event_of(const rc_record&);
+    [[nodiscard]] std::uint32_t add_segments(std::size_t count);
+    [[nodiscard]] std::uint32_t intern_sequence(std::vector<process::Event>);
+    [[nodiscard]] std::uint32_t intern_leaf(rc_result, std::uint32_t next);
+    void fault(const char* reason);
+
+    const rc_interface* code_;
+    const Alphabet* alphabet_;
+    std::uint32_t cycle_length_;
+    std::size_t inputs_;
+    CodeImages images_;
+    std::vector<std::uint32_t> begun_;
+    std::vector<Segment> segments_;
+    std::vector<std::vector<process::Event>> sequences_;
+    std::vector<Leaf> leaves_;
+    // never iterated
+    std::unordered_map<std::uint32_t, std::uint32_t> roots_;       ///< image -> segment
+    std::unordered_map<std::string, std::uint32_t> points_;        ///< key of a round -> segment
+    std::unordered_map<std::string, std::uint32_t> sequence_ids_;  ///< events as bytes
+    std::unordered_map<std::string, std::uint32_t> leaf_ids_;
+    std::unordered_map<std::string, process::Event> events_;  ///< records as bytes
+    std::uint64_t cycles_ = 0;
+    std::uint32_t most_writes_ = 0;
+    std::uint32_t most_steps_ = 0;  ///< in one run that ends
+    bool endless_ = false;          ///< some call did not return
+    std::string unsound_;
+    std::string refused_;  ///< why the code cannot be explored in this way
+    std::function<void()> poll_;
+    mutable std::deque<CycleResult> shown_;  ///< results that path_to_image has shown; references stay valid
+
+    // The run in progress.
+    std::vector<Answer> answers_;  ///< to the reads on its path, in their order
+    std::size_t answered_ = 0;
+    std::uint32_t current_ = 0;  ///< segment
+    std::uint32_t first_write_ = 0;
+    bool shared_ = false;  ///< it has reached a point from which another run has continued: registers count as empty
+    std::uint32_t shared_point_ = 0;
+    std::uint32_t shared_write_ = 0;
+    CycleLog log_, again_;
+    std::vector<std::int64_t> known_;  ///< for each register: -1 unread, otherwise its reading
+    std::vector<bool> spent_;          ///< absent, or consumed
+    std::vector<bool> sealed_;         ///< spent when a round began: its value must not be read any more
+    std::vector<std::uint32_t> rounds_;
+    std::uint32_t steps_at_start_ = 0;
+    std::uint32_t steps_ = 0;
+    std::string key_;
+};
+
+}  // namespace robochart::conformance

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs of NF_c(M) beside code that has read only some registers: those that are possible whatever the other registers
+// hold (docs/conformance.md, "Reading on demand").
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "conformance/code/explored_code.hpp"
+#include "conformance/model/model_graph.hpp"
+
+namespace robochart::conformance {
+
+/// A state of M in a cycle. M may still receive the readings in `held`, a number of a set.
+struct HeldState {
+    ModelState model = 0;
+    std::uint32_t held = 0;
+
+    friend auto operator<=>(const HeldState&, const HeldState&) = default;
+};
+
+class UniformRuns {
+public:
+    /// A set of states in which M may be, before it acts further.
+    using Set = std::uint32_t;
+    /// Registers that a leaf of the code's cycle has not read, and what was assumed of them.
+    struct Completion {
+        Set states = 0;  ///< at the beginning of the next cycle; of no meaning if there is none
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> readings;  ///< registers and readings
+    };
+
+    UniformRuns(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length);
+
+    [[nodiscard]] Set start();
+    /// The code has read a register that is present.
+    [[nodiscard]] Set with(Set states, std::uint32_t input, std::uint32_t reading);
+    /// M makes this output. No value: it cannot, if the registers that the code has not read are empty.
+    [[nodiscard]] std::optional<Set> after(Set states, process::Event write);
+    /// The cycle of the code ends. Adds completions that together cover all readings of the unread registers. False:
+    /// for the readings in `refused` and empty registers otherwise, NF_c(M) does not end its cycle so.
+    [[nodiscard]] bool finish(Set states, const std::vector<bool>& unread, rc_result outcome,
+                              std::vector<Completion>& completions, Completion& refused);
+
+    [[nodiscard]] std::size_t sets() const { return sets_.size(); }
+
+private:
+    using Reading = std::pair<std::uint32_t, std::uint32_t>;  ///< register and reading
+    using States = std::vector<HeldState>;
+    /// What M may do from a set by itself and with the readings that it holds.
+    struct Closure {
+        bool known = false;
+        bool terminated = false;
+        States all;
+        std::map<process::Event, Set> writes;
+    };
+
+    [[nodiscard]] Set intern(States);
+    [[nodiscard]] std::uint32_t intern_held(std::vector<Reading>);
+    [[nodiscard]] HeldState narrowed(ModelState model, std::uint32_t held);
+    [[nodiscard]] const Closure& closure(Set);
+    [[nodiscard]] bool holds(std::uint32_t held, std::uint32_t input, std::uint32_t reading) const;
+    /// Whether M can do nothing in this state before time passes.
+    [[nodiscard]] bool stable(const HeldState&);
+    [[nodiscard]] bool lets_time_pass(ModelState);
+    /// A register that M waits for in a stable state and that the code has not read; no value if there is none.
+    [[nodiscard]] std::optional<std::uint32_t> awaits(ModelState, const std::vector<bool>& unread);
+    [[nodiscard]] std::optional<Set> after_time(const States& stable);
+    [[nodiscard]] States settled_between_tocks(States);
+
+    ModelGraph* model_;
+    const Alphabet* alphabet_;
+    std::uint32_t cycle_length_;
+    std::vector<States> sets_;
+    std::vector<Closure> closures_;
+    std::map<States, Set> set_ids_;
+    std::vector<std::vector<Reading>> held_;
+    std::map<std::vector<Reading>, std::uint32_t> held_ids_;
+    std::unordered_map<std::uint64_t, Set> with_;  ///< never iterated
+};
+
+}  // namespace robochart::conformance
