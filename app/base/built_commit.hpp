@@ -14,7 +14,8 @@ struct Commit {
     bool modified = false;  ///< tracked files differed from the commit
 };
 
-/// The commit of this build. Unknown if the sources are neither a git checkout nor an archive written by `git archive`.
+/// The commit of this build. It is unknown if the sources are neither a git checkout nor an archive written by `git
+/// archive`.
 [[nodiscard]] Commit built_commit();
 /// "commit 0123456789ab", "commit 0123456789ab with local changes", "unknown commit".
 [[nodiscard]] std::string commit_text(const Commit&);

@@ -13,7 +13,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// Line ends are kept; characters that XML does not allow are shown as escapes.
+/// Keeps line ends, and writes characters that XML does not allow as escapes.
 std::string xml_lines(const std::string& text) {
     std::istringstream lines(text);
     std::string out;
@@ -36,7 +36,8 @@ std::string case_element(const JunitCase& each) {
     return out + ">\n" + outcome_element(each) + "    </testcase>\n";
 }
 
-/// The texts of cases that passed. Some schemas allow this element only after all cases.
+/// The element `system-out` with the texts of the cases that passed. Some schemas allow this element only after all
+/// cases.
 std::string passed_output(const std::vector<JunitCase>& cases) {
     std::string text;
     for (const JunitCase& each : cases)

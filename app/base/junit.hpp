@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results as JUnit XML, which continuous integration servers read: testsuites, testsuite, testcase with failure, error
-// or skipped. Only attributes that all of their schemas define are written.
+// Results as JUnit XML, which continuous integration servers read. The elements are testsuites, testsuite and testcase
+// with failure, error or skipped. Only attributes that the schemas of all servers define are written.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct JunitCase {
         passed,
         failed,   ///< the claim is false
         error,    ///< the answer is unknown; servers count it as not passed
-        skipped,  ///< it did not have to be decided
+        skipped,  ///< no decision was necessary
     };
     std::string group;  ///< servers sort by it: a file, or "conformance"
     std::string name;

@@ -6,11 +6,11 @@
 namespace robochart::app {
 namespace {
 
-/// More states are not looked at.
+/// The search for divergence stops at this number of states.
 constexpr std::uint64_t most_states = 50'000;
 
-/// Asks for divergence with a search of its own: what the verdict rests on is no question of the run, so `--checkpoint`
-/// keeps nothing of it and it shows no progress.
+/// True if the process can diverge. The separate search decides no assertion of the run, so it writes no checkpoints
+/// for `--checkpoint` and shows no progress.
 bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, const cspm::Decl& assertion,
                           const driver::SearchContext& search) {
     cspm::Decl question = assertion;
@@ -34,7 +34,7 @@ driver::Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, cons
     if (!holds || !of_failures || result.verdict.statistics.states > most_states) return {};
     const bool refinement = asked.kind == cspm::AssertionKind::refinement;
     try {
-        // With priorities internal events may be kept from happening: that process is another one.
+        // With tau priority the implementation is a different process, because priorities can prevent internal events.
         if (asked.tau_priority ||
             !can_go_on_internally(session, refinement ? asked.implementation : asked.specification, assertion, search))
             return {};

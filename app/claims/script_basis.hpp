@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the verdict on an assertion of a script rests on and no search for a violation tells.
+// Finds the basis of a verdict on an assertion of a script. The search for a violation does not find it.
 #pragma once
 
 #include "checker/cspm/session.hpp"
@@ -8,8 +8,9 @@
 
 namespace robochart::app {
 
-/// In the failures model what a process refuses while it goes on internally is not compared: whether one that an
-/// assertion holds of can do so for ever. Nothing is said of processes with too many states, or at a limit.
+/// The failures model does not compare the refusals of a process that diverges. If an assertion in this model holds,
+/// the basis has an entry if its process can diverge. It is empty if the process has too many states, or if a limit is
+/// reached.
 [[nodiscard]] driver::Basis basis_of(cspm::Session&, const cspm::Decl& assertion, const cspm::AssertionResult&,
                                      const driver::SearchContext&);
 

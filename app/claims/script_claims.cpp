@@ -17,7 +17,7 @@ driver::Answer answer(refine::Outcome outcome) {
     return outcome == refine::Outcome::fails ? driver::Answer::fails : driver::Answer::inconclusive;
 }
 
-/// The innermost calls, and the number of calls, which shows a deep recursion.
+/// The innermost calls, and the number of the other calls. A large number shows a deep recursion.
 std::string call_stack(const std::vector<std::string>& frames) {
     constexpr std::size_t shown = 8;
     std::string text;
@@ -27,7 +27,7 @@ std::string call_stack(const std::vector<std::string>& frames) {
     return text;
 }
 
-/// An assertion of which nothing is known.
+/// The result of an assertion before its check begins.
 ScriptAssertion undecided_assertion(const cspm::Decl& assertion, std::size_t number,
                                     const diagnostics::SourceManager& sources) {
     ScriptAssertion result;
@@ -43,7 +43,7 @@ ScriptAssertion undecided_assertion(const cspm::Decl& assertion, std::size_t num
     return result;
 }
 
-/// The same result in the report over all scripts.
+/// Converts the result to an entry of the report over all scripts.
 driver::AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events,
                                   const Options& options) {
     driver::AssertionReport report;
@@ -116,7 +116,7 @@ void ScriptClaims::decide_all(const Show& show) {
         options_.run->finish();
         say_not_begun(limit.what());
     }
-    const process::EventTable no_events;  // without an answer there are none
+    const process::EventTable no_events;  // an assertion without an answer has no events to print
     for (std::size_t at = 0; at < assertions_.size(); ++at)
         if (!shown_[at]) show(script_.assertions[at], no_events);
 }
@@ -161,7 +161,7 @@ void ScriptClaims::store_result(std::size_t at, ScriptAssertion one) {
     script_.assertions[at] = std::move(one);
 }
 
-/// What is known of an assertion if the run ends now.
+/// Stores the size of the search so far in both reports, in case the run ends now.
 void ScriptClaims::note_progress(const refine::Progress& progress, std::size_t at) {
     const auto edit = options_.run->edit();
     refine::Statistics& known = report_.assertions[first_ + at].statistics;

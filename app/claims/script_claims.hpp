@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The assertions of a CSPM script, decided in turns as the claims of a model are.
+// Decides the assertions of a CSPM script in turns, as `verify` decides the claims of a model.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,10 @@ namespace robochart::app {
 class OpenScript {
 public:
     OpenScript(const LoadedScript&, const Options&);
-    /// Opens it if it is not open. Throws LimitReached.
+    /// Returns the session, which is opened if necessary. Throws LimitReached.
     [[nodiscard]] cspm::Session& open_session();
-    /// Frees the session. The next one has its events, with their numbers: answers refer to them.
+    /// Frees the session to release its memory. The next session gives the same numbers to the same events, because
+    /// results refer to events by number.
     void give_back();
 
 private:
@@ -31,17 +32,18 @@ private:
 /// The assertion without its keyword, as printed.
 [[nodiscard]] std::string text_of(const cspm::Decl& assertion);
 
-/// The assertions of one script that are asked for.
+/// The selected assertions of one script.
 class ScriptClaims {
 public:
-    /// Called once for each, when no turn will add to it.
+    /// Called once for each assertion, when its result is final.
     using Show = std::function<void(const ScriptAssertion&, const process::EventTable&)>;
-    /// Lists those with these places among the script's assertions as not decided, in both reports. These are changed
-    /// under Run::edit. Refers to all that it is given.
+    /// Adds the assertions with the indices `chosen` to both reports as undecided. Every change of the reports holds
+    /// the lock Run::edit. The object stores references to all arguments except `chosen`.
     ScriptClaims(OpenScript&, const LoadedScript&, const Options&, const std::vector<std::size_t>& chosen,
                  ScriptReport&, Report&);
 
-    /// Throws nothing at a limit of the run: what is not decided by then says so.
+    /// Decides all assertions. If a limit of the run is reached, nothing is thrown; the results of undecided assertions
+    /// state the limit.
     void decide_all(const Show& show);
 
 private:
@@ -57,7 +59,7 @@ private:
     ScriptReport& script_;
     Report& report_;
     std::vector<cspm::DeclPtr> assertions_;
-    std::size_t first_ = 0;  ///< place of the first one in the report
+    std::size_t first_ = 0;  ///< index of the first assertion in the report
     std::vector<bool> begun_, shown_;
 };
 

@@ -16,7 +16,8 @@
 namespace robochart::app {
 
 void output_document(const Options& options, const std::function<std::string(Format)>& document) {
-    const RunRecord record = record_of(options);  // one for all, so that equal formats give equal documents
+    // All documents contain the same record, so that equal formats give equal documents.
+    const RunRecord record = record_of(options);
     const auto complete = [&](Format format) {
         std::string text = document(format);
         return format == Format::json ? with_run(std::move(text), record) : text;

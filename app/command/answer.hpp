@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answer of a run for programs: on standard output in the format of --format, and in the files of --json, --junit
-// and --sarif.
+// Outputs the result of a run for programs: on standard output in the format of --format, and in the files of --json,
+// --junit and --sarif.
 #pragma once
 
 #include <functional>
@@ -11,14 +11,14 @@
 
 namespace robochart::app {
 
-/// Outputs the document in each requested format; a document in JSON also gets the record of the run. Files are written
-/// when the run ends; later documents are appended.
+/// Outputs the document in each requested format; the record of the run is added to JSON documents. Files are written
+/// when the run ends. If the function is called again, the new document is appended.
 void output_document(const Options&, const std::function<std::string(Format)>& document);
 
-/// True if a program receives the answer in this format.
+/// True if the options request the result in this format, for standard output or a file.
 [[nodiscard]] bool is_requested(const Options&, Format);
 
-/// The data of a SARIF log about this run and the rules.
+/// The data about this run and its rules that a SARIF log contains.
 [[nodiscard]] diagnostics::SarifRules about_log(const Options&, const std::string& limit = "");
 
 }  // namespace robochart::app

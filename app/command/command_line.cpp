@@ -96,9 +96,9 @@ std::vector<std::string> verbs_and_files() {
     return names;
 }
 
-/// If the first word is not a verb, it is a model. A word that looks like a verb and is not the name of a file is a
-/// usage error, as in git and cargo. A word with a dot, a separator or a capital letter is treated as a path; if it
-/// cannot be read, this is reported.
+/// A first word that is not a verb names a model. If it looks like a verb and no file has this name, this is a usage
+/// error, as in git and cargo. A word with a dot, a separator or a capital letter is treated as a path; if it cannot be
+/// read, this is reported.
 std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     const std::string& first = words.front();
     std::error_code ignored;
@@ -162,13 +162,14 @@ std::string version_text(Format format = Format::text) {
     return diagnostics::json_text(json, 2) + "\n";
 }
 
-/// A verb without the option --no-cache has no cache.
+/// True if the verb uses the cache, that is, if it has the option --no-cache.
 bool has_cache(Verb verb) {
     const std::vector<const OptionRow*> rows = options_of(verb_bit(verb));
     return std::ranges::any_of(rows, [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
 }
 
-/// The message about an option that the verb does not have: the nearest option of the verb, or the verbs that have it.
+/// The message about an option that the verb does not have. It suggests the nearest option of the verb, or lists the
+/// verbs that have the option.
 std::string unknown_option(const std::string& given, const std::string& verb) {
     const std::string name = given.substr(0, given.find('='));
     std::vector<std::string> known, owners;
@@ -192,7 +193,8 @@ std::string argument_of(const std::string& option, const std::string& verb) {
     return "";
 }
 
-/// The message about an option without its argument, or given twice. The parser's own message counts words.
+/// The message about an option that lacks its argument or is given twice. The parser's own message only states numbers
+/// of words.
 std::string wrong_count(const CLI::ArgumentMismatch& error, const std::string& verb) {
     const std::string message = error.what();
     const std::string option = message.substr(0, message.find(':'));
@@ -216,7 +218,7 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     return wrong_usage(error.what(), verb);
 }
 
-/// The files that the options name for something to be written, each with its option.
+/// The output files that options name, as pairs of option and file.
 std::vector<std::pair<std::string, std::string>> written_files(const Options& options) {
     std::vector<std::pair<std::string, std::string>> files;
     const auto add = [&](const std::string& option, const std::string& path) {
@@ -231,14 +233,15 @@ std::vector<std::pair<std::string, std::string>> written_files(const Options& op
     return files;
 }
 
-/// A text that people write: a file beside a named one may be read with it.
+/// True if people write files of this type. Such a file may be an input even if the command line does not name it,
+/// because files in the same folder are read too.
 bool is_written_by_hand(const std::filesystem::path& path) {
     constexpr std::array endings{".rct",      ".assertions", ".prism", ".props", ".sleec",
                                  ".scenario", ".swarm",      ".ros2",  ".trace", ".prefs"};
     return std::ranges::find(endings, path.extension().string()) != endings.end();
 }
 
-/// An answer must not take the place of what it is about. Returns what is wrong, "" if nothing is.
+/// Returns an error if an output file would overwrite an input, otherwise "".
 std::string overwritten_input(const Options& options) {
     std::vector<std::string> read = options.load.inputs;
     read.insert(read.end(), options.conform.traces.begin(), options.conform.traces.end());

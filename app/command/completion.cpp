@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completions for bash, zsh and fish: verbs, their options, choices, rule codes, files and folders.
+// Generates the completions for bash, zsh and fish: verbs, their options, choices, rule codes, files and folders.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,7 +21,7 @@ std::string made_for(std::string_view shell) {
     return fmt::format(fmt::runtime(made_by), shell);
 }
 
-/// The text with `with` before each of these characters.
+/// Inserts `with` before each of these characters.
 std::string escape_characters(std::string_view text, std::string_view characters, std::string_view with) {
     std::string out;
     for (const char c : text) {
@@ -70,7 +70,7 @@ std::string bash_options() {
     return out + fmt::format("    *) echo {} ;;\n  esac\n}}\n", quote_word(fmt::format("{}", fmt::join(names, " "))));
 }
 
-/// The completions of an argument: its choices, or the kind of its words.
+/// The completions of an argument: its choices, or the kind of names that it accepts (files, folders, rule codes).
 std::string bash_argument(const Argument& argument) {
     switch (argument.kind) {
         case Kind::choice:

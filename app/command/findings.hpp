@@ -18,8 +18,8 @@ bool write_output(driver::Project&, const Options&, const std::string& path, con
 
 /// Prints the project's diagnostics as text to stderr.
 void show_findings(const driver::Project&, const Options&);
-/// The same. In a format for programs, diagnostics that reject the model are the answer, on stdout. Returns true if the
-/// model is acceptable.
+/// Prints the project's diagnostics. In a format for programs, diagnostics that reject the model are printed to stdout
+/// as the result of the run. Returns true if the model is acceptable.
 bool show_diagnostics(const driver::Project&, const Options&);
 
 }  // namespace robochart::app

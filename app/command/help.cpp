@@ -18,7 +18,7 @@ constexpr const char* about_models =
     "of its folder that it needs; for assertions in a folder without models, those of the parent folder). Independent "
     "projects are processed separately.";
 
-/// Breaks the text into lines that begin at this column; `lead` is written before the first.
+/// Breaks the text into lines that begin at this column. Writes `lead` before the first line.
 std::string wrap_paragraph(const std::string& lead, std::string_view text, std::size_t column) {
     std::string out = lead;
     std::size_t used = lead.size();

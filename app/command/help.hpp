@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texts about the command: help, the man page, completions for shells. All are generated from the tables of
-// option_table.hpp.
+// Generates the help, the man page and the completions for shells from the tables of option_table.hpp.
 #pragma once
 
 #include <string>
@@ -13,7 +12,7 @@ namespace robochart::app {
 [[nodiscard]] std::string program_help();
 /// Help of a verb.
 [[nodiscard]] std::string verb_help(const VerbRow&);
-/// Help of `emit`: the verbs that may follow it.
+/// Help of `emit`: the verbs that may follow the word `emit`.
 [[nodiscard]] std::string emit_help();
 /// "usage: robochart-verify check [OPTIONS] MODEL...".
 [[nodiscard]] std::string usage_line(const VerbRow&);

@@ -10,7 +10,7 @@
 namespace robochart::app {
 namespace {
 
-/// Text for troff: hyphens are ASCII hyphens, and no line or character is interpreted as a command.
+/// Text for troff: hyphens are ASCII hyphens, and troff interprets no line or character as a command.
 std::string roff_text(std::string_view text) {
     std::string out;
     for (const char c : text) {

@@ -116,7 +116,7 @@ constexpr Verbs all_verbs = limited | verb_bit(Verb::explain) | verb_bit(Verb::l
 
 using Kind = Argument::Kind;
 
-/// The index of the choice.
+/// The index of the word in a list of choices.
 std::size_t index_of(const std::string& word, const char* words) {
     const std::vector<std::string> all = choices_of({.choices = words});
     return static_cast<std::size_t>(std::ranges::find(all, word) - all.begin());
@@ -619,7 +619,8 @@ bool parse_seconds(const std::string& text, double& seconds) {
     return plain && !text.empty() && *end == '\0' && std::isfinite(seconds);
 }
 
-/// Some texts that a parser reads as numbers (nan, -1, 1e300) are not valid here.
+/// True if the word is a number that the argument accepts. Some texts that a number parser accepts (nan, -1, 1e300) are
+/// rejected.
 bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& value) {
     if (wanted.kind == Kind::seconds) {
         double seconds = 0;
@@ -650,14 +651,14 @@ std::string wrong_choice(const Argument& wanted, const std::string& word) {
     return fmt::format("'{}' is not one of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
 }
 
-/// The number must be above 0 and below 1.
+/// Returns an error unless the word is a number above 0 and below 1.
 std::string wrong_fraction(const std::string& word) {
     double value = 0;
     const bool good = parse_seconds(word, value) && value > 0 && value < 1;
     return good ? "" : fmt::format("{}: expected a number between 0 and 1", word);
 }
 
-/// The word must be the code of a rule that warns.
+/// Returns an error unless the word is the code of a rule that warns.
 std::string wrong_warning(std::string& code) {
     const auto warns = [](const std::string& each) {
         const auto rules = find_rules(each);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs, options and exit codes of the command as data. Parsing, help, the man page and shell completions use only
-// these tables.
+// The verbs, options and exit codes of the command as data. The parser, the help, the man page and the shell
+// completions use only these tables.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,9 @@ struct VerbRow {
 [[nodiscard]] const std::vector<VerbRow>& verb_table();
 /// "check", "emit csp".
 [[nodiscard]] std::string full_name(const VerbRow&);
-/// The row of a full name; null if there is none.
+/// The row with this full name; null if there is none.
 [[nodiscard]] const VerbRow* find_verb(std::string_view name);
-/// The summary of `emit`, which is not a verb by itself.
+/// The summary of `emit`, which is not a verb without a second word.
 extern const char* const emit_summary;
 /// The verbs that may be the first word of the command line, including `emit`.
 [[nodiscard]] std::vector<std::string> first_words();
@@ -49,8 +49,8 @@ struct Argument {
         file,
         folder,
         whole,     ///< a number from `least` to `most`
-        seconds,   ///< the same, with decimals
-        size,      ///< of memory, such as 300M or 4GiB
+        seconds,   ///< a number of seconds, possibly with decimals
+        size,      ///< a size of memory, such as 300M or 4GiB
         fraction,  ///< a number between 0 and 1
         warning,   ///< the code of a warning
     };
@@ -70,17 +70,17 @@ using Verbs = std::uint32_t;
 /// The command without a verb.
 inline constexpr Verbs no_verb = Verbs{1} << 31U;
 
-/// An option of some verbs. If its meaning differs between verbs, it has one row per meaning.
+/// An option of some verbs. An option whose meaning differs between verbs has one row per meaning.
 struct OptionRow {
     const char* names;  ///< "--out", "-q,--quiet"
     Group group;
     Verbs verbs;
     Argument argument;
     const char* help;  ///< a sentence without a full stop
-    /// Sets the option. `word` has passed `wrong_word`. Called once per argument, or once with "" if there is none.
-    /// Null for options that end parsing: help and version.
+    /// Sets the option. It is called once per argument, or once with "" if the option has no argument; `wrong_word` has
+    /// accepted `word` before. Null for the options help and version, which end parsing.
     void (*take)(Options&, const std::string& word);
-    const char* excludes = "";  ///< an option that cannot be combined with it
+    const char* excludes = "";  ///< name of an option that cannot be combined with this option
 };
 
 [[nodiscard]] const std::vector<OptionRow>& option_table();
@@ -90,12 +90,12 @@ struct OptionRow {
 [[nodiscard]] std::string_view long_name(const OptionRow&);
 /// "-o"; "" if there is none.
 [[nodiscard]] std::string_view short_name(const OptionRow&);
-/// The choices of an argument, one by one.
+/// The choices of an argument as a list.
 [[nodiscard]] std::vector<std::string> choices_of(const Argument&);
 /// The number of words that follow the option.
 [[nodiscard]] std::size_t words_after(const Argument&);
-/// The reason why an argument is wrong, "" if it is accepted. An accepted word is normalised (a size in bytes, a code
-/// as in the tables).
+/// The reason why an argument is wrong; "" if it is accepted. An accepted word is converted to its normal form: a size
+/// to bytes, a code to the spelling of the tables.
 [[nodiscard]] std::string wrong_word(const Argument&, std::size_t at, std::string& word);
 /// "; did you mean 'check'?", or "" if no candidate is near.
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);

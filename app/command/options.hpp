@@ -58,7 +58,7 @@ enum class Verb {
     help,
     version
 };
-/// What the verb does with the claims of a model.
+/// How the verb uses the claims of a model.
 [[nodiscard]] driver::ClaimUse claim_use(Verb);
 /// True for verbs that decide assertions.
 [[nodiscard]] constexpr bool decides_assertions(Verb verb) {
@@ -73,15 +73,15 @@ enum class Color { automatic, always, never };
 /// The version that `--version` prints.
 inline constexpr const char* program_version = "0.1.0";
 
-/// The command line names something that does not exist: exit code 4.
+/// Thrown if the command line names something that does not exist. The exit code is 4.
 using driver::UsageError;
 
 /// The phase whose result is printed.
 enum class Phase { none, ast, model, ir, script, timed_script };
 
-/// Where results go, and in which form.
+/// The destinations and formats of results.
 struct OutputOptions {
-    std::string folder = "out";  ///< for written files
+    std::string folder = "out";  ///< folder for written files
     bool folder_given = false;
     Format format = Format::text;
     std::map<Format, std::string> files;  ///< files that receive the answer, by format
@@ -94,13 +94,13 @@ struct OutputOptions {
     Phase phase = Phase::none;   ///< phase to print instead of results
 };
 
-/// init: further files of the new project.
+/// Options of `init`: additional files of the new project.
 struct InitOptions {
     bool simulation = false;  ///< a scenario
     bool ros2 = false;        ///< a mapping to messages
 };
 
-/// format: what is done instead of changing the files.
+/// Options of `format`, which replace the change of the files by another output.
 struct FormatOptions {
     bool check = false;       ///< reports files that would change
     bool diff = false;        ///< shows the changes
@@ -110,23 +110,23 @@ struct FormatOptions {
 /// The format of an exported process.
 enum class GraphFormat { aut, dot, csp };
 
-/// cspm
+/// Options of `cspm`.
 struct ScriptOptions {
     bool typecheck = false;               ///< checks only names and types
-    bool types = false;                   ///< prints the types of the script's names and stops
+    bool types = false;                   ///< prints only the types of the script's names
     bool brief = false;                   ///< no counterexamples
     bool reveal_taus = false;             ///< shows hidden events with their names
-    bool split = false;                   ///< shows the behaviour of every part, however many there are
-    std::optional<GraphFormat> exported;  ///< a process is exported in this format; no value: none is
+    bool split = false;                   ///< shows the behaviour of every part, even if there are many
+    std::optional<GraphFormat> exported;  ///< format in which a process is exported; no value: no export
     std::string exported_process;
 };
 
 /// The format of diagrams.
 enum class PictureFormat { svg, png, pdf, mermaid, dot };
-/// The colours of diagrams; automatic: those of the reader's system.
+/// The colours of diagrams. `automatic` selects the theme of the reader's system.
 enum class Theme { automatic, light, dark };
 
-/// draw
+/// Options of `draw`.
 struct DrawOptions {
     PictureFormat picture = PictureFormat::svg;
     Theme theme = Theme::automatic;
@@ -135,22 +135,22 @@ struct DrawOptions {
 /// The part of a state space, or the result for one property, that `prism` exports.
 enum class SpaceExport { none, transitions, states, labels, graph, strategy, counterexample };
 
-/// prism
+/// Options of `prism`.
 struct PrismOptions {
     std::vector<std::string> properties;  ///< additional properties
     SpaceExport exported = SpaceExport::none;
-    std::optional<prism::Method> sampling;  ///< answers by random paths
+    std::optional<prism::Method> sampling;  ///< the method of statistical model checking; no value: exact answers
     std::string plot;                       ///< file for a plot of the answers; "": none
 };
 
-/// rules
+/// Options of `rules`.
 struct RuleOptions {
     bool as_sleec_tk = false;  ///< in SLEEC-TK's semantics
     bool suggest = false;      ///< searches for an `unless` that removes a conflict
     sleec::WithoutLimit without_limit = sleec::WithoutLimit::eventually;
 };
 
-/// Generated code: emit cpp, emit monitor, emit tests, conform.
+/// Options for generated code, of `emit cpp`, `emit monitor`, `emit tests` and `conform`.
 struct CodeOptions {
     std::uint32_t cycle = 1;  ///< time units of one cycle
     bool cycle_given = false;
@@ -160,7 +160,7 @@ struct CodeOptions {
     bool choices = false;                                         ///< emit cpp --choices, conform --all-choices
 };
 
-/// conform and emit tests
+/// Options of `conform` and `emit tests`.
 struct ConformOptions {
     conformance::Relation relation = conformance::Relation::failures_divergences;
     std::uint64_t walks = 200'000;    ///< cycles of random walks if there are too many states; 0: none
@@ -169,7 +169,7 @@ struct ConformOptions {
     std::uint32_t extra_states = 0;   ///< emit tests: how many more states an implementation may have
 };
 
-/// simulate
+/// Options of `simulate`.
 struct SimulateOptions {
     std::uint32_t trials = 0;           ///< overrides the scenario; 0: as in the scenario
     std::optional<std::uint64_t> seed;  ///< overrides the scenario
@@ -180,7 +180,7 @@ struct SimulateOptions {
     std::string log;                    ///< folder for a log of every robot; "": none
 };
 
-/// tune
+/// Options of `tune`.
 struct TuneOptions {
     std::uint64_t trials = 1000;  ///< budget of the search
     std::uint64_t seed = 1;       ///< of the search
@@ -188,7 +188,7 @@ struct TuneOptions {
     std::string certificate;  ///< certificate to verify; "": search instead
 };
 
-/// Searches that store their states in files.
+/// Options of searches that store their states in files.
 struct StorageOptions {
     std::string checkpoint;       ///< folder for checkpoints; "": none
     std::string resume;           ///< folder with checkpoints to resume from; "": none
@@ -196,10 +196,10 @@ struct StorageOptions {
     double minutes_between = 10;  ///< between checkpoints
 };
 
-/// What `help` writes instead of a help text: the man page, or a completion.
+/// The output of `help` instead of a help text: the man page, or a completion.
 enum class Generated { none, man, bash, zsh, fish };
 
-/// The command line as data: the settings of the phases over a model, and the options of the verbs.
+/// The parsed command line: the settings for reading and checking a model, and the options of the verbs.
 /// `robochart-verify help VERB` explains each option.
 struct Options : driver::Settings {
     Verb verb = Verb::verify;
@@ -216,13 +216,13 @@ struct Options : driver::Settings {
     SimulateOptions simulate;
     TuneOptions tune;
     bool fix = false;                         ///< validate: apply certain fixes to the files
-    Generated generate = Generated::none;     ///< help: what is written
+    Generated generate = Generated::none;     ///< help: the kind of output
     bool cache = true;                        ///< use results of earlier runs, and store new ones
-    std::optional<std::uint64_t> given_seed;  ///< the value of --seed, for the record of the run
+    std::optional<std::uint64_t> given_seed;  ///< value of --seed, for the record of the run
     Run* run = nullptr;                       ///< the run of these options: its budget and signals
 };
 
-/// Sets the verb, and what it does with claims.
+/// Sets the verb, and how it uses claims (`claim_use`).
 void set_verb(Options&, Verb);
 
 }  // namespace robochart::app

@@ -71,7 +71,7 @@ void finish_output() {
 }
 
 void prepare_output() {
-    // Opened in the wrong mode, so that reading or writing fails as with a closed descriptor.
+    // Opens the descriptor in the wrong mode, so that reading or writing fails as with a closed descriptor.
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
             (void)!open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);

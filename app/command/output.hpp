@@ -14,7 +14,7 @@
 
 namespace robochart::app {
 
-/// Standard output cannot be written.
+/// Thrown if standard output cannot be written.
 class OutputError : public std::runtime_error {
 public:
     /// `cause`: the system's error number.
@@ -26,26 +26,27 @@ private:
     bool reader_gone_;
 };
 
-/// Text for people to standard output. Control and invisible characters, which names of files and texts of models may
-/// contain, are shown as escapes (base/diagnostics/escape.hpp), so that none reaches a terminal. These functions throw
-/// OutputError.
+/// Prints text for people to standard output. Names of files and texts of models may contain control and invisible
+/// characters. They are printed as escapes (base/diagnostics/escape.hpp), so that none reaches a terminal. The
+/// functions for standard output throw OutputError.
 void print_text(std::string_view text);
-/// The same for text that a program may read (JSON, scripts, formatted files, patches): unchanged, unless it goes to a
-/// terminal.
+/// Prints text that a program may read (JSON, scripts, formatted files, patches). The text is unchanged, unless
+/// standard output is a terminal.
 void print_exact(std::string_view text);
-/// The same for text with our own escape sequences, in which foreign text is escaped already.
+/// Prints text with this program's escape sequences to standard output. Foreign text in it must be escaped already.
 void print_styled(std::string_view text);
-/// True if standard output is a terminal, so that text for programs is escaped as text for people.
+/// True if standard output is a terminal. Then text for programs is escaped in the same way as text for people.
 [[nodiscard]] bool output_is_a_terminal();
-/// True if standard error is a terminal, so that a person may be watching.
+/// True if standard error is a terminal, which a person may be watching.
 [[nodiscard]] bool error_is_a_terminal();
 template <typename... Arguments>
 void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
-/// Text for people to standard error. Write errors are ignored, because they cannot be reported anywhere.
+/// Prints text for people to standard error. Write errors are ignored, because they cannot be reported anywhere.
 void print_error_text(std::string_view text);
-/// The same for text with our own escape sequences and for JSON, in which foreign text is escaped already.
+/// Prints JSON, or text with this program's escape sequences, to standard error. Foreign text in it must be escaped
+/// already.
 void print_error_styled(std::string_view text);
 /// Replaces the last line of standard error, a terminal, by this text without a line end; "" clears the line.
 void redraw_error_line(std::string_view text);
@@ -53,23 +54,23 @@ template <typename... Arguments>
 void print_error(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     print_error_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
-/// Writes buffered output. Throws OutputError. Must be called before the program ends.
+/// Writes buffered output. It must be called before the program ends. Throws OutputError.
 void finish_output();
-/// Must be called before anything is opened. Occupies descriptors 0 to 2, so that no file becomes a standard stream
-/// that the caller closed. Writing to a closed pipe or beyond the file size limit then fails instead of ending the
-/// program.
+/// Occupies the descriptors 0 to 2 that the caller has closed, so that no file that is opened later becomes a standard
+/// stream. It must be called before any file is opened. It also sets the signals, so that writing to a closed pipe or
+/// beyond the file size limit fails and does not end the program.
 void prepare_output();
 
-/// The columns of a line: the value of COLUMNS, otherwise the terminal's. 0 if neither is known, so that nothing is
-/// wrapped.
+/// The number of columns of a line: the value of COLUMNS, otherwise the width of the terminal. It is 0 if neither is
+/// known; text is not wrapped then.
 [[nodiscard]] std::size_t line_width(int descriptor);
-/// The text with lines wrapped at this width, at spaces, with continuation lines indented. Colour sequences have no
-/// width. 0: unchanged.
+/// Wraps lines at spaces to this width and indents continuation lines. Colour sequences count as 0 columns. With width
+/// 0 the text is unchanged.
 [[nodiscard]] std::string wrap_lines(std::string_view text, std::size_t width);
 /// The style of findings on standard error.
 [[nodiscard]] diagnostics::TextStyle findings_style(const Options&);
 
-/// True if this file descriptor gets colours; by default, if it is a terminal.
+/// True if text for this file descriptor is coloured; by default, if it is a terminal.
 [[nodiscard]] bool color_wanted(Color, int descriptor);
 
 }  // namespace robochart::app

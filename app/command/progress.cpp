@@ -29,7 +29,7 @@ double per_second(std::uint64_t count, double seconds) {
     return seconds > 0 ? static_cast<double>(count) / seconds : 0;
 }
 
-/// The growth of memory per stored state; 0 while there are too few states.
+/// The growth of memory per stored state; 0 if there are too few states for an estimate.
 double bytes_per_state(const refine::Progress& progress) {
     constexpr std::uint64_t few = 10'000;
     return progress.states < few ? 0 : static_cast<double>(progress.grown_bytes) / static_cast<double>(progress.states);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The progress of a check on standard error: one line that is redrawn and erased, log lines if standard error is not a
-// terminal, or JSON events, one per line.
+// Shows the progress of a check on standard error: as one line that is redrawn and finally erased, as log lines if
+// standard error is not a terminal, or as JSON events, one per line.
 #pragma once
 
 #include <functional>
@@ -13,14 +13,14 @@
 
 namespace robochart::app {
 
-/// True if progress should be shown as a line on standard error and a person may be watching.
+/// True if the options allow progress as a line on standard error, and standard error is a terminal.
 [[nodiscard]] bool progress_line_wanted(const OutputOptions&);
 /// The function for Limits::progress; empty if no progress is wanted (--progress never, --quiet). The line is erased
 /// when the last copy of the function is destroyed.
 [[nodiscard]] std::function<void(const refine::Progress&)> progress_of(const OutputOptions&,
                                                                        const std::string& subject);
 
-/// Progress for logs: one line per half minute of a phase. Short runs have none.
+/// Progress for logs: one line per half minute of a phase. Shorter phases print no line.
 class ProgressLog {
 public:
     explicit ProgressLog(std::string subject) : subject_(std::move(subject)) {}

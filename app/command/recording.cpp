@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the files of a project, the value of each constant, and who chose it.
+// Finds the files of a project, and the value of each constant with its source (ValueSource).
 #include "app/command/recording.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ bool is_named(const std::string& path, const std::vector<std::string>& names) {
                                [&](const std::string& name) { return path == name || path.ends_with("::" + name); });
 }
 
-/// Who gave the values that --const overrides.
+/// The source of values that --const overrides.
 ValueSource weaker_source(const Options& options) {
     if (!options.swarm.file.empty()) return ValueSource::swarm;
     return options.conform.traces.empty() ? ValueSource::scenario : ValueSource::log;
@@ -71,7 +71,7 @@ std::map<std::string, ir::Value> values_in_model(const ir::System& system, const
     return values;
 }
 
-/// A constant in force, before its name in scripts is forgotten.
+/// The value of a constant, and its source.
 struct Found {
     ValueSource source = ValueSource::model;
     std::string value;
@@ -114,7 +114,7 @@ private:
     [[nodiscard]] ValueSource source(const ir::NamedConstant& constant) const {
         if (is_named(constant.path, by_options_)) return ValueSource::option;
         if (is_named(constant.path, by_weaker_)) return weaker_;
-        // A component in a controller has the value that an option gives to the component's own constant.
+        // A value that an option gives to a component's own constant also applies to the component in a controller.
         if (const auto own = of_machines_.find(constant.name); own != of_machines_.end())
             if (const auto path = paths_set_.find(own->second); path != paths_set_.end())
                 return is_named(path->second, by_options_) ? ValueSource::option : weaker_;
@@ -178,12 +178,12 @@ std::vector<RecordedRange> ranges_in_force(const driver::Project& project, const
             between(project, "given", 0, finite.given_size - 1, source("given"))};
 }
 
-/// The texts of the libraries, and of the scripts that the program contains, are part of the program.
+/// True for the texts of libraries and for scripts that are part of the program.
 bool is_library(const std::string& path) {
     return path.starts_with("<library>/");
 }
 
-/// Rules that the project claims to obey are in the folder of the assertions.
+/// Records the files of SLEEC rules in the folders of the assertion files, because claims about rules refer to them.
 void record_claimed_rules(const driver::Project& project, RunRecorder& recorder) {
     std::set<std::string> folders;
     for (const ir::Property& property : project.system.properties)
@@ -198,8 +198,8 @@ void record_claimed_rules(const driver::Project& project, RunRecorder& recorder)
     }
 }
 
-/// The ranges of RoboTool's preferences, in place of those of the instantiation. Errors in the file are reported when
-/// it is used.
+/// Records the ranges of RoboTool's preferences, which replace those of the instantiation. Errors in the file are
+/// reported when the file is used.
 void record_preferences(const driver::Project& project, const Options& options) {
     std::string error;
     diagnostics::SourceManager sources;

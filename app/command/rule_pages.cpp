@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See rule_pages.hpp. Supports only the Markdown that the pages use: headings, paragraphs, fences, lists, links,
-// `code`, *emphasis*.
+// See rule_pages.hpp. The parser supports only the Markdown that the pages use: headings, paragraphs, fences, lists,
+// links, `code`, *emphasis*.
 #include "app/command/rule_pages.hpp"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ private:
         }
     }
 
-    /// Tabs become four blanks; the comments with which tests state expected findings become arrows.
+    /// Replaces tabs by four blanks, and comments that state expected findings by arrows.
     void code_line(std::string_view line) {
         constexpr std::string_view expectation = " expect: ";
         const std::size_t at = line.find(expectation);
@@ -157,7 +157,7 @@ private:
 
     void add_painted(std::string_view text, Paint paint) { out_ += diagnostics::paint_text(text, paint, color_); }
 
-    /// A line of text: `code`, [name](address) and *emphasis*.
+    /// Draws a line of text with `code`, [name](address) and *emphasis*.
     void draw_words(std::string_view line) {
         while (!line.empty()) {
             const std::size_t at = std::min(line.find_first_of("`[*"), line.size());
@@ -177,7 +177,7 @@ private:
         } else if (line.size() > 1 && line[1] != ' ') {
             const std::size_t end = line.find(sign, 1);
             if (end != std::string_view::npos) {
-                // Backquotes are kept if there are no colours.
+                // Without colours, the backquotes are printed.
                 const bool quotes = sign == '`' && !color_;
                 add_painted(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1),
                             sign == '`' ? Paint::name : Paint::heading);

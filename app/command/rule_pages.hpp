@@ -32,16 +32,16 @@ struct RulePage {
     std::string code, title;
     std::string severity;  ///< "error", "warning", "error or warning", ...
     std::string area;      ///< a heading of the index
-    std::string source;    ///< where the rule comes from; may be empty
+    std::string source;    ///< origin of the rule; may be empty
     std::string reason;    ///< the paragraphs before the examples
     std::vector<Block> wrong, right;
-    std::vector<std::string> faults;  ///< deviations from the form, in words; empty for a correct page
+    std::vector<std::string> faults;  ///< deviations from the form, as messages; empty for a correct page
 };
 
 [[nodiscard]] RulePage read_page(std::string_view text);
 
-/// The page for a terminal: headings and code words are coloured if `color`, examples are indented, links are shown by
-/// name.
+/// Renders the page for a terminal. Examples are indented, links are shown by name, and headings and code words are
+/// coloured if `color` is set.
 [[nodiscard]] std::string render_page(std::string_view text, bool color);
 
 }  // namespace robochart::app

@@ -10,16 +10,16 @@
 namespace robochart::app {
 
 namespace rules {
-extern const diagnostics::Rule no_component;  ///< nothing to generate code for
+extern const diagnostics::Rule no_component;  ///< no component for which code could be generated
 extern const diagnostics::Rule unwritable;    ///< a file cannot be written
 extern const diagnostics::Rule no_monitor;    ///< a component that has no monitor or test suite
 }  // namespace rules
 
 /// All rules of all components, by component, then in the order of their tables.
 [[nodiscard]] std::vector<const diagnostics::Rule*> all_rules();
-/// The codes that a word may mean. A code matches if the word equals it, ignoring case and hyphens; the word may omit
-/// the part before the last hyphen. `w17` and `RCW17` mean RC-W17; `P01` means CSPM-P01, PRISM-P01, RC-P01 and
-/// SLEEC-P01. Sorted, without duplicates.
+/// The codes that match a word, sorted and without duplicates. The comparison ignores case and hyphens, and the word
+/// may omit the part of the code before the last hyphen. `w17` and `RCW17` mean RC-W17; `P01` means CSPM-P01,
+/// PRISM-P01, RC-P01 and SLEEC-P01.
 [[nodiscard]] std::vector<std::string> codes_meant(std::string_view word);
 /// The rows of a code, ignoring case. A published rule may have several rows, for different circumstances.
 [[nodiscard]] std::vector<const diagnostics::Rule*> find_rules(std::string_view code);

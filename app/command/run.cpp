@@ -30,10 +30,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr timespec between_looks{0, 10'000'000};
-/// How long work may continue after a limit before it is cut short: the time to poll and to free its memory. It is
-/// short if the program uses far more memory than it may.
+/// The time that work may continue after a limit, in order to poll the limit and free memory. The short time applies if
+/// the program uses far more memory than the limit.
 constexpr std::chrono::milliseconds grace{300}, short_grace{100};
-/// How long a verb may print after a signal.
+/// The time that a verb may print after a signal.
 constexpr std::chrono::milliseconds longest_printing{2000};
 
 }  // namespace
@@ -148,14 +148,14 @@ bool Run::write_kept_files() {
     return all;
 }
 
-/// After a memory limit, a run continues if enough memory is freed, and has time for it as long as memory is being
-/// freed; after any other limit, it ends. If this thread cannot allocate memory, it prints a fixed message and ends the
-/// program. A verb that has its answer may take its time to print it after a limit, but only a limited time after a
-/// signal.
+/// Ends the run when a limit is reached. After a memory limit the run continues if enough memory is freed, and the
+/// grace period starts again whenever memory shrinks. A verb that already prints its result may finish after a limit,
+/// but after a signal it has only `longest_printing`. If this thread cannot allocate memory, it prints a fixed message
+/// and ends the program.
 void Run::watch_limits() {
     bool beyond = false;
     Clock::time_point since;
-    std::uint64_t lowest = 0;  // memory since then
+    std::uint64_t lowest = 0;  // the least memory since `since`
     int asked_to_end = 0;
     const auto finishing = [this] {
         const std::unique_lock lock = try_edit();
@@ -180,7 +180,8 @@ void Run::watch_limits() {
             since = Clock::now();
             lowest = budget_.resident_memory();
         }
-        constexpr std::uint64_t grown = std::uint64_t{64} << 20U;  // by a table that doubles within a small limit
+        // A table that doubles may exceed a small limit by this much.
+        constexpr std::uint64_t grown = std::uint64_t{64} << 20U;
         const bool far_beyond = budget_.resident_memory() > most + std::max(most / 4, grown);
         if (Clock::now() - since < (far_beyond ? short_grace : grace)) return;
         if (asked_to_end != 0 && Clock::now() - since >= longest_printing && finishing())
@@ -196,8 +197,8 @@ void Run::watch_limits() {
 }
 
 /// Programs that start this one may send a signal both to it and to its process group. Two signals within a moment
-/// therefore count as one. SIGXCPU is repeated every second after the system's CPU time limit, and never ends the
-/// program at once.
+/// therefore count as one. The system repeats SIGXCPU every second after its CPU time limit, so this signal never ends
+/// the program at once.
 void Run::handle_signal(int signal) {
     constexpr std::chrono::milliseconds moment{100};
     if (signal == SIGXCPU) return budget_.interrupt();
@@ -206,7 +207,8 @@ void Run::handle_signal(int signal) {
     budget_.interrupt();
 }
 
-/// Prints the last word and ends the program, unless the verb is about to print its answer.
+/// Prints the partial result with the verb's LastWord and ends the program, unless the verb is about to print its
+/// result.
 void Run::say_and_end(const std::string& why) {
     const std::unique_lock lock = try_edit();
     if (!lock || finishing_) return;
@@ -231,12 +233,12 @@ void Run::end_at_once(int code) {
 
 namespace {
 
-/// True if no thread, process or memory is available.
+/// True if the system has no more threads, processes or memory.
 bool is_exhausted(const std::system_error& error) {
     return error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
 }
 
-/// Runs the verb within the run. If it ends early, the last word is printed.
+/// Calls the verb. If a limit ends it early, its partial result is printed (Run::end_run).
 Exit run_within(Run& run, const Options& options, const std::function<Exit(const Options&)>& verb) {
     try {
         return verb(options);
@@ -264,7 +266,7 @@ Exit run_verb(const char* program, int argc, const char* const* argv, const std:
         return parsed.exit;
     }
     Options options = *parsed.options;
-    // The editor ends its language server.
+    // Limits do not apply to the language server, because the editor ends it.
     if (options.verb == Verb::lsp) return verb(options);
     Run run(options);
     options.run = &run;
@@ -321,7 +323,7 @@ refine::Limits limits(const Options& options, const std::string& subject) {
     return driver::limits_of_check(search_context(options), subject);
 }
 
-/// The number is bounded, because some programs close every file that could be open.
+/// The number is bounded, because some child processes close all descriptors up to the limit.
 void allow_many_files() {
     constexpr rlim_t most = rlim_t{1} << 20U;
     rlimit limit{};

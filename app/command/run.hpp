@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One run of the command: its budget, and a thread that watches it. The thread receives SIGINT, SIGTERM, SIGHUP and
 // SIGXCPU, and checks the limits continuously. A phase notices a limit when it polls the budget, and the verb then ends
-// normally. If some work does not poll for too long, the thread itself prints the known results and ends the program,
-// so limits do not depend on polling. A second signal ends the program at once.
+// normally. If no phase polls for too long, the thread itself prints the known results and ends the program. So limits
+// do not depend on polling. A second signal ends the program at once.
 #pragma once
 
 #include <signal.h>
@@ -32,7 +32,7 @@ namespace robochart::app {
 
 class Run final : public driver::Services {
 public:
-    /// The limits start now. Threads that must not receive the signals must be started later.
+    /// Starts the time limit. Blocks the signals in this thread and in threads that it starts later.
     explicit Run(const Options&);
     ~Run() override;
     Run(const Run&) = delete;
@@ -44,28 +44,29 @@ public:
     [[nodiscard]] bool continues_searches() const override;
     /// Throws UsageError, storage::BadFile or storage::CannotWrite if the files cannot be used.
     [[nodiscard]] refine::LevelStrategy* level_searches() override;
-    /// Collects what every report says about this run.
+    /// Collects the record of this run, which every report contains.
     [[nodiscard]] RunRecorder& recorder() { return recorder_; }
-    /// Searches are done by several programs (app/mpi). `identity`: of programs that can share checkpoints. Must be
+    /// Selects searches by several programs (app/mpi). Programs with equal `identity` can share checkpoints. Must be
     /// called before the first search.
     void search_by(refine::LevelStrategy& programs, const std::string& identity);
-    /// Must be called when the verb has registered all its assertions. The files of their searches are removed if all
-    /// are decided.
+    /// Must be called when the verb has registered all its assertions. If all of them are decided, removes the files of
+    /// their searches.
     void end_questions();
     /// True if a signal was received.
     [[nodiscard]] bool is_interrupted() const { return signals_.load() > 0; }
 
-    /// Prints the known part of the verb's answer when the run must end because of `why`; returns the exit code.
+    /// A function that prints the known part of the verb's result when the run must end early; `why` is the reason.
+    /// Returns the exit code.
     using LastWord = std::function<Exit(const std::string& why)>;
-    /// Sets the last word. The watching thread may call it while no thread holds `edit`. It must not access other data
-    /// that is being changed.
+    /// Sets the function that prints the partial result. The watching thread may call it while no thread holds the lock
+    /// edit(), so it must only read data that is changed under this lock.
     void last_word(LastWord);
-    /// Must be called when the verb has its answer, or will get none, and prints it. From then on, limits do not
-    /// interrupt it.
+    /// Must be called before the verb prints its final result, or if it will have no result. From then on, limits do
+    /// not interrupt the verb.
     void finish();
-    /// Registers the path of a file below `--out`. True if this run has not yet written a file with this path.
+    /// Registers the path of a file below `--out`. Returns true if this run has not yet written a file with this path.
     [[nodiscard]] bool claim_path(const std::string& path) { return written_.insert(path).second; }
-    /// The last word, called by the verb's own thread.
+    /// Prints the partial result from the verb's own thread; returns the exit code.
     Exit end_run(const std::string& why);
     /// True if the watching thread calls this; data of the verb's thread must not be accessed then.
     [[nodiscard]] bool is_watching() const { return std::this_thread::get_id() == watcher_.get_id(); }
@@ -73,9 +74,9 @@ public:
     /// Prints the record of the run below a text report, if --provenance is given.
     void print_record() const;
 
-    /// Appends to a text that is written to the file with this path when the run ends, even if it ends early.
+    /// Appends to the text of the file with this path. The file is written when the run ends, even if it ends early.
     void keep_for(const std::string& path, const std::string& text);
-    /// Writes these files. Returns false, with a message, if one cannot be written.
+    /// Writes the files of keep_for. Prints a message and returns false if one cannot be written.
     [[nodiscard]] bool write_kept_files();
 
 private:
@@ -87,9 +88,9 @@ private:
     diagnostics::Budget budget_;
     OutputOptions output_;
     StorageOptions storage_;
-    unsigned threads_wanted_;  ///< of a search in files
+    unsigned threads_wanted_;  ///< threads of a search in files
     refine::LevelStrategy* programs_ = nullptr;
-    std::string identity_;  ///< "": the program's own
+    std::string identity_;  ///< "": that of this program
     RunRecorder recorder_;
     const bool prints_record_;
     std::optional<diagnostics::Cache> cache_;
@@ -106,7 +107,7 @@ private:
     std::thread watcher_;
 };
 
-/// What searches need: these options, and their run.
+/// The context of searches: these options and their run.
 [[nodiscard]] driver::SearchContext search_context(const Options&);
 /// The limits of one check. Progress is reported as the options require, under the name `subject`.
 [[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");

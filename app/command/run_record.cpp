@@ -23,8 +23,8 @@ bool has_option(Verb verb, std::string_view name) {
                                [&](const OptionRow* row) { return long_name(*row) == name; });
 }
 
-/// The greatest main memory of this program so far. No value if the system does not report it. getrusage is not used,
-/// because its value includes the program that started this one.
+/// The peak main memory of this program so far. No value if the system does not report it. getrusage is not used,
+/// because its value includes the memory of the program that started this one.
 std::optional<std::uint64_t> peak_memory() {
     constexpr std::string_view label = "VmHWM:";
     std::ifstream status("/proc/self/status");
@@ -40,7 +40,7 @@ std::optional<std::uint64_t> peak_memory() {
     return std::nullopt;
 }
 
-/// Adds the elements that are not there yet, and sorts.
+/// Adds the elements that are missing, and sorts the list.
 template <typename Element>
 void merge(std::vector<Element>& all, const std::vector<Element>& more) {
     all.insert(all.end(), more.begin(), more.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of a run: what a reader needs to know to repeat it. Every report contains it (docs/cli.md). The run owns
-// one recorder; the verbs tell it what they read and which values they use.
+// The record of a run contains the data that a reader needs to repeat the run. Every report contains the record
+// (docs/cli.md). The run owns one recorder, and the verbs add the files that they read and the values that they use.
 #pragma once
 
 #include <compare>
@@ -17,10 +17,10 @@
 
 namespace robochart::app {
 
-/// Who chose a value.
+/// The source of a value.
 enum class ValueSource {
     model,        ///< the model, or a file of properties
-    by_default,   ///< the command, because nobody else did
+    by_default,   ///< the default of the command
     option,       ///< --const, --range, or the search of `tune`
     preferences,  ///< the file of --prefs
     scenario,
@@ -29,9 +29,9 @@ enum class ValueSource {
     block,  ///< a CSP block; it applies to the scripts only
 };
 
-/// A constant in force.
+/// A constant with the value that the run uses.
 struct RecordedConstant {
-    std::string model;  ///< name of the project
+    std::string model;  ///< the project's name
     std::string name;   ///< "P::S::c"
     std::string value;  ///< in the notation of the model
     ValueSource source = ValueSource::model;
@@ -39,25 +39,25 @@ struct RecordedConstant {
     friend auto operator<=>(const RecordedConstant&, const RecordedConstant&) = default;
 };
 
-/// A carrier or a size in force, by its name in --range.
+/// A carrier or a size that the run uses, by its name in --range.
 struct RecordedRange {
     std::string model;
     std::string type;
     double low = 0, high = 0;
-    std::uint64_t values = 0;  ///< their number; a carrier of reals may contain decimals
+    std::uint64_t values = 0;  ///< number of values; a carrier of reals may contain decimals
     ValueSource source = ValueSource::by_default;
 
     friend auto operator<=>(const RecordedRange&, const RecordedRange&) = default;
 };
 
 struct RecordedInput {
-    std::string path;    ///< as the command named it
-    std::string sha256;  ///< of its bytes
+    std::string path;    ///< as given on the command line
+    std::string sha256;  ///< hash of the bytes of the text
 
     friend bool operator==(const RecordedInput&, const RecordedInput&) = default;
 };
 
-/// The record as data. A value is absent if the verb has no such option, or if the run did not use it.
+/// The record as data. A value is absent if the verb does not have the option, or if the run did not use it.
 struct RunRecord {
     std::string version;
     Commit commit;
@@ -71,26 +71,27 @@ struct RunRecord {
     std::optional<std::uint64_t> states;
     std::optional<bool> reduction;
     std::optional<unsigned> threads;
-    std::optional<std::uint64_t> peak_memory_bytes;  ///< so far, of the program without its child processes
+    std::optional<std::uint64_t> peak_memory_bytes;  ///< so far; without child processes
 };
 
 /// Collects the record. Any thread may call it.
 class RunRecorder {
 public:
-    /// Adds the files that options name. `memory_bytes`: the limit in force.
+    /// Adds the files that the options name. `memory_bytes` is the memory limit of the run.
     RunRecorder(const Options&, std::uint64_t memory_bytes);
 
     void set_command(std::vector<std::string> command);
-    /// Adds a text that the run has read. The first text of a path counts: later ones are parts of it.
+    /// Adds a text that the run has read. Only the first text with a path is stored, because later ones are parts of
+    /// it.
     void add_input(const std::string& path, std::string_view text);
-    /// The same for a file that is read elsewhere. Only a regular file that can be read is added.
+    /// Adds a file that other code reads, if it is a readable regular file.
     void add_input_file(const std::string& path);
     void add_constants(const std::vector<RecordedConstant>&);
     void add_ranges(const std::vector<RecordedRange>&);
     /// Removes the constant of this model and name, or the range of this model and type.
     void remove_constant(const std::string& model, const std::string& name);
     void remove_range(const std::string& model, const std::string& type);
-    /// Removes all constants and ranges, because another instantiation follows.
+    /// Removes all constants and ranges. Called before another instantiation is recorded.
     void forget_values();
     void set_seed(std::uint64_t seed);
     /// True if the command line has a --range for this type.
@@ -108,17 +109,17 @@ private:
     const std::vector<std::string> range_options_;  ///< TYPE=LOW..HIGH
 };
 
-/// The record of the options' run.
+/// The record of the run of these options.
 [[nodiscard]] RunRecord record_of(const Options&);
 
 /// The member `run` of a JSON report.
 [[nodiscard]] diagnostics::Json run_json(const RunRecord&);
 /// A JSON report with the record as its last member, `run`. `document`: an object that is not empty, in any layout.
 [[nodiscard]] std::string with_run(std::string document, const RunRecord&);
-/// The record as JSON on one line of printable ASCII, for a comment in a file that is written while the run goes on; so
-/// the peak memory is null.
+/// The record as JSON on one line of printable ASCII, for a comment in a file. The file is written before the run ends,
+/// so the peak memory is null.
 [[nodiscard]] std::string run_line(RunRecord);
-/// The record for people, one fact a line. Foreign text is escaped.
+/// The record for people, one value per line. Foreign text is escaped.
 [[nodiscard]] std::string run_text(const RunRecord&);
 /// The record as the last part of a page.
 [[nodiscard]] std::string run_html(const RunRecord&);

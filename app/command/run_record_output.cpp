@@ -43,14 +43,14 @@ Json optional_json(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-/// Whole numbers have no decimal point.
+/// Writes whole numbers without a decimal point.
 Json number_json(double number) {
     constexpr double exact = 9007199254740992.0;  // 2^53
     if (std::trunc(number) == number && std::abs(number) < exact) return Json(static_cast<std::int64_t>(number));
     return Json(number);
 }
 
-/// "16 GiB", "300 MiB", or the number of bytes if it is no multiple of a mebibyte.
+/// "16 GiB", "300 MiB", or the number of bytes if it is not a multiple of a mebibyte.
 std::string size_text(std::uint64_t bytes) {
     constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U, gibibyte = std::uint64_t{1} << 30U;
     if (bytes > 0 && bytes % gibibyte == 0) return fmt::format("{} GiB", bytes / gibibyte);

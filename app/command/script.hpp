@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CSPM script as the verb `cspm` loads it.
+// Loads a CSPM script for the verb `cspm`.
 #pragma once
 
 #include <string>
@@ -20,11 +20,11 @@ struct LoadedScript {
     std::vector<cspm::NamedType> types;
 };
 
-/// Parses the process as part of an assertion of the script, so that it is type checked where it will be evaluated.
-/// `origin`: the name of its text in findings. Null, with diagnostics, if it is wrong.
+/// Parses the process as part of an assertion of the script, so that it is type checked in the scope in which it is
+/// evaluated. Findings name the text `origin`. Returns null, with diagnostics, if the process is wrong.
 [[nodiscard]] cspm::DeclPtr parse_process(LoadedScript& loaded, const std::string& process, const std::string& origin);
 void load_script(const std::string& path, LoadedScript& loaded);
-/// Prints the findings: as text to standard error, or as JSON to standard output if that is the format.
+/// Prints the findings: as JSON to standard output if the options select JSON, otherwise as text to standard error.
 void show_findings(const LoadedScript& loaded, const Options& options);
 
 }  // namespace robochart::app

@@ -6,8 +6,9 @@
 
 namespace robochart::app {
 
-/// The build ID of the robochart-verify of the same build (at run time, diagnostics::program_identity there); "" if it
-/// has none. Both use the same libraries for evaluation, compilation and search, so their stored rows are equal.
+/// The build ID of the robochart-verify of the same build, which that program gets from diagnostics::program_identity;
+/// "" if it has none. Both programs use the same libraries for evaluation, compilation and search, so their stored
+/// states are equal.
 [[nodiscard]] std::string command_identity();
 
 }  // namespace robochart::app

@@ -22,7 +22,7 @@ int as_count(std::size_t words) {
     return static_cast<int>(words);
 }
 
-/// Computes the offset of each part if all are stored consecutively, and returns the total length.
+/// Computes the offsets of parts that are stored consecutively, and returns their total length.
 std::size_t compute_offsets(const std::vector<int>& counts, std::vector<int>& places) {
     std::size_t end = 0;
     places.clear();
@@ -33,7 +33,7 @@ std::size_t compute_offsets(const std::vector<int>& counts, std::vector<int>& pl
     return static_cast<std::size_t>(as_count(end));
 }
 
-/// MPI itself polls without pause. Here the polling interval grows if the wait is longer than a moment.
+/// MPI itself polls without pause. If the wait is longer than a moment, this function sleeps between polls.
 void await_request(MPI_Request request) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds moment{2}, pause{1};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exchange between programs that MPI started as ranks. Uses only calls of MPI-3, from one thread.
+// Exchange between programs that MPI started as ranks. Only functions of MPI-3 are called, from one thread.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"
 
 namespace robochart::app {
 
-/// Initialises MPI and finalises it when destroyed; only one per program. If an exception would end a rank while others
-/// wait for it, `abort` must be called.
+/// Initialises MPI, and finalises it when destroyed. A program may create only one object. If an exception would end a
+/// rank while others wait for it, `abort` must be called.
 class MpiProgram {
 public:
     MpiProgram(int& argc, char**& argv);
@@ -15,13 +15,13 @@ public:
     MpiProgram& operator=(const MpiProgram&) = delete;
     /// Waits for the other ranks.
     ~MpiProgram();
-    /// True if MPI allows several threads of which only the initialising one calls MPI.
+    /// True if MPI allows several threads, of which only the thread that initialised MPI calls it.
     [[nodiscard]] static bool serves_threads();
     /// Ends all ranks at once.
     [[noreturn]] static void abort(int code);
 };
 
-/// All programs, each as one rank. While they wait for a broadcast they sleep, because rank 0 may work for a long time.
+/// Exchange between all ranks. A rank that waits for a broadcast sleeps, because rank 0 may work for a long time.
 class MpiExchange final : public refine::Exchange {
 public:
     MpiExchange();
@@ -35,7 +35,7 @@ public:
 private:
     unsigned rank_ = 0;
     unsigned ranks_ = 1;
-    refine::Words received_;  // of all ranks, stored consecutively
+    refine::Words received_;  // the words of all ranks, stored consecutively
     std::vector<int> send_counts_, send_places_, counts_, places_;
 };
 

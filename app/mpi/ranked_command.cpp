@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array ending{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// mpirun binds a program to one core unless more are requested.
+/// Warns if the program has fewer cores than threads. mpirun binds a program to one core unless more are requested.
 void warn_of_few_cores(unsigned threads) {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
@@ -32,7 +32,7 @@ void warn_of_few_cores(unsigned threads) {
                     threads, cores, cores == 1 ? "" : "s");
 }
 
-/// The usual command, with a strategy for its searches.
+/// Runs the command of robochart-verify with distributed searches.
 int run_ranked(int argc, char** argv, refine::Exchange& exchange) {
     ranks::ServedRanks served(exchange, command_identity());
     const int code = run_command("robochart-verify-mpi", argc, argv, [&served](const Options& given) {
@@ -67,7 +67,7 @@ void block_signals() {
 int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
     try {
         if (exchange.rank() == 0) return run_ranked(argc, argv, exchange);
-        allow_many_files();  // the command calls it itself
+        allow_many_files();  // rank 0 calls it in run_command
         for (const int each : ending) signal(each, SIG_IGN);
         ranks::serve_searches(exchange, command_identity());
         return 0;

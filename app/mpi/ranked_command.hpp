@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work of each robochart-verify-mpi program between the initialisation and the finalisation of MPI.
+// The code of robochart-verify-mpi between the initialisation and the finalisation of MPI.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"
 
 namespace robochart::app {
 
-/// Blocks the signals that end a run, in this thread and those that it starts. Must be called before MPI starts
+/// Blocks the signals that end a run, in this thread and in threads that it starts. Must be called before MPI starts
 /// threads: otherwise one of them could receive a signal, and the system would end the program.
 void block_signals();
 

@@ -25,7 +25,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// The number of steps shown of one run. For a longer run, the first and the last steps are shown.
+/// The maximal number of steps shown for one run. For a longer run, the first and the last steps are shown.
 constexpr std::size_t most_steps = 2000;
 
 const char* answer_class(driver::Answer answer) {
@@ -38,7 +38,7 @@ std::string title_of(const driver::AssertionReport& assertion) {
     return assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
 }
 
-/// Lines that are wider than the page can be scrolled, also by keyboard.
+/// A block whose lines can be scrolled, also by keyboard, if they are wider than the page.
 std::string preformatted_block(const std::string& text) {
     return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
 }
@@ -95,13 +95,13 @@ std::string text_of(const Marks& marks) {
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
-/// The input as given; for `.` and `..` the name of the folder.
+/// The input as given on the command line; for `.` and `..` the name of the folder.
 std::string name_of(const Report& report, const std::vector<driver::Part>& parts) {
     const bool says_nothing = report.model.find_first_not_of("./ ") == std::string::npos;
     return says_nothing && !parts.empty() ? parts.front().project->name : report.model;
 }
 
-/// One page.
+/// Writes one page.
 class ReportPage {
 public:
     ReportPage(const Report& report, const std::vector<driver::Part>& parts, const RunRecord& run,
@@ -145,9 +145,9 @@ private:
 
     const Report& report_;
     const RunRecord& run_;
-    std::string name_;  ///< of the subject of the page
+    std::string name_;  ///< name of the page's subject
     PartDiagrams diagrams_;
-    std::vector<std::pair<std::string, std::string>> machines_;  ///< of the current run: instance, definition
+    std::vector<std::pair<std::string, std::string>> machines_;  ///< instances and definitions of the current run
     bool timed_ = false;                                         ///< the current run is timed
     std::string out_;
 };
@@ -175,7 +175,7 @@ void ReportPage::write_head() {
     out_ += fmt::format("</p>\n<p>robochart-verify {}: {}</p>\n", program_version, fmt::join(counts, "; "));
 }
 
-/// Of the models that are refused, as they are printed.
+/// Writes the errors of rejected models, as they are printed.
 void ReportPage::write_errors() {
     if (report_.refused.empty()) return;
     out_ += "<section id=\"errors\">\n<h2>Errors</h2>\n";
@@ -214,7 +214,7 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
         place_text(assertion.place), assertion.statistics.states);
 }
 
-/// The active states of each machine in the current run.
+/// The elements of the active states of each machine in the current run.
 Marks ReportPage::active_marks(const std::vector<runs::Machine>& machines) const {
     Marks marks;
     for (const runs::Machine& machine : machines)
@@ -252,7 +252,7 @@ std::string step_text(const runs::Step& step) {
     return text;
 }
 
-/// The alternatives to a step, with their number.
+/// The alternatives to a step, preceded by their number.
 std::string also_possible(const runs::Step& step) {
     if (step.offered.empty()) return "";
     std::vector<std::string> offered;
@@ -284,7 +284,7 @@ std::string end_text(const runs::End& end) {
                : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
 }
 
-/// What a component does in a step, and its changes.
+/// The action of a component in a step, and the changes of its variables.
 std::string component_step_text(const runs::Step& step, const std::string& component) {
     std::vector<std::string> parts;
     if (step.event.component == component) parts.push_back(runs::text_of(step.event));
@@ -311,8 +311,8 @@ std::string ReportPage::lane_name(const std::string& component) const {
     return alike == 1 ? last(component) : component.substr(whole == std::string::npos ? 0 : whole + 2);
 }
 
-/// The variables of the machines whose variables have changed, by the machine's number: name, value, whether it
-/// changed.
+/// The variables of machines in which a variable changed, by the machine's number. An entry contains the name, the
+/// value and whether it changed.
 std::string ReportPage::values_json(const std::vector<runs::Machine>& before,
                                     const std::vector<runs::Machine>& after) const {
     diagnostics::Json all = diagnostics::Json::object();
@@ -333,7 +333,8 @@ std::string ReportPage::values_json(const std::vector<runs::Machine>& before,
     return diagnostics::json_text(all);
 }
 
-/// One lane per machine: what it does and, below that, its new state if it changed. `step`: null for the initial state.
+/// Writes the row of a step with one lane per machine: its action and, below that, its new state if it changed. `step`
+/// is null for the initial state.
 void ReportPage::write_row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
                            const std::vector<runs::Machine>& after) {
     const std::string what = step == nullptr ? "the beginning" : step_text(*step);
@@ -362,7 +363,8 @@ void ReportPage::write_row(std::size_t number, const runs::Step* step, const std
                         step == nullptr ? "" : also_possible(*step));
 }
 
-/// The widths of the columns. On screen, each row is laid out separately, so that rows outside the view cost nothing.
+/// The widths of the columns. On screen, each row has its own layout with fixed columns, so that browsers can skip rows
+/// outside the view.
 std::string column_style(const std::string& id, std::size_t lanes, bool timed) {
     return fmt::format(
         "<style>@media screen {{ #{0} .steps tr {{ grid-template-columns: {1} repeat({2}, minmax(8em, 4fr)) "
@@ -403,7 +405,7 @@ void ReportPage::write_steps(const std::string& id, const runs::Run& run) {
     out_ += "</tbody></table>\n</div>\n";
 }
 
-/// The elements that are marked at some point of the run, by machine.
+/// The elements that some step of the run marks, by machine.
 std::vector<std::set<std::string>> ReportPage::marked_elements(const runs::Run& run) const {
     std::vector<std::set<std::string>> result(machines_.size());
     const auto add = [&](const Marks& marks) {
@@ -416,8 +418,8 @@ std::vector<std::set<std::string>> ReportPage::marked_elements(const runs::Run& 
     return result;
 }
 
-/// The diagram of each machine after the last step, so that the page is readable without a script, and the diagrams of
-/// the operations that it calls.
+/// Writes the diagram of each machine after the last step, so that the page is readable without scripts, and the
+/// diagrams of the operations that the machine calls.
 void ReportPage::write_figures(const std::string& id, const runs::Run& run) {
     const std::vector<runs::Machine>& last = run.steps.empty() ? run.initial : run.steps.back().machines;
     std::vector<PartDiagrams::Classes> classes(machines_.size());
@@ -440,7 +442,7 @@ void ReportPage::write_figures(const std::string& id, const runs::Run& run) {
     out_ += "</div>\n";
 }
 
-/// A figure that is wider than its space can be scrolled, also by keyboard.
+/// Writes a figure that can be scrolled, also by keyboard, if it is wider than its column.
 void ReportPage::write_figure(const std::string& attributes, const std::string& caption, const std::string& svg) {
     out_ += fmt::format(
         "<figure{} tabindex=\"0\" aria-label=\"diagram of "
@@ -448,7 +450,7 @@ void ReportPage::write_figure(const std::string& attributes, const std::string& 
         attributes, xml_text(caption), xml_text(caption), svg);
 }
 
-/// The steps of a run next to the diagrams of its machines.
+/// Writes the steps of a run next to the diagrams of its machines.
 void ReportPage::write_replay(const std::string& id, const runs::Run& run) {
     machines_.clear();
     timed_ = run.timed;
@@ -492,7 +494,7 @@ void ReportPage::write_claim(std::size_t number, const driver::AssertionReport& 
     out_ += "</section>\n";
 }
 
-/// A run of the model that explains a result about a component and its code. `more`: a second sentence, or "".
+/// Writes a run of the model that explains a result about a component and its code. `more` is a second sentence, or "".
 void ReportPage::model_run(const std::string& id, const std::string& title, const std::string& more,
                            const runs::Run& run) {
     out_ += fmt::format("<section class=\"claim\" id=\"{}\">\n<h3>{}</h3>\n<p>{}</p>\n", id, xml_text(title),
@@ -502,8 +504,8 @@ void ReportPage::model_run(const std::string& id, const std::string& title, cons
     out_ += "</section>\n";
 }
 
-/// The runs that show why the model cannot run in cycles, what leads to a difference of the code, and where an output
-/// is repeated or a deadline is missed.
+/// Writes the runs that explain the result: why the model cannot run in cycles, how code and model come to differ, and
+/// where an output is repeated or a deadline is missed.
 void ReportPage::model_runs(std::size_t number, const ConformanceReport& report) {
     const conformance::Result& result = report.result;
     const auto coded = [&](std::string title, const diagnostics::Rule* rule) {
@@ -537,7 +539,7 @@ void ReportPage::write_conformance() {
     out_ += "</section>\n";
 }
 
-/// The elements that a claim asks about and that no run exercises.
+/// The elements for which a claim was checked, but which no run exercises.
 std::set<std::string> ReportPage::unexercised_elements() const {
     std::set<std::string> result, exercised;
     for (const driver::AssertionReport& each : report_.assertions) {

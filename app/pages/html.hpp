@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a run as one page: verdicts, diagrams, and each counterexample as steps on the diagrams. It needs no
-// network and no other file (page.hpp), and is readable without scripts.
+// Renders the report of a run as one page: verdicts, diagrams, and each counterexample as steps on the diagrams. The
+// page needs no network and no other file (page.hpp), and is readable without scripts.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@
 
 namespace robochart::app {
 
-/// The page. `parts`: the parts of the run, whose diagrams are drawn within the budget. Throws LimitReached.
+/// Renders the page. It contains the diagrams of `parts`, which are drawn within the budget. Throws LimitReached.
 [[nodiscard]] std::string render_html(const Report&, const std::vector<driver::Part>& parts, const RunRecord&,
                                       diagnostics::Budget&);
 
-/// The page of a run that ended early, made by `page`. `may_draw`: no other thread changes the parts, so diagrams are
-/// included if they can be drawn quickly.
+/// The page of a run that ended early, rendered by `page`. If `may_draw` is true, no other thread changes the parts,
+/// and diagrams are included if they can be drawn quickly.
 [[nodiscard]] std::string last_page(
     const std::vector<driver::Part>& parts, bool may_draw,
     const std::function<std::string(const std::vector<driver::Part>&, diagnostics::Budget&)>& page);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A self-contained page: one file that needs no network and no other file, and runs only its own script, allowed by
-// hash (Content Security Policy Level 3).
+// A self-contained page is one file that needs no network and no other file. It runs only the script that it contains,
+// which a Content Security Policy (Level 3) allows by hash.
 #pragma once
 
 #include <string>
@@ -17,13 +17,13 @@ namespace robochart::app {
 struct Page {
     std::string title;   ///< unescaped
     std::string script;  ///< script in app/pages/parts that runs after tables.js: "script.js"
-    std::string body;    ///< HTML; each `<style>` in it, from a diagram, is allowed by hash
+    std::string body;    ///< HTML; the `<style>` elements of its diagrams are allowed by hash
     RunRecord run;       ///< shown below the body
 };
 
 [[nodiscard]] std::string page_text(const Page&);
 
-/// Data for the script of a page: JSON in an element with this id. The text cannot end the element.
+/// Data for the script of a page: JSON in an element with this id, escaped so that the text cannot end the element.
 [[nodiscard]] std::string page_data(std::string_view id, std::string json);
 
 }  // namespace robochart::app

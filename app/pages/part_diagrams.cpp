@@ -15,7 +15,7 @@
 namespace robochart::app {
 namespace {
 
-/// "Forward", "initial junction i", "ref EPuck, turned": the text of an end of a line.
+/// "Forward", "initial junction i", "ref EPuck, turned": the text for the box at an end of a line.
 std::string end_text(const diagrams::Picture& picture, const diagrams::Outline& outline,
                      const diagrams::Elements& elements, std::size_t end) {
     const diagrams::PictureBox& box = picture.boxes[end];

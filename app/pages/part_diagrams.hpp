@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagrams of a run's parts: their subjects, and the element of a diagram that belongs to a place or name of the
-// model. Elements are numbered through all parts, so that an element has one id in a whole page.
+// The diagrams of a run's parts. Finds the diagram element for a place or name of the model. Elements are numbered
+// through all parts, so that their ids are unique in a page.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace robochart::app {
 
-/// A subject with a diagram, and the part that contains it.
+/// The subject of a diagram, and the part that contains it.
 struct PartSubject {
     driver::Project* project = nullptr;
     const diagrams::Elements* elements = nullptr;
@@ -30,34 +30,34 @@ struct PartSubject {
 
 class PartDiagrams {
 public:
-    /// Parts that could not be read, and parts that repeat an earlier one, have no diagrams.
+    /// Parts that could not be read have no diagrams, nor do parts with the same texts as an earlier one.
     PartDiagrams(const std::vector<driver::Part>& parts, diagnostics::Budget& budget);
-    /// For projects that were loaded separately. If two have the same texts, the first has the diagrams, and places of
-    /// the second are found in them.
+    /// For projects that were loaded separately. If two projects have the same texts, only the first has diagrams, and
+    /// places of the second are found in these.
     PartDiagrams(const std::vector<driver::Project*>& projects, diagnostics::Budget& budget);
 
-    /// The subjects in textual order.
+    /// The subjects in the order of the model's text.
     [[nodiscard]] const std::vector<PartSubject>& subjects() const { return subjects_; }
-    /// Findings about files with diagrams that people drew. `explain` adds the finding about one subject to its
-    /// project.
+    /// Findings about the files of diagrams that people drew. `explain` adds the finding about one subject to the
+    /// subject's project.
     [[nodiscard]] const diagnostics::Diagnostics& stored_findings() const { return stored_findings_; }
     void explain_layout(const PartSubject& subject) const;
     /// The id of the element that begins at a place; "" if there is none.
     [[nodiscard]] std::string id_at(const runs::Place& place) const;
     [[nodiscard]] std::string id_at(const diagnostics::SourceManager& sources, diagnostics::Span span) const;
-    /// The id of a state or transition by its name in the resolved model; "" if it has none.
+    /// The id of the state or transition with this name in the resolved model; "" if no diagram shows it.
     [[nodiscard]] std::string id_of_name(const std::string& element) const;
 
-    /// The id of the element that causes an event; "" if none is drawn.
+    /// The id of the element that causes an event; "" if no diagram shows it.
     [[nodiscard]] std::string id_of_event(const runs::Event& event) const;
 
-    /// Additional classes of groups, by element id.
+    /// Additional HTML classes of groups, by element id.
     using Classes = std::map<std::string, std::string>;
     /// The diagram for a page, with a text description of its lines; if it is too large, a paragraph with the reason.
-    /// `prefix`: of all its ids.
+    /// All ids begin with `prefix`.
     [[nodiscard]] std::string draw_diagram(const PartSubject& subject, const std::string& prefix,
                                            const Classes& = {}) const;
-    /// The same of a component by its qualified name; "" if it has none.
+    /// The diagram of the component with this qualified name; "" if it has no diagram.
     [[nodiscard]] std::string draw_diagram(const std::string& component, const std::string& prefix,
                                            const Classes& = {}) const;
     /// The diagrams of the operations that contain one of these elements, by id.
@@ -81,7 +81,7 @@ private:
     diagrams::StoredDiagrams stored_;
     diagnostics::Diagnostics stored_findings_;
     std::vector<PartSubject> subjects_;
-    std::set<std::string> files_;  ///< of the subjects
+    std::set<std::string> files_;  ///< files of the subjects
     std::size_t next_ = 1;         ///< number of the next element
     std::map<Position, std::string> by_place_;
     std::map<std::string, std::string> by_name_;

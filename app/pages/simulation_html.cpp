@@ -27,7 +27,7 @@ namespace {
 using diagnostics::Json;
 using diagnostics::xml_text;
 
-/// The largest number of rows in the table of trials and in that of the robots at the end.
+/// The largest number of rows in the table of trials, and in the table of robots at the end.
 constexpr std::size_t most_rows = 200;
 /// The largest number of points in time in plots.
 constexpr std::size_t most_times = 140;
@@ -187,7 +187,7 @@ void SimulationPage::write_claims() {
     out_ += "</ul>\n</section>\n";
 }
 
-/// The values of the trials as ticks next to the accepted interval.
+/// Draws the values of the trials as ticks next to the accepted interval.
 std::string SimulationPage::strip_svg(std::size_t band) const {
     const simulation::Band& accepted = scenario_.bands[band];
     double low = INFINITY, high = -INFINITY;
@@ -286,7 +286,7 @@ void SimulationPage::write_controls() {
         "<p class=\"sim-status\" id=\"status\" role=\"status\"></p>\n";
 }
 
-/// The states of the first machine, with the number of robots in each.
+/// Writes the states of the first machine, with the number of robots in each state.
 void SimulationPage::write_legend() {
     out_ += "<ul class=\"sim-legend\">";
     const auto entries = simulation::state_entries(
@@ -304,7 +304,7 @@ void SimulationPage::write_legend() {
     out_ += "</ul>\n";
 }
 
-/// The selected robot: its position and its machines.
+/// Writes the position and the machines of the selected robot.
 void SimulationPage::write_robot() {
     out_ +=
         "<div class=\"sim-chosen-robot\">\n<p class=\"controls\"><label for=\"robot\">Robot</label> <select "
@@ -321,7 +321,7 @@ void SimulationPage::write_robot() {
     out_ += "</div>\n";
 }
 
-/// The diagram of a machine of a kind; shown while a robot of that kind is selected.
+/// Writes the diagram of a machine of one kind of robots. It is shown while a robot of that kind is selected.
 void SimulationPage::write_diagram(std::size_t kind, std::size_t number) {
     const cpp_emit::DriveMachine& drive = run_.kinds[kind].emission->machines[number];
     const ir::Machine& definition = machine_of(run_.kinds[kind], drive);
@@ -367,8 +367,8 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
     out_ += "</tbody></table></details>\n";
 }
 
-/// The active elements of the diagram for each state of a machine, kind by kind: the state and the states that contain
-/// it.
+/// The active elements of the diagram for each state of a machine, by kind of robots: the state and the states that
+/// contain it.
 Json SimulationPage::element_ids(std::size_t number) const {
     Json states = Json::array();
     for (const KindModel& kind : run_.kinds)
@@ -394,7 +394,7 @@ Json SimulationPage::element_ids(const KindModel& kind, const cpp_emit::DriveMac
 Json SimulationPage::data_json() const {
     Json json = trials_json(common_view(), result_, shown_, machines_.size());
     json["link"] = scenario_.all_robots() <= most_linked ? simulation::link_of(scenario_) : 0;
-    json["kinds"] = Json::array();  // first robot of each kind
+    json["kinds"] = Json::array();  // index of the first robot of each kind
     for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind)
         json["kinds"].push_back(scenario_.first_robot(kind));
     json["states"] = Json::array();

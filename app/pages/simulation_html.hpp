@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation as one page: the scenario and its results, a trial to replay, the active states of each robot on the
-// diagrams of its machines, the measures over time. page.hpp states what all pages have in common.
+// Renders a simulation as one page. It shows the scenario and its results, a replay of a trial, the active states of
+// each robot on the diagrams of its machines, and the measures over time. page.hpp describes the common properties of
+// all pages.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace robochart::app {
 
-/// The model that drives a kind of robots; the diagrams are of this model.
+/// The model that drives a kind of robots, and whose diagrams are shown.
 struct KindModel {
     driver::Project* project = nullptr;
     const cpp_emit::DriveEmission* emission = nullptr;
@@ -24,7 +25,7 @@ struct KindModel {
 struct SimulationRun {
     const std::vector<KindModel>& kinds;  ///< in the order of the scenario
     const simulation::Scenario& scenario;
-    const simulation::Machines& machines;  ///< of all kinds of robots
+    const simulation::Machines& machines;  ///< the machines of all kinds of robots
     const simulation::RunResult& result;
     std::string simulator;           ///< "" for the built-in world
     std::string monitors;            ///< one line about what they observed; "" without monitors

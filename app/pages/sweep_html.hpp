@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep as one page: the answers, the table of points, plots, and the world.
+// Renders a sweep as one page: the answers, the table of points, plots, and the world.
 #pragma once
 
 #include <string>

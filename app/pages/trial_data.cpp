@@ -16,14 +16,14 @@ using diagnostics::Json;
 constexpr double last = 4095;
 constexpr std::size_t most_robots = 1000;
 constexpr std::size_t most_trials = 20;
-/// The number of trials is reduced before the number of frames falls below this.
+/// If the data would be too large, trials are omitted before a trial is thinned to fewer frames than this.
 constexpr std::size_t enough_frames = 120;
 
 std::size_t scaled_share(double value, double low, double width) {
     return static_cast<std::size_t>(std::llround(last * std::clamp((value - low) / width, 0.0, 1.0)));
 }
 
-/// The priority of a trial for a reader; lower is more interesting.
+/// The rank of a trial for the selection. Trials with lower ranks are selected first.
 int rank_of_trial(const simulation::Scenario& scenario, const simulation::TrialResult& trial) {
     if (trial.stop) return 0;
     for (std::size_t b = 0; b < scenario.bands.size() && b < trial.statistics.size(); ++b) {

@@ -14,16 +14,16 @@
 
 namespace robochart::app {
 
-/// The part of a run that a page shows, so that it stays small: trials (numbered from 0), robots, and one of every
-/// `every` recorded times, and the last.
+/// The data that a page shows, limited so that the page stays small. It contains some trials (numbered from 0) and
+/// robots. Of the recorded times it contains one in `every`, and the last.
 struct ShownTrials {
     std::vector<std::size_t> trials;
     std::size_t robots = 0;
     std::size_t every = 1;
 };
 
-/// Selects trials: first those that stopped, then those outside of a band, then the first ones. `most_letters` limits
-/// the positions of all trials together.
+/// Selects trials: first those that stopped, then those outside of a band, then the first ones. The characters of all
+/// trials together are at most `most_letters`.
 [[nodiscard]] ShownTrials shown_trials(const simulation::Scenario&, const simulation::RunResult&, std::size_t machines,
                                        std::size_t most_letters = 650'000);
 

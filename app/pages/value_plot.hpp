@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plot of the values of a probabilistic assertion against the constant that varies.
+// Plots the values of a probabilistic assertion against the constant that varies.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace robochart::app {
 
-/// SVG: a line, or a band between the least and the greatest values. "" unless exactly one constant varies and every
-/// row has a number.
+/// An SVG with a line, or with a band between the least and the greatest values. It is "" unless exactly one constant
+/// varies and every row has a number.
 [[nodiscard]] std::string value_plot(const driver::ProbabilityReport&);
 
 }  // namespace robochart::app

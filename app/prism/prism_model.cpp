@@ -37,7 +37,7 @@ void add(prism::PropertyFile& all, prism::PropertyFile more) {
     all.properties.insert(all.properties.end(), more.properties.begin(), more.properties.end());
 }
 
-/// In a model written by `emit prism`, no state that satisfies the label of omitted steps may be reachable.
+/// Finds the label with which `emit prism` marks states whose steps are omitted. No such state may be reachable.
 void note_left_out(std::string_view text, prism::CheckedModel& model) {
     if (!prism_emit::is_of_robochart(text)) return;
     for (const prism::Definition& label : model.labels)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The input of the verb `prism`: a model and properties, parsed and checked, and the values of their constants to try.
+// The input of the verb `prism`: a model and properties, parsed and checked, and the values of their constants.
 #pragma once
 
 #include <optional>
@@ -18,16 +18,16 @@ struct LoadedModel {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     std::optional<prism::ModelKind> kind;      ///< as written; no value if it could not be read
-    std::optional<prism::CheckedModel> model;  ///< a dtmc if an mdp is combined with a scheduler
-    bool scheduled = false;                    ///< an mdp was combined with a scheduler
+    std::optional<prism::CheckedModel> model;  ///< a dtmc if a scheduler was applied to an mdp
+    bool scheduled = false;                    ///< a scheduler was applied to an mdp
     prism::CheckedProperties properties;
 };
 
-/// Reads the model, the property files and those of `--property`; mistakes are added to the findings. Throws UsageError
-/// if paths of an mdp are requested without a scheduler.
+/// Reads the model, the property files and the properties of `--property`. Errors in them are added to the findings.
+/// Throws UsageError if the options request random paths of an mdp without a scheduler.
 void load_model(const Options& options, LoadedModel& loaded);
 
-/// The values requested on the command line: for constants of the model, and for those of the properties.
+/// The values that the command line gives to constants of the model and of the properties.
 struct Experiment {
     std::vector<prism::Values> of_model, of_properties;
 };

@@ -37,7 +37,7 @@ NamedValues constants_of(const PrismRun& run, const PrismAnswer& answer) {
 
 using ValuesByName = std::map<std::string, std::set<std::string>>;
 
-/// The constant with the most values, all of them numbers; "" if none has at least two.
+/// The constant with the most values among those whose values are all numbers; "" if none has at least two.
 std::string parameter_of(const ValuesByName& values) {
     std::string result;
     std::size_t most = 1;

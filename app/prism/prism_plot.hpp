@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers of an experiment as a plot.
+// Plots the answers of an experiment.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See diff.hpp. The shortest edit is found greedily (Myers, "An O(ND) difference algorithm", 1986), between the common
-// beginning and the common end of the texts.
+// See diff.hpp. The greedy algorithm of Myers ("An O(ND) difference algorithm", 1986) finds the shortest edit between
+// the common prefix and the common suffix of the texts.
 #include "app/report/diff.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ Lines lines_of(std::string_view text) {
     return lines;
 }
 
-/// A run of lines: kept (` `), removed (`-`) or added (`+`).
+/// Consecutive lines that are unchanged (` `), removed (`-`) or added (`+`).
 struct Edit {
     char kind;
     std::size_t before;  ///< line of the old text, from 0
@@ -61,7 +61,7 @@ private:
     std::vector<Frontier> history_;
 };
 
-/// Extends every path by one change and then along equal lines; returns true if one reached the end.
+/// Extends every path by one change and then along equal lines. Returns true if a path reached the end.
 bool Search::advance_step(std::ptrdiff_t step) {
     history_.push_back(frontier_);
     for (std::ptrdiff_t diagonal = -step; diagonal <= step; diagonal += 2) {
@@ -159,7 +159,7 @@ std::string hunk_text(Place begin, Place end, const Lines& before, const Lines& 
     return out;
 }
 
-/// The end of the hunk that begins at `change`: changes closer than twice the context are in one hunk.
+/// The end of the hunk that begins at `change`. Changes that are closer than twice the context are in one hunk.
 Place hunk_end(Place change, Place end, std::ptrdiff_t context) {
     for (;;) {
         const Place quiet = std::find_if_not(change, end, is_change);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differences between two texts in the unified format of diff -u and patch.
+// Computes differences between two texts in the unified format of diff -u and patch.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace robochart::app {
 
-/// The unified difference with three lines of context; "" if the texts are equal. Line ends belong to their lines, so
-/// that a change of line ends is shown. Shortest for up to 1,000 consecutive changed lines, then in larger blocks.
+/// The unified difference with three lines of context; "" if the texts are equal. A line includes its line end, so that
+/// a change of line ends is shown. The difference is minimal for up to 1,000 consecutive changed lines; larger changes
+/// are shown as blocks.
 [[nodiscard]] std::string unified_diff(const std::string& path, std::string_view before, std::string_view after);
 
 }  // namespace robochart::app

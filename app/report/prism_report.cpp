@@ -280,7 +280,7 @@ Json answer_json(const PrismReport& report, const PrismAnswer& answer) {
     return json;
 }
 
-/// A cell of RFC 4180.
+/// A cell of a CSV file (RFC 4180).
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of("\",\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -346,7 +346,7 @@ Exit exit_of(const PrismReport& report) {
     return failed ? Exit::failed : open ? Exit::inconclusive : Exit::success;
 }
 
-/// For one run: property by property. For several: one table per property.
+/// Lists the properties of a single run. For several runs, prints one table per property.
 std::string prism_text(const PrismReport& report, const Options& options) {
     std::string text;
     if (!options.output.quiet)

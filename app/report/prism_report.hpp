@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of `prism` as data, and their output: text, JSON (robochart-verify/prism/1), CSV.
+// The results of `prism` as data, and their output as text, JSON (robochart-verify/prism/1) and CSV.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct PrismAnswer {
     std::optional<prism::Counterexample> counterexample;
 };
 
-/// The model with values for its constants.
+/// The answers about the model for one set of constants.
 struct PrismRun {
     NamedValues constants;
     std::uint64_t states = 0, choices = 0, transitions = 0, initial = 0, deadlocks = 0;
@@ -42,7 +42,7 @@ struct PrismProperty {
 };
 
 struct PrismReport {
-    std::string model;                                    ///< path
+    std::string model;                                    ///< path of the model
     const diagnostics::SourceManager* sources = nullptr;  ///< for the commands in counterexamples
     std::optional<prism::ModelKind> kind;                 ///< as written; no value if it could not be read
     std::string scheduler;                                ///< for an mdp: how choices are resolved; "": any scheduler
@@ -52,14 +52,14 @@ struct PrismReport {
     std::string limit;  ///< the limit that ended the run; "" if none did
 };
 
-/// The interval around a number: its enclosure. For an estimate, the interval with the best coverage: that of Clopper
-/// and Pearson if the samples are successes and failures.
+/// The interval around a number. It is the enclosure of a computed number. For an estimate it is the interval with the
+/// best coverage, which is that of Clopper and Pearson if the samples are successes and failures.
 [[nodiscard]] prism::Enclosure interval_of(const prism::Result& result);
 /// "0.384 +- 0.04 at 99 % (ci, 1000 paths of 4.6 steps, 1 to 31)", or "true (sprt, ...)".
 [[nodiscard]] std::string sampled_text(const prism::Result& result);
 /// "Clopper-Pearson: from 0.34 to 0.42"; "" if the samples are not successes and failures.
 [[nodiscard]] std::string binomial_text(const prism::Result& result);
-/// An estimated number as {"value", "low", "high"}: the mean in `interval_of`.
+/// An estimated number as {"value", "low", "high"}: the mean and the bounds of `interval_of`.
 [[nodiscard]] diagnostics::Json interval_json(const prism::Result& result);
 /// The method, the samples and the intervals.
 [[nodiscard]] diagnostics::Json estimate_json(const prism::Estimate& estimate);

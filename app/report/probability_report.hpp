@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers to probabilistic assertions as text and JSON: a value or truth value for each combination of constants.
+// Prints answers to probabilistic assertions as text and JSON: a number or truth value for each combination of
+// constants.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace robochart::app {
 
-/// Lines indented by `indent`: the model, then the values; constants that do not vary are omitted.
+/// The model and then the values, in lines indented by `indent`. Constants that do not vary are omitted.
 [[nodiscard]] std::string probability_text(const driver::ProbabilityReport&, const std::string& indent);
 [[nodiscard]] diagnostics::Json probability_json(const driver::ProbabilityReport&);
 /// "0.5"; "least 0.25, greatest 0.5"; "false, for example in the state x=1".
@@ -19,7 +20,7 @@ namespace robochart::app {
 /// The constants of a row that take several values.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> varying_constants(const driver::ProbabilityReport&,
                                                                                  const probability::Row&);
-/// The model that was used, and how bounds on steps are counted in it.
+/// A sentence about the model that was used and about the meaning of bounds on steps in this model.
 [[nodiscard]] std::string reading_of(const driver::ProbabilityReport&);
 
 }  // namespace robochart::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of FDR's `refines --format json`. There, event 0 means "no event", 1 is tau and 2 is tick, so our event
-// numbers are increased by one. The field names are those of FDR 4.2.7's output. A child's trace has an entry for every
-// step of its parent's trace.
+// Writes the fields of FDR's `refines --format json`. In this format, event 0 means "no event", 1 is tau and 2 is tick,
+// so our event numbers are increased by one. The field names are those of FDR 4.2.7's output. A child's trace has an
+// entry for every step of its parent's trace.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ using diagnostics::Json;
 using process::Event;
 using refine::ViolationKind;
 
-/// Notes which events are shown.
+/// Assigns FDR's numbers to events, and remembers which events are shown.
 class EventMap {
 public:
     std::uint64_t event_number(Event event) {
@@ -91,7 +91,7 @@ public:
         json["states"] = std::move(states);
         return json;
     }
-    /// The run that accepts the event; the event is its last step.
+    /// The run that accepts the event that the counterexample refuses. This event is the last step of the run.
     Json accepting_json(const std::string& name) {
         Json json{{"machine_name", name}, {"type", "trace"}};
         std::vector<Event> trace;
@@ -129,7 +129,8 @@ private:
         if (counterexample_.kind != ViolationKind::trace || counterexample_.steps.empty()) return std::nullopt;
         return counterexample_.steps.size() - 1;
     }
-    /// A part has an entry for every step of the part above it. A compressed part has a run of its own instead.
+    /// Finds the offending event in the trace of a part. A part has an entry for every step of its parent, but a
+    /// compressed part has a separate run.
     static Offence offence_of(const process::Behaviour& part, const process::Behaviour& above, Offence offence) {
         if (!part.own_run || !offence) return offence;
         if (*offence >= above.trace.size() || above.trace[*offence] == process::no_event) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions of scripts as text: in the format of FDR's `refines`, and for our own report.
+// Prints assertions of scripts as text: in the format of FDR's `refines`, and in our own format.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using process::Behaviour;
 using process::Event;
 using refine::ViolationKind;
 
-/// A split into more parts than this is shown only on request.
+/// A counterexample that is split into more parts than this is shown without its parts, unless `--split` is given.
 constexpr std::size_t few_parts = 16;
 
 class Names {
@@ -73,7 +73,7 @@ std::string refusal(const refine::Counterexample& c, const Names& names) {
                        sets_text(names, c.required));
 }
 
-/// Both runs, if the second is known.
+/// The run that refuses the event, and the run that accepts it if it is known.
 std::string nondeterminism_text(const refine::Counterexample& c, const Names& names, const std::string& event) {
     std::string out = fmt::format("then refuses {}: the state offers {}", event, names.set_text(c.offered));
     if (c.accepting.empty()) return out + fmt::format("; after the same events it can also accept {}", event);

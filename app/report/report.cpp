@@ -55,7 +55,7 @@ bool has_statistics(const driver::AssertionReport& a) {
     return a.answer == driver::Answer::holds || a.answer == driver::Answer::fails || a.statistics.states > 0;
 }
 
-/// The reduction by symmetry of equal components, if there are any.
+/// The effect of the symmetry reduction; "" if no components are equal.
 std::string symmetry_text(const refine::Statistics& size) {
     if (size.distinguished > 0)
         return fmt::format(
@@ -69,7 +69,7 @@ std::string symmetry_text(const refine::Statistics& size) {
                              : "";
 }
 
-/// The assertion at which a run is printed, and the other components with the same run.
+/// The assertion whose run is printed, and the other components with the same run.
 struct SharedRun {
     std::string shown_at;             ///< "module P::M"; "": with this assertion
     std::vector<std::string> others;  ///< components with the same run
@@ -86,7 +86,7 @@ std::string run_lines(const driver::AssertionReport& a, const Options& options) 
     return out;
 }
 
-/// The number of entries shown per kind; JSON, SARIF and the page list all.
+/// The number of entries of a basis that are shown per kind. JSON, SARIF and the page list all.
 constexpr std::size_t listed_grounds = 8;
 
 /// The text after the verdict. A core property has no title, because it is listed under its component.
@@ -120,7 +120,7 @@ std::string assertion_block(const driver::AssertionReport& a, const std::string&
            diagnostics::shown_lines(assertion_rest(a, subject, width, options, shared));
 }
 
-/// The cycles that the verdicts are about, if they do not cover the whole model.
+/// Writes the cycles to which the verdicts apply, if these are not all cycles of the model.
 void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const conformance::Cycle& cycle = cycles[i];
@@ -134,7 +134,7 @@ std::string code_of(const diagnostics::Rule* rule) {
     return rule == nullptr ? "" : fmt::format(" [{}]", rule->code);
 }
 
-/// The reason why a model cannot be run in cycles, in terms of the model.
+/// Writes the reason why a model cannot be run in cycles, in terms of the model.
 void write_explanation(std::string& out, const conformance::Explanation& explanation) {
     if (explanation.rule == nullptr) return;
     for (const std::string& place : explanation.where)
@@ -169,7 +169,8 @@ std::string reason_text(const conformance::MissedEvent::Reason& reason) {
                        first_of(reason.places));
 }
 
-/// The largest number of consecutive cycles in which an event is lost; if there are two reasons, for each of them.
+/// Writes the largest number of consecutive cycles in which an event is lost. If there are two reasons, it is written
+/// for both.
 void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
     for (const conformance::MissedEvent& each : missed) {
         out += fmt::format("               event {} can be missed for ", each.event);
@@ -189,7 +190,7 @@ void write_overtaken(std::string& out, const std::vector<conformance::OvertakenE
     }
 }
 
-/// Further properties of the model, which do not affect the verdict.
+/// Writes further properties of the model, which do not affect the verdict.
 void write_asides(std::string& out, const conformance::Result& r) {
     if (r.register_cycles) {
         const conformance::Aside& once = *r.register_cycles;
@@ -387,13 +388,14 @@ std::string heading_text(const Report& report) {
 
 using Listed = std::vector<const driver::AssertionReport*>;
 
-/// Runs of core properties that several components share, by assertion.
+/// The assertions whose runs several components share.
 using SharedRuns = std::map<const driver::AssertionReport*, SharedRun>;
 
-/// A module, its controller and its machine often fail a property with the same run; it is printed only for the first
-/// of them.
+/// Finds equal runs of core properties. A module, its controller and its machine often fail a property with the same
+/// run, which is printed only once.
 SharedRuns shared_runs(const Report& report, const Options& options) {
-    std::map<std::pair<std::string, std::string>, const driver::AssertionReport*> first;  // by property and run
+    // The assertion that prints a run, by property and run.
+    std::map<std::pair<std::string, std::string>, const driver::AssertionReport*> first;
     SharedRuns result;
     for (const driver::AssertionReport& a : report.assertions) {
         if (!a.core || a.core->information || (!a.run && a.counterexample.empty())) continue;
@@ -413,7 +415,7 @@ std::string blocks_text(const Listed& listed, const std::string& subject, const 
         width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
     std::string out;
     for (const driver::AssertionReport* a : listed)
-        // Values are answers, and the basis of an answer belongs to it, so both are printed even with --quiet.
+        // Values and the basis of an answer are parts of the answer, so they are printed even with --quiet.
         if (!options.output.quiet || a->answer != driver::Answer::holds || !a->basis.empty()) {
             const auto elsewhere = shared.find(a);
             out += assertion_block(*a, subject, width, options, color,
@@ -455,7 +457,7 @@ std::string information_text(const Listed& information) {
     return words.empty() ? "" : fmt::format("  {:<12} {}\n", "information", fmt::join(words, "; "));
 }
 
-/// The core properties, by component.
+/// The text about the core properties, by component.
 std::string core_text(const Report& report, const Options& options, bool color) {
     std::vector<std::string> components;
     std::map<std::string, std::pair<Listed, Listed>> parts;  // required properties, and informative ones
@@ -477,7 +479,7 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// Explains the word that is printed in place of the seconds, if the report contains it.
+/// Explains the word that replaces the number of seconds, if the report contains it.
 std::string legend_text(const Report& report, const Options& options) {
     const auto shown = [&](const driver::AssertionReport& a) {
         return !(a.core && a.core->information) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of a run as data, printed as text or JSON.
+// The results of a run as data, and their output as text, JSON, SARIF and JUnit XML.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@
 
 namespace robochart::app {
 
-/// The answer in data formats: "conforms".
+/// The answer as a word in data formats, such as "conforms".
 [[nodiscard]] std::string_view name_of(conformance::Outcome);
 
-/// A component with the answer about its code.
+/// A component, and the answer to whether its code conforms.
 struct ConformanceReport {
     std::string component;
     std::optional<runs::Place> region;  ///< where it is declared
@@ -32,32 +32,32 @@ struct FileReport {
     std::size_t bytes = 0;
 };
 
-/// A model with errors among several models. Its claims are not decided; the other models are checked without it.
+/// One of several models that has errors. Its claims are not decided, and the other models are checked without it.
 struct RefusedReport {
     std::string model;
     std::string diagnostics;  ///< schema "robochart-verify/diagnostics/1"
-    std::string text;         ///< the diagnostics for people
+    std::string text;         ///< its diagnostics as text for people
 };
 
-/// All results of one command. Text and JSON are made from it.
+/// All results of one command. All output formats are made from this data.
 struct Report : driver::ClaimResults {
     std::string model;    ///< the inputs as given
     std::string file;     ///< the first text of the model; "" before it has been read
     std::string summary;  ///< "1 state machine, 2 operations, …"
     double load_seconds = 0;
-    std::vector<std::string> notes;  ///< scale of reals, carriers
+    std::vector<std::string> notes;  ///< notes about the instantiation: scale of reals, carriers
     std::string subject = "model";   ///< the grammatical subject in the text of a counterexample
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files, prism_files, monitor_files, test_files;
     std::vector<RefusedReport> refused;
     std::string unclaimed;         ///< printed if no assertion was checked although some should be; "" otherwise
-    bool nothing_checked = false;  ///< and nothing else was done, either
+    bool nothing_checked = false;  ///< true if nothing was checked and the run had no other task
     std::string limit;             ///< why the run ended early; "" if it did not
 
     [[nodiscard]] Exit exit_code() const;
-    /// A suggestion if a limit ended a claim or the run; "" otherwise.
+    /// A suggestion if a limit ended a check or the run; otherwise "".
     [[nodiscard]] std::string limit_advice() const;
-    /// True if every assertion has an answer: none was rejected, and none was left out because of a limit.
+    /// True if every assertion has an answer. An assertion has none if it was rejected, or if a limit was reached.
     [[nodiscard]] bool all_decided() const;
     /// The number of assertions with this answer, without informative ones.
     [[nodiscard]] std::size_t count_answers(driver::Answer) const;
@@ -66,7 +66,8 @@ struct Report : driver::ClaimResults {
 /// The indentation of counterexamples.
 extern const std::string_view indent_of_runs;
 
-/// Text for people, in which foreign text is escaped already; verdicts are coloured as the options require.
+/// Renders the text for people. Foreign text in the report must be escaped already. Verdicts are coloured as the
+/// options require.
 [[nodiscard]] std::string render_text(const Report&, const Options&);
 /// The text of one assertion or one component, without colours.
 [[nodiscard]] std::string assertion_text(const driver::AssertionReport&, const std::string& subject);

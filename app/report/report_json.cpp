@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report for programs. nlohmann::json writes it; docs/cli.md contains the schema.
+// Renders the report for programs as JSON. docs/cli.md contains the schema.
 #include <nlohmann/json.hpp>
 
 #include "app/report/probability_report.hpp"
@@ -174,7 +174,7 @@ std::string render_json(const Report& report) {
     for (const RefusedReport& each : report.refused)
         json["refused"].push_back(
             {{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
-    // Names of files may contain bytes that are not UTF-8; they are replaced.
+    // json_text replaces bytes that are not UTF-8, which names of files may contain.
     return diagnostics::json_text(json, 2) + "\n";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report for continuous integration servers. An unknown answer counts as an error, because a skipped case would
-// pass.
+// Renders the report for continuous integration servers. An unknown answer is an error, because servers accept a
+// skipped case.
 #include <fmt/format.h>
 
 #include "app/base/junit.hpp"
@@ -63,7 +63,7 @@ JunitCase case_of(const ConformanceReport& c) {
     return made;
 }
 
-/// A case about the run as a whole.
+/// A case about the whole run, not about one claim.
 JunitCase about_run(const std::string& name, const std::string& message, const std::string& text) {
     return {"run", name, CaseKind::error, message, text, 0};
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report as SARIF 2.1.0 (OASIS, 2020). There is a result for each assertion that fails or is not decided, with the
-// steps of its run that have places as a code flow (3.36), and for each component whose code does not conform. An
-// unknown answer has the kind `open` (3.27.9), which is neither a failure nor a pass. A claim that is true on some
-// basis has the kind `informational`. Entries of the basis with a place are related locations (3.27.22); the others are
-// part of the message.
+// Renders the report as SARIF 2.1.0 (OASIS, 2020). There is a result for each assertion that fails or is not decided,
+// and for each component whose code does not conform. The steps of an assertion's run that have places are its code
+// flow (3.36). An unknown answer has the kind `open` (3.27.9), which is neither a failure nor a pass. A claim that is
+// true on some basis has the kind `informational`. Entries of the basis with a place are related locations (3.27.22);
+// the others are part of the message.
 #include <fmt/format.h>
 
 #include <array>
@@ -44,7 +44,7 @@ std::string step_text(const runs::Step& step) {
     return step.time ? fmt::format("t={}: {}", *step.time, step.event.text) : step.event.text;
 }
 
-/// The steps that have places; null if there are none.
+/// The steps of the run that have places; null if there are none.
 Json code_flow_json(const runs::Run& run) {
     Json locations = Json::array();
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
@@ -58,7 +58,8 @@ Json code_flow_json(const runs::Run& run) {
     return Json::array({Json{{"threadFlows", Json::array({Json{{"locations", locations}}})}}});
 }
 
-/// `region`: without a value, the result is at the beginning of `file`, because readers reject results without a place.
+/// Makes one result. If `region` has no value, the place is the beginning of `file`, because readers reject results
+/// without a place.
 Json sarif_result(Rule rule, std::string_view kind, const std::string& message, const std::string& subject,
                   const std::optional<runs::Place>& region, const std::string& file) {
     const runs::Place beginning{file, 1, 1, 1, 1};
@@ -121,7 +122,7 @@ void add(const ConformanceReport& c, const std::string& file, Json& results) {
                                    c.component, c.region, file));
 }
 
-/// Why the results are incomplete.
+/// The reason why the results are incomplete.
 std::string why_incomplete(const Report& report) {
     if (!report.limit.empty()) return report.limit;
     if (!report.refused.empty()) return fmt::format("{} has errors", report.refused.front().model);

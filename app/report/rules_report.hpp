@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of `rules` as data, and their output: text, JSON (robochart-verify/rules/1).
+// The results of `rules` as data, and their output as text and JSON (robochart-verify/rules/1).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct RuleName {
     std::string place;  ///< file:line
 };
 
-/// Rules in conflict, or rules for which this is not decided.
+/// Rules that are in conflict, or rules for which a conflict is not decided.
 struct RuleConflict {
     std::vector<std::size_t> rules;
     bool decided = true;
@@ -28,7 +28,7 @@ struct RuleConflict {
     std::uint64_t states = 0;
 };
 
-/// A rule that other rules imply together, or for which this is not decided.
+/// A rule that other rules imply together, or a rule for which implication is not decided.
 struct RedundantRule {
     std::size_t rule = 0;
     std::vector<std::size_t> by;
@@ -60,11 +60,11 @@ struct RulesReport {
     bool as_sleec_tk = false;
     std::string without_limit;
     std::vector<RuleName> rules;
-    std::uint64_t questions = 0;  ///< decided or undecided questions
+    std::uint64_t questions = 0;  ///< number of questions, decided or not
     std::vector<RuleConflict> conflicts;
     std::vector<RedundantRule> redundant;
     std::vector<std::size_t> asking_nothing;  ///< rules that never require anything
-    std::size_t concerns = 0, purposes = 0;   ///< how many were checked
+    std::size_t concerns = 0, purposes = 0;   ///< numbers of those that were checked
     std::vector<RuleProperty> properties;     ///< concerns that are raised, purposes that are blocked, and those not
                                               ///< decided
     std::vector<std::string> ranges;          ///< for SLEEC-TK: the values of numeric measures

@@ -17,24 +17,24 @@ namespace robochart::app {
 
 /// A decided assertion of a script.
 struct ScriptAssertion {
-    std::size_t number = 0;  ///< in its script, from 1
+    std::size_t number = 0;  ///< number in the script, from 1
     std::string text;        ///< without `assert`
     std::string place;
-    std::string specification;  ///< of a refinement
+    std::string specification;  ///< specification of a refinement
     std::string process;        ///< the implementation, or the subject of a property
     driver::Answer answer = driver::Answer::inconclusive;
-    std::vector<std::string> errors;  ///< why there is no answer
-    driver::Basis basis = {};         ///< what the answer rests on
+    std::vector<std::string> errors;  ///< reasons why there is no answer
+    driver::Basis basis = {};         ///< basis of the answer
     cspm::AssertionResult result;
     std::map<process::Event, std::string> events = {};  ///< names of the events in its JSON
-    std::optional<process::Behaviour> behaviour;        ///< of a counterexample to show: the behaviour of each part
+    std::optional<process::Behaviour> behaviour;        ///< behaviour of each part at the end of a counterexample
 };
 
 struct ScriptPrint {
     std::string expression;
     std::string value;
     std::string error;
-    bool failed = false;  ///< it has no value because of an error; otherwise because of a limit
+    bool failed = false;  ///< true if an error prevents a value, false if a limit does
 };
 
 struct ScriptReport {
@@ -44,15 +44,16 @@ struct ScriptReport {
     std::vector<ScriptAssertion> assertions;
 };
 
-/// The grounds of a verdict in JSON, as in every report.
+/// The basis of a verdict in JSON, in the form that all reports use.
 [[nodiscard]] diagnostics::Json grounds_json(const driver::Basis&);
-/// Stores the names of the events in the JSON of an assertion, because the JSON may be printed while the table grows.
+/// Stores the names of the events that the JSON of an assertion contains. They are copied because another thread may
+/// add events to the table while the JSON is printed.
 void name_events(ScriptAssertion&, const process::EventTable&, const Options&);
 /// One JSON object on one line, with the fields of FDR 4's `refines --format json` and additional ones (docs/cli.md).
 [[nodiscard]] std::string refines_json(const ScriptReport&, const Options&);
 /// The output of FDR 4's `refines` for one assertion.
 [[nodiscard]] std::string refines_plain(const ScriptAssertion&, const process::EventTable&, const Options&);
-/// The counterexample in our own format, with its split; each line is indented.
+/// The counterexample in our own format, with the behaviour of its parts. Every line is indented.
 [[nodiscard]] std::string counterexample_text(const ScriptAssertion&, const process::EventTable&, const Options&);
 
 }  // namespace robochart::app

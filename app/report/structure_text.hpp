@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the structure of a process in its current state: its operators as a tree, and what each component offers, as
-// in the probe of FDR.
+// Prints the structure of a process in its current state: its operators as a tree, and the events that each component
+// offers. FDR's probe shows the same.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robochart::app {
 
-/// One line per part, with the parts of an operator indented; a sentence if there is no structure.
+/// One line per part, with the parts of an operator indented. If there is no structure, a sentence says so.
 [[nodiscard]] std::string structure_text(const std::optional<process::Behaviour>&, const process::EventTable&);
 
 }  // namespace robochart::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records files of rules in the record of a run.
+// Adds rule files to the record of a run.
 #pragma once
 
 #include "app/command/options.hpp"
@@ -7,7 +7,7 @@
 
 namespace robochart::app {
 
-/// Records the file and its constants.
+/// Adds the rule file and its constants to the record of the run.
 void record_rules(const driver::LoadedRules&, const Options&);
 
 }  // namespace robochart::app

@@ -18,7 +18,7 @@
 namespace robochart::app {
 namespace {
 
-/// The value in terms of the rules; no value if the rules cannot express it.
+/// The value of a measure in the rules; no value if the rules cannot express it.
 std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_emit::Port& port, rc_value value) {
     const bool boolean = measure.type == sleec::MeasureType::boolean;
     const bool scale = measure.type == sleec::MeasureType::scale;
@@ -53,7 +53,7 @@ void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
 
 }  // namespace
 
-/// The rules in one trial.
+/// Monitors the rules in one trial.
 class RuleGuard::Watch final : public simulation::Trace {
 public:
     Watch(RuleGuard& all, std::unique_ptr<simulation::Trace> other) : all_(all), other_(std::move(other)) {}
@@ -96,7 +96,7 @@ private:
         bool given_up = false;  ///< the rules demand more than a monitor can follow
     };
 
-    /// Follows one cycle.
+    /// Follows one cycle of a robot's controller.
     void follow_cycle(driver::RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
         const auto& emission = all_.emission_;
         for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
@@ -151,7 +151,7 @@ std::vector<RuleGuard::Linked> RuleGuard::link_ports(const std::vector<cpp_emit:
     return result;
 }
 
-/// Excludes rules about events that the controller does not have.
+/// Removes rules about events that the controller does not have.
 void RuleGuard::leave_out() {
     std::erase_if(rules_.rules, [&](const sleec::CheckedRule& rule) {
         if (rule.assumed) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SLEEC rules that monitor the robots of a simulation (`simulate --monitor RULES.sleec`). Each robot must obey them,
-// judged by the inputs and outputs of its controller. A time unit of the model is a second of the rules.
+// Monitors the robots of a simulation with SLEEC rules (`simulate --monitor RULES.sleec`). The inputs and outputs of
+// each robot's controller must obey the rules. A time unit of the model is a second of the rules.
 #pragma once
 
 #include <atomic>
@@ -17,16 +17,16 @@
 
 namespace robochart::app {
 
-/// A rule file and its rules about a controller. Refers to the emission.
+/// A rule file and its rules about a controller. Stores a reference to the emission.
 class RuleGuard final : public simulation::Guard {
 public:
-    /// `units`: time units of the model in one cycle.
+    /// `units` is the number of time units of the model in one cycle.
     RuleGuard(std::unique_ptr<driver::LoadedRules> loaded, const cpp_emit::DriveEmission& emission,
               std::uint32_t units);
 
     [[nodiscard]] Maker make_observer(Maker other) override;
     [[nodiscard]] std::string summary_lines() const override;
-    /// The number of monitored rules, that is, rules whose events the controller has.
+    /// The number of monitored rules. A rule is monitored if the controller has its events.
     [[nodiscard]] std::size_t followed_count() const { return rules_.rules.size(); }
 
 private:
@@ -43,10 +43,10 @@ private:
     std::uint32_t units_;
     sleec::CheckedRules rules_;  ///< the monitored rules of the file
     std::vector<Linked> inputs_, outputs_;
-    std::vector<bool> has_;  ///< for each event: whether the controller has it
+    std::vector<bool> has_;  ///< true for the events that the controller has
     std::vector<std::string> left_out_;
     std::mutex mutex_;
-    std::map<std::size_t, std::uint64_t> open_;  ///< number of robots for which a trigger of a rule was not followed
+    std::map<std::size_t, std::uint64_t> open_;  ///< by rule: number of robots for which a trigger was not followed
     std::string given_up_;                       ///< why a robot was not followed to its end; "" if all were
     std::atomic<std::uint64_t> robots_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the findings of rule files.
+// Prints findings about SLEEC rule files.
 #pragma once
 
 #include "app/command/options.hpp"

@@ -42,7 +42,7 @@ std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
 /// A control cycle of one time unit.
 struct Cycle {
     std::vector<std::string> inputs, outputs;
-    bool ends = false;  ///< with the end of its time unit
+    bool ends = false;  ///< true if the time unit of the cycle ends
     bool terminates = false;
 };
 
@@ -132,7 +132,7 @@ struct Node {
     std::size_t parent = 0, offer = 0;
 };
 
-/// A cycle of a log as words.
+/// A cycle of a log: the words that the steps must match.
 struct Wanted {
     std::uint64_t line = 0;  ///< line of its first word
     std::set<std::string> inputs;
@@ -141,7 +141,7 @@ struct Wanted {
     bool terminates = false;
 };
 
-/// The state after this event; no value if the log does not allow it here.
+/// The state after this event; no value if the log does not allow the event here.
 std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& wanted, const Stepped& stepped) {
     Node result = node;
     result.term = offer.step.target;
@@ -161,7 +161,7 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
     return result;
 }
 
-/// Takes the steps of one cycle; returns false if the model has no such steps.
+/// Takes steps of the model that match one cycle of the log. Returns false if the model has no such steps.
 bool follow_cycle(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
     std::vector<Node> nodes{{stepper.current_term(), wanted.inputs, 0, 0, 0, 0}};
     using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
@@ -189,7 +189,7 @@ bool follow_cycle(runs::Stepper& stepper, const Wanted& wanted, const Stepped& s
     return false;
 }
 
-/// True if the model has this "NAME=VALUE".
+/// True if a constant of the model has the value of this "NAME=VALUE".
 bool has_constant(const Stepped& stepped, const std::string& constant) {
     if (stepped.project == nullptr) return false;
     const auto& asked = stepped.project->asked.constants;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saves the steps of `step` in files: as logs for `conform --traces` (docs/traces.md), and as assertions that the steps
-// stay possible.
+// Saves the steps of `step` in files: as logs for `conform --traces` (docs/traces.md), and as assertions that the model
+// has these steps.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,20 @@
 
 namespace robochart::app {
 
-/// The subject of stepping.
+/// The component or process that is stepped through.
 struct Stepped {
     std::string name;                          ///< of the component, "P::M"; for a script, the process as given
     std::string model;                         ///< the file or folder
     const driver::Project* project = nullptr;  ///< null: a process of a script
     csp_emit::Time time = csp_emit::Time::timed;
-    bool any_constants = false;  ///< also follow logs of the model with other constants
+    bool any_constants = false;  ///< also follow logs that were made with other constants
 };
 
 /// The role of an event in a log.
 enum class LogRole { none, input, output, tock, termination };
 [[nodiscard]] LogRole log_role(const runs::Event&);
-/// An input or output in the notation of logs: "e?3", "move!1!2". `name`: as in runs::Offer. No value for composed
-/// values, which logs cannot contain.
+/// An input or output in the notation of logs: "e?3", "move!1!2". `name` is that of runs::Offer. No value if the event
+/// has a composed value, which logs cannot contain.
 [[nodiscard]] std::optional<std::string> log_word(const runs::Event&, std::string name, const Stepped&);
 /// The first lines of a log.
 [[nodiscard]] std::string log_head(const Stepped&);
@@ -34,13 +34,13 @@ enum class LogRole { none, input, output, tock, termination };
 /// "" on success.
 [[nodiscard]] std::string save_way(const runs::Stepper&, const Stepped&, const std::string& path, Run&);
 
-/// How far a log was followed.
+/// The length of the part of a log that the model could follow, and the reason for its end.
 struct Followed {
     std::string error;  ///< "": to its end
 };
-/// Follows the first run of a log from the beginning as far as the model allows. In each cycle these are its outputs in
-/// order, its inputs when they are taken, and its time units, with hidden steps in between. A breadth-first search
-/// finds when each input is taken.
+/// Follows the first run of a log from the beginning as far as the model allows. The steps of a cycle are its outputs
+/// in order, its inputs, its time units, and hidden steps in between. A breadth-first search finds the steps at which
+/// the inputs are taken.
 [[nodiscard]] Followed follow_log(runs::Stepper&, const Stepped&, const std::string& path, Run&);
 
 }  // namespace robochart::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // See step_page.hpp. app/pages/parts/explorer.js reads the data. Foreign text is escaped for HTML when it is inserted
-// into the page, and made visible in the data.
+// into the page. In the data, its control characters are replaced by visible escapes.
 #include "app/step/step_page.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ std::string place_text(const std::optional<runs::Place>& place) {
     return place ? fmt::format("{}:{}", place->file, place->line) : "";
 }
 
-/// The texts of the data without duplicates. The first is empty.
+/// The texts of the data without duplicates. The first text is empty.
 class Strings {
 public:
     Strings() { (void)number_of(""); }
@@ -62,7 +62,7 @@ std::vector<Instance> instances_of(const Exploration& space) {
     return result;
 }
 
-/// The data for explorer.js. Texts, machines, labels, absences and states are referred to by index.
+/// The data for explorer.js. It refers to texts, machines, labels, absences and states by index.
 class Data {
 public:
     Data(const Exploration& space, const Stepped& stepped, const std::vector<Instance>& instances,
@@ -168,7 +168,7 @@ private:
     Strings strings_;
 };
 
-/// The contents without a script: the first state. Inserted into app/pages/parts/explorer.html.
+/// The contents that are visible without scripts: the first state. It is inserted into app/pages/parts/explorer.html.
 class Body {
 public:
     Body(const Exploration& space, const Stepped& stepped) : space_(space), stepped_(stepped) {}
@@ -256,7 +256,7 @@ std::string figure_html(std::size_t machine, const std::string& caption, const s
         machine, xml_text(caption), xml_text(caption), drawn);
 }
 
-/// The machines' diagrams, each with those of the operations that it can call.
+/// The diagrams of the machines, each followed by those of the operations that the machine can call.
 std::string figures_of(const Exploration& space, const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
     std::string text;
     for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -285,7 +285,7 @@ std::string counts_text(const Exploration& space) {
 
 std::string step_page(const Exploration& space, const Stepped& stepped, const std::vector<driver::Part>& parts,
                       const RunRecord& run) {
-    diagnostics::Budget drawing;  // separate, so that a limit that ended the exploration does not prevent the page
+    diagnostics::Budget drawing;  // a separate budget, so that the page is drawn even if a limit ended the exploration
     const PartDiagrams diagrams(parts, drawing);
     const std::vector<Instance> instances = instances_of(space);
     const Json data = Data(space, stepped, instances, diagrams).write();

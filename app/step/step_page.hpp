@@ -12,9 +12,9 @@
 
 namespace robochart::app {
 
-/// "17 states, all that can be reached", or the limit that was reached.
+/// "17 states, all that can be reached", or a text with the limit that ended the exploration.
 [[nodiscard]] std::string counts_text(const runs::Exploration&);
-/// The page. `parts`: those of the model, whose machines are drawn; empty for a process of a script.
+/// Renders the page. `parts` are those of the model, whose machines are drawn; empty for a process of a script.
 [[nodiscard]] std::string step_page(const runs::Exploration&, const Stepped&, const std::vector<driver::Part>& parts,
                                     const RunRecord&);
 

@@ -14,7 +14,8 @@ namespace robochart::app {
 /// The process of a component in one semantics, with all data that its stepper refers to. The project must outlive it.
 class SteppedComponent {
 public:
-    /// `name`: qualified. Throws UsageError if the component has no process, and the exceptions of cspm::Session.
+    /// `name` must be qualified. Throws UsageError if the component has no process, and the exceptions of
+    /// cspm::Session.
     SteppedComponent(driver::Project& project, const std::string& name, csp_emit::Time time, const Options& options);
     SteppedComponent(const SteppedComponent&) = delete;
     SteppedComponent& operator=(const SteppedComponent&) = delete;

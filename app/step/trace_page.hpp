@@ -12,7 +12,7 @@
 
 namespace robochart::app {
 
-/// A log after the comparison with its component.
+/// A log, and the result of its comparison with a component.
 struct ComparedLog {
     std::string path;
     driver::Project* project = nullptr;
@@ -21,9 +21,9 @@ struct ComparedLog {
     std::optional<conformance::RunReport> wrong;  ///< the first run that is not accepted
 };
 
-/// The page. `limit`: why not all logs were compared (no run is replayed then); "" if all were. A run is shown as far
-/// as the model can follow it; of many logs only the first ones are replayed. Polls the budget. Throws the exceptions
-/// of runs::Stepper.
+/// Renders the page. `limit` is the reason why not all logs were compared, or "" if all were. If it is not "", no run
+/// is replayed. A run is shown as far as the model can follow it. If there are many logs, only the first ones are
+/// replayed. Polls the budget. Throws the exceptions of runs::Stepper.
 [[nodiscard]] std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<driver::Part>& parts,
                                      const Options& options, const std::string& limit);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate` with a scenario that defines a chain: trials estimate it, the timed semantics of the model excludes
-// transitions, and fresh trials may refute it.
+// `simulate` with a scenario that defines a chain: trials estimate the chain, the timed semantics of the model excludes
+// impossible transitions, and fresh trials may refute the chain.
 #include <fmt/format.h>
 
 #include <optional>
@@ -70,7 +70,7 @@ private:
         return true;
     }
 
-    /// The states that numbers of robots distinguish.
+    /// The states of the model whose numbers of robots are part of the chain's state.
     [[nodiscard]] std::vector<std::string> distinguished_states() const {
         std::vector<std::string> states;
         for (const simulation::Distinction& each : scenario_.abstraction->distinctions) {
@@ -80,8 +80,8 @@ private:
         return states;
     }
 
-    /// The steps that the timed semantics of the model allows. No value, with the reason, if this was not requested or
-    /// could not be computed.
+    /// The steps of one robot that the timed semantics of the model allows. No value if the scenario does not request
+    /// them, or if they could not be computed. The reason is stored in the result.
     std::optional<simulation::RobotSteps> steps_of_robots() {
         const std::vector<std::string> states = distinguished_states();
         if (states.empty()) {
@@ -171,7 +171,7 @@ private:
                 result_.answers.back().of_no_chain = result_.order.has_value();
             }
         } catch (const diagnostics::LimitReached&) {
-            result_.interrupted = true;  // the answers so far are kept
+            result_.interrupted = true;  // the result contains the answers so far
         }
         return true;
     }

@@ -32,7 +32,7 @@
 namespace robochart::app {
 namespace {
 
-/// `limit`: why the types are unknown; "" if they are known.
+/// The types of the script's names in JSON. `limit` is the reason why they are unknown, or "".
 std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
     diagnostics::Json json{{"schema", "robochart-verify/types/1"}, {"script", path}};
     if (!limit.empty()) json["limit"] = limit;
@@ -42,7 +42,8 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
     return diagnostics::json_text(json) + "\n";
 }
 
-/// Prints the answer about a script, in JSON. If it is the answer of the run, a limit must not print a second document.
+/// Prints the result for a script in JSON. For a single script this is the result of the run, so a limit must not print
+/// a second document.
 void print_answer(const std::string& text, const Options& options) {
     if (options.load.inputs.size() == 1) options.run->finish();
     const auto edit = options.run->edit();
@@ -93,7 +94,7 @@ Exit check_types(const Options& options) {
     return exit;
 }
 
-/// `stopped`: set if a limit left a print statement without a value.
+/// Evaluates the print statements. Sets `stopped` if a limit ended the evaluation of one.
 std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options,
                                           bool& stopped) {
     const cspm::Script& script = loaded.script;
@@ -127,7 +128,7 @@ void show_prints(const ScriptReport& script, const Options& options) {
         print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
 }
 
-/// The findings in the form of FDR's output: one text each.
+/// Adds the findings to the report as texts, as in FDR's output.
 void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted_findings()) {
         const std::string text = fmt::format("{}: {}", loaded.sources.path_and_line(each.span), each.message());
@@ -135,7 +136,8 @@ void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     }
 }
 
-/// The script with the assertions about this script, by the file name that `emit csp` uses; "" if there is none.
+/// The path of the script with the assertions about this script, according to the file names of `emit csp`; "" if there
+/// is none.
 std::string script_with_assertions(const std::string& path) {
     const std::filesystem::path file(path);
     const std::filesystem::path beside = file.parent_path() / (file.stem().string() + "_assertions.csp");
@@ -170,20 +172,20 @@ std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions,
     return selection.chosen;
 }
 
-/// The data that the last word of the run may still have to print.
+/// The data for the partial result, which is printed if the run ends early.
 struct Known {
     Report report;
-    ScriptReport script;                 ///< whose object has not been printed; without a path: none
-    bool last = false;                   ///< it is the last script
-    bool asks = false;                   ///< some script has assertions or print statements
+    ScriptReport script;  ///< script whose JSON object has not been printed; its path is empty if there is none
+    bool last = false;    ///< true for the last script
+    bool asks = false;    ///< true if some script has assertions or print statements
     std::vector<RefusedReport> refused;  ///< scripts with errors, for JUnit
 };
 
-/// One assertion, in the formats that do not wait for the others.
+/// Prints one assertion at once, in the formats that allow it.
 void print_decided(const ScriptAssertion& decided, const process::EventTable& events, const Options& options,
                    const ScriptReport& script) {
     if (options.output.format != Format::plain && options.output.format != Format::framed_json) return;
-    const auto edit = options.run->edit();  // so that the last word is not printed in between
+    const auto edit = options.run->edit();  // so that no partial result is printed in between
     if (options.output.format == Format::plain) {
         print_text(refines_plain(decided, events, options));
     } else {
@@ -218,14 +220,14 @@ Exit worse_exit(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
-/// The report, extended by a case for each script with errors.
+/// The report, extended by an entry for each script with errors.
 Report with_refused(const Known& known) {
     Report report = known.report;
     report.refused = known.refused;
     return report;
 }
 
-/// Stores the contents of the files of --json (per script) and --junit (for the run).
+/// Stores the JSON of a script for the file of --json.
 void keep_object(const ScriptReport& script, const RunRecord& record, const Options& options) {
     if (options.output.files.contains(Format::json))
         keep_json(with_run(refines_json(script, options), record), options);
@@ -248,7 +250,8 @@ void print_report(const Known& known, const Options& options) {
         print_styled(wrap_lines(render_text(known.report, options), line_width(STDOUT_FILENO)));
 }
 
-/// Prints the rest of the output about a script. It is printed completely, and the last word does not print it again.
+/// Prints the rest of the output about a script, and marks the script as printed, so that a partial result does not
+/// repeat it.
 void print_last(const std::string& text, const Options& options, Known& known) {
     if (known.last) options.run->finish();
     const auto edit = options.run->edit();
@@ -257,7 +260,7 @@ void print_last(const std::string& text, const Options& options, Known& known) {
     finish_output();
 }
 
-/// Prints the object of a script, in the formats that have one.
+/// Prints the JSON object of a script, if the format is JSON.
 void print_object(const Options& options, Known& known) {
     const bool json = options.output.format == Format::json || options.output.format == Format::framed_json;
     const auto edit = options.run->edit();
@@ -266,14 +269,15 @@ void print_object(const Options& options, Known& known) {
     print_last(json ? with_run(refines_json(known.script, options), record) : "", options, known);
 }
 
-/// The script's errors so far, also as the case of a script that is refused.
+/// Reports a script with errors as rejected.
 Exit refuse_script(const Options& options, Known& known) {
     note_refused(known.script, options, known);
     print_object(options, known);
     return Exit::bad_input;
 }
 
-/// Decides what a script asks. Throws LimitReached where a limit leaves none of it decided.
+/// Evaluates the print statements and decides the assertions of a script. Throws LimitReached if a limit is reached
+/// before that begins.
 Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& known) {
     ScriptReport& script = known.script;
     bool stopped = false;
@@ -292,7 +296,7 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
     known.asks = known.asks || asserts || !script.prints.empty();
     for (const std::string& error : script.errors) print_error("{}\n", error);
     if (!script.errors.empty()) return refuse_script(options, known);
-    // Frames belong to assertions; a script with only print statements gets one frame.
+    // The format has one frame per assertion. A script that has only print statements gets one frame.
     if (options.output.format == Format::framed_json && asserts) {
         const auto edit = options.run->edit();
         keep_object(script, record_of(options), options);
@@ -359,8 +363,8 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
     return whole;
 }
 
-/// The last word. What has been decided is in the object of the script that is open, and what has not says why; frames
-/// of what has been decided are printed already.
+/// Prints the partial result. The object of the current script contains the decided assertions, and the reason for each
+/// undecided one. Frames of decided assertions have been printed before.
 Exit print_partial_result(const std::string& why, const Options& options, Known& known) {
     Report& report = known.report;
     report.limit = why;
@@ -398,7 +402,7 @@ void load_script(const std::string& path, LoadedScript& loaded) {
 void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
     const bool types_only = options.script.typecheck || options.script.types;
-    std::string answer;  // the findings in JSON, if they are the answer
+    std::string answer;  // the findings in JSON, if they are the result of the run
     if (types_only && !loaded.diagnostics.ok())
         answer = with_run(diagnostics::render_json(loaded.sources, loaded.diagnostics), record_of(options));
     if (!answer.empty()) keep_json(answer, options);

@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// Selects the subjects named on the command line; without names, all. Throws UsageError.
+    /// Selects the subjects that the command line names, or all if it names none. Throws UsageError.
     void choose_subjects() {
         for (const std::string& name : wanted_) chosen_.push_back(&find_subject(name));
         if (!wanted_.empty()) return;
@@ -85,7 +85,7 @@ private:
         throw UsageError(fmt::format("'{}' may be {}", name, fmt::join(names, ", ")));
     }
 
-    /// The diagram in the selected format; no value, with a diagnostic, if it cannot be made.
+    /// The diagram in the selected format. If it cannot be drawn, reports a diagnostic and returns no value.
     std::optional<std::string> text_of(const PartSubject& drawn) {
         diagrams::SvgOptions style;
         if (options_.draw.theme == Theme::light || options_.draw.picture != PictureFormat::svg)
@@ -109,7 +109,7 @@ private:
         return endings[static_cast<std::size_t>(options_.draw.picture)];
     }
 
-    /// False for formats whose layout another program computes.
+    /// True if this program computes the layout of the selected format.
     [[nodiscard]] bool has_places() const {
         return options_.draw.picture != PictureFormat::mermaid && options_.draw.picture != PictureFormat::dot;
     }

@@ -23,7 +23,7 @@ namespace {
 struct Made {
     std::vector<cpp_emit::OutputFile> files;
     std::size_t states = 0, tests = 0, cycles = 0;
-    bool adaptive = false;  ///< the model has choices, so the tests follow the implementation
+    bool adaptive = false;  ///< true if the model has choices; the tests then adapt to the implementation
 };
 
 std::string suite_summary(const Made& made, const Options& options, const ir::ComponentRef& component) {
@@ -35,7 +35,7 @@ std::string suite_summary(const Made& made, const Options& options, const ir::Co
                        made.states, options.conform.extra_states, with_commas(made.tests), with_commas(made.cycles));
 }
 
-/// Throws std::length_error if there is no test suite.
+/// Makes the test suite of a component. Throws std::length_error with the reason if there is none.
 Made make_suite(driver::Project& project, const Options& options, const ir::ComponentRef& component,
                 const refine::Limits& bounds) {
     std::string error;

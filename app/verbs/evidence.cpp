@@ -43,12 +43,12 @@ Options over_the_model(const Options& options, const simulation::Scenario& scena
     return wanted;
 }
 
-/// "leaders: ", or "" for the first controller.
+/// The prefix of results about a controller: "leaders: ", or "" for the first controller.
 std::string in_front(const simulation::Scenario& scenario, std::size_t controller) {
     return controller == 0 ? "" : scenario.controller_name(controller) + ": ";
 }
 
-/// A model with its constants, independent of how they were given.
+/// A model with its constants, for comparisons that do not depend on the notation of options.
 using ModelRead = std::vector<std::string>;
 ModelRead model_read(const Options& wanted, const std::vector<driver::Part>& parts) {
     ModelRead subject{wanted.load.inputs.front()};
@@ -130,7 +130,7 @@ bool decide_claims(const Options& options, driver::Evidence& evidence, std::uniq
     if (controller == nullptr || !project.diagnostics.ok()) return false;
     simulation::Scenario scenario = simulation->scenario;
     scenario.bands.clear();
-    scenario.abstraction.reset();  // these trials do not estimate a chain
+    scenario.abstraction.reset();  // the evidence does not include a chain
     simulation::Plan plan = simulation->plan;
     plan.scenario = &scenario;
     simulation::RunOptions wanted;

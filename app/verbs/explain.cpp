@@ -30,7 +30,7 @@ std::string upper_start(std::string_view code) {
     return letters;
 }
 
-/// The nearest code, or the codes with the same prefix, for a mistyped code.
+/// For a mistyped code: the nearest code, or the codes with the same prefix.
 std::string similar_codes(std::string_view code) {
     std::vector<std::string> all, found;
     for (const diagnostics::Rule* rule : all_rules()) {
@@ -43,7 +43,7 @@ std::string similar_codes(std::string_view code) {
                          : fmt::format("; there are {}", fmt::join(found, ", "));
 }
 
-/// The text of the table, for a rule without a page.
+/// The text about a rule without a page, from the table of rules.
 std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
     std::string text;
     for (const diagnostics::Rule* rule : rules)

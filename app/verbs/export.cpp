@@ -19,7 +19,7 @@
 
 namespace robochart::app {
 
-/// The process is on a line of its own, so that findings show only the process.
+/// Puts the process on a separate line, so that findings show only the process.
 cspm::DeclPtr parse_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
     const auto source = loaded.sources.add(origin, "assert (\n" + process + "\n) :[divergence free]\n");
     cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
@@ -40,7 +40,7 @@ cspm::Script definitions_only(const cspm::Script& script) {
     return result;
 }
 
-/// A name with which no word of the text begins.
+/// Returns `name`, extended until no word of the text begins with it.
 std::string fresh_name(const std::string& text, std::string name) {
     while (text.find(name) != std::string::npos) name += "_";
     return name;
@@ -70,7 +70,7 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
     std::size_t known = 0;
     const lts::Graph graph = driver::explore_graph(*system, bounds, known);
     options.run->finish();
-    // Formatted for people only if it is small; otherwise written as it is made.
+    // Output for a terminal is collected first, because print_exact escapes it. Other output is written directly.
     std::ostringstream seen;
     std::ostream& out = output_is_a_terminal() ? seen : std::cout;
     errno = 0;

@@ -52,7 +52,7 @@ private:
     void standard_input();
     void handle_change(const fs::path& path, std::string_view before, const std::string& after);
     void report_failure(const diagnostics::Rule& rule, std::vector<std::string> arguments);
-    /// The formatted text. If it has syntax errors, they are shown and there is no value.
+    /// Returns the formatted text. If the text has syntax errors, shows them and returns no value.
     std::optional<std::string> format(diagnostics::SourceId source, Language language);
     void print_findings(const diagnostics::Diagnostics& diagnostics) const;
     [[nodiscard]] std::string closing_line() const;

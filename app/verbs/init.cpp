@@ -25,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// File names are made from it, so it is much shorter than the limit of file systems.
+/// The longest name of a project. File names contain it, so it is much shorter than the limit of file systems.
 constexpr std::size_t longest_name = 64;
 
-/// A file to write, and whether an existing file is kept.
+/// A file to write. If `keep` is true, an existing file is not replaced.
 struct NewFile {
     std::string name;
     std::string text;
@@ -46,7 +46,7 @@ bool is_word_of_cspm(const std::string& name) {
     return cspm::lex(name, diagnostics::SourceId::none, ignored).front().kind != cspm::Tok::identifier;
 }
 
-/// The reason why it cannot be the name of a package; "" if it can.
+/// The reason why the text cannot be the name of a package; "" if it can.
 std::string reason_unfit(const std::string& name) {
     const auto fits = [](char c) { return is_plain(c) || c == '_'; };
     if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
@@ -133,8 +133,7 @@ bool write(const fs::path& folder, const std::vector<NewFile>& files, const Opti
     return true;
 }
 
-/// The project's name from the last part of its folder's path. If no name was given, it is made from the name of the
-/// folder.
+/// The project's name: the name that the command line gives, otherwise a valid name made from the name of the folder.
 std::string name_of(const std::string& last, const fs::path& folder, const Options& options) {
     const std::string why = reason_unfit(last);
     if (why.empty()) return last;

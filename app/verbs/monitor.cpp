@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `emit monitor` and `simulate --monitor`.
+// Implements `emit monitor` and `simulate --monitor`.
 #include "app/verbs/monitor.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@
 namespace robochart::app {
 namespace {
 
-/// The tables of one component; null with a diagnostic.
+/// The monitor tables of one component. On failure, reports a diagnostic and returns null.
 std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& project, const Options& options,
                                                          const ir::ComponentRef& component,
                                                          std::uint32_t cycle_length) {
@@ -151,7 +151,7 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
 
 namespace {
 
-/// Each kind of robots has its own guard; the environment has none.
+/// The guards of all kinds of robots. The environment has no guard.
 class KindGuards final : public simulation::Guard {
 public:
     KindGuards(const simulation::Scenario& scenario, std::vector<std::unique_ptr<Guard>> guards)

@@ -15,7 +15,7 @@
 
 namespace robochart::app {
 
-/// Printed before the results of the trials if a guard could not observe everything that it checks.
+/// This message is printed before the results of the trials if a guard could not follow all events that it checks.
 inline constexpr const char* not_all_watched = "--monitor could not follow all that it asks for: not decided\n";
 
 class Monitors final : public simulation::Guard {
@@ -35,15 +35,17 @@ private:
     const cpp_emit::DriveEmission& emission_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<conformance::CycleCache>>
-        idle_;  ///< caches of finished trials, so that later trials need not learn again
+        idle_;  ///< caches of finished trials, which later trials reuse
     std::atomic<std::uint64_t> robots_ = 0;
-    std::atomic<std::uint64_t> lost_ = 0;  ///< monitors that left the finite instantiation in a relevant way
+    /// Number of monitors that stopped because their robot left the finite instantiation.
+    std::atomic<std::uint64_t> lost_ = 0;
 };
 
-/// Monitors for the robots of the first kind. Null, with a diagnostic, if the model has none.
+/// Builds monitors for the robots of the first kind. If the model has no monitor, reports a diagnostic and returns
+/// null.
 [[nodiscard]] std::unique_ptr<Monitors> make_monitors(Simulation&, const Options&);
-/// The guard that `--monitor` selects: the model's monitors, or those of a rule file. Null without the option and, with
-/// a diagnostic, if there is none.
+/// The guard that `--monitor` selects: the model's monitors, or those of a rule file. Null without the option. If the
+/// guard cannot be built, reports a diagnostic and returns null.
 [[nodiscard]] std::unique_ptr<simulation::Guard> make_guard(Simulation&, const Options&);
 
 }  // namespace robochart::app

@@ -49,7 +49,7 @@ NamedValues named_values(const prism::Values& values) {
 class WrongModel : public std::exception {
 public:
     explicit WrongModel(std::size_t number) : number_(number) {}
-    /// The number of the set.
+    /// The index of the set of constants.
     [[nodiscard]] std::size_t number() const { return number_; }
 
 private:
@@ -121,7 +121,7 @@ private:
             report_->properties.push_back({each.name.text, prism::print(each.expression)});
     }
 
-    /// Processes several sets of the model's constants in parallel, or the answers of a single set.
+    /// Processes several sets of the model's constants in parallel. For a single set, computes its answers in parallel.
     void run_all(const Experiment& wanted) {
         const std::size_t count = wanted.of_model.size();
         {
@@ -180,7 +180,7 @@ private:
         return true;
     }
 
-    /// Answers by random paths: `threads` paths at once, one property after another.
+    /// Answers the properties by random paths, one property after another, with `threads` paths in parallel.
     void sample_paths(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
                       diagnostics::Diagnostics& findings, unsigned threads) {
         options_.run->recorder().set_seed(options_.probability.seed);
@@ -207,8 +207,8 @@ private:
     using Decide = std::function<prism::Result(std::size_t property, const prism::Values&)>;
     using Explain = std::function<std::optional<prism::Counterexample>(std::size_t property, const prism::Values&)>;
 
-    /// Answers every property with all values of its constants. The report contains an answer when all earlier ones are
-    /// known. A false property is reported before its counterexample is searched.
+    /// Answers every property for all values of its constants. An answer is added to the report when all earlier
+    /// answers are known. A false property is reported before the search for its counterexample.
     void answer_all(std::size_t number, const Experiment& wanted, unsigned threads, diagnostics::Diagnostics& findings,
                     const Decide& decide, const Explain& explain) {
         const std::size_t sets = wanted.of_properties.size();
@@ -247,7 +247,7 @@ private:
             if (each) report_error(*each, findings);
     }
 
-    /// Reports a value outside its range. For a model of `emit prism`, adds how the range is set.
+    /// Reports a value outside its range. For a model of `emit prism`, the message explains how to set the range.
     void report_error(const prism::EvaluationError& error, diagnostics::Diagnostics& findings) const {
         diagnostics::Diagnostic& finding = error.report(findings);
         const bool of_robochart = (error.is(prism::rules::out_of_range) || error.is(prism::rules::left_out)) &&
@@ -279,7 +279,7 @@ private:
         return {options_.probability.epsilon, options_.probability.exact, &options_.run->budget()};
     }
 
-    /// Returns why there is nothing to export; "" if something was.
+    /// Returns the reason why nothing could be exported; "" on success.
     std::string export_part(const prism::StateSpace& space, const Experiment& wanted, const prism::TextSink& sink) {
         switch (options_.prism.exported) {
             case SpaceExport::none:
@@ -334,7 +334,7 @@ private:
         return Exit::inconclusive;
     }
 
-    /// Returns the reason if there is nothing to write; otherwise "".
+    /// Returns the reason why nothing could be written; "" on success.
     std::string export_answer(const prism::StateSpace& space, const prism::Values& values,
                               const prism::TextSink& sink) {
         const prism::Session session(space, loaded_.properties, session_options());

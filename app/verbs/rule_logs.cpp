@@ -30,7 +30,7 @@ namespace {
 
 using conformance::TraceToken;
 
-/// A run that breaks a rule, or for which this is unknown.
+/// A run that breaks a rule, or a run for which the answer is unknown.
 struct LoggedRun {
     std::string log, run;
     std::uint64_t line = 0;
@@ -40,7 +40,7 @@ struct LoggedRun {
 
 struct RuleLogReport {
     std::uint64_t logs = 0, runs = 0, seconds = 0, accepted = 0, broken = 0, open = 0;
-    std::vector<LoggedRun> reported;  ///< the first of the runs that are not accepted
+    std::vector<LoggedRun> reported;  ///< the first runs that are not accepted
     std::vector<std::string> errors;
 };
 constexpr std::size_t most_reported = 100;

@@ -62,7 +62,8 @@ public:
     }
 
 private:
-    /// The findings have been printed; programs that read the answer get them too.
+    /// Ends the run of a rejected file. The findings have been printed as text; documents for programs contain them
+    /// too.
     Exit end_refused(const diagnostics::Diagnostics& findings, const diagnostics::SourceManager& sources, Exit exit) {
         options_.run->finish();
         for (const diagnostics::Diagnostic& finding : findings.sorted_findings())
@@ -80,7 +81,7 @@ private:
             report_->rules.push_back({each.written->name.text, loaded_.sources.path_and_line(each.written->span)});
     }
 
-    // The default analysis
+    // The default analysis.
 
     void analyse_rules() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "comparing the rules");
@@ -141,7 +142,8 @@ private:
         }
     }
 
-    /// Reports each rule that implies it alone. If there is none, checks whether the other rules imply it together.
+    /// Reports each rule that alone implies this rule. If there is none, checks whether the other rules imply it
+    /// together.
     void redundancies_of(std::size_t rule, const sleec::AnalysisOptions& analysis) {
         bool alone = false;
         for (std::size_t by = 0; by < rules().rules.size(); ++by) {
@@ -156,7 +158,7 @@ private:
         if (found.implied != sleec::Answer::no) report_->redundant.push_back({rule, found.by, found.reason});
     }
 
-    // as SLEEC-TK has it
+    // The analysis in SLEEC-TK's semantics.
 
     /// The rules that the published encoding supports; the others are reported by name.
     std::vector<std::size_t> encodable_rules(const sleec::Encoding& encoding) {
@@ -226,7 +228,8 @@ private:
 
     // whether a model obeys
 
-    /// The exit code if the model is refused, or has nothing of the name that --component gives.
+    /// Checks the model. Returns an exit code if the model is rejected, or if it has no component with the name of
+    /// --component.
     std::optional<Exit> judge_model() {
         driver::Settings of_model = options_;
         of_model.load.inputs.erase(of_model.load.inputs.begin());

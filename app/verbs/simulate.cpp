@@ -123,7 +123,7 @@ std::string controllers_text(const simulation::Scenario& scenario) {
     return text;
 }
 
-/// The emission of one component. Errors are reported in the scenario's project.
+/// Generates the code of one component. Errors are reported in the scenario's project.
 cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& project, const Name& component,
                                        const std::string& model) {
     const auto components = driver::code_components(project.system, component.text);
@@ -139,8 +139,8 @@ cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& 
                                 project.diagnostics);
 }
 
-/// If the project of another controller is not acceptable, it replaces the simulation's project, so that its findings
-/// are shown.
+/// Loads the model of another controller. If it is not acceptable, it replaces the simulation's project, so that its
+/// findings are shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
     const driver::Settings wanted = settings_for(simulation.scenario, options, number);
@@ -259,7 +259,7 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
         print("{}{}\n", result.watched ? "" : not_all_watched, simulation::summary_text(result));
 }
 
-/// The first log that could not be written; set by the threads.
+/// The first log that a thread could not write.
 struct LogFailure {
     std::mutex mutex;
     std::string text;
@@ -427,7 +427,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
         write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->summary_lines(),
                    notes, files, options);
     options.run->finish();
-    // The only errors at this point are stopped trials and files that could not be written.
+    // Errors at this point are either stopped trials or files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.has_stopped_trial();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (unwritable && options.output.format == Format::json) return show_diagnostics(project, options), exit;
@@ -443,7 +443,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     return exit;
 }
 
-/// A rule file among the inputs defines the guard of the trials.
+/// Moves a rule file from the inputs to the option --monitor, so that it guards the trials.
 Options with_guarding_rules(Options options) {
     const auto is_rules = [](const std::string& input) { return input.ends_with(".sleec"); };
     for (const std::string& input : options.load.inputs) {

@@ -33,39 +33,41 @@ struct Simulation {
     std::vector<OtherController> others;  ///< for the scenario's other kinds and its environment
     simulation::Plan plan;                ///< refers to the scenario
 
-    /// The model of a controller (see Scenario::controller_at).
+    /// The model of the controller with this index (see Scenario::controller_at).
     [[nodiscard]] const driver::Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project : *others[controller - 1].project;
     }
-    /// The emission that drives the robots of a kind (see Scenario::kind_at).
+    /// The generated code that drives the robots of a kind (see Scenario::kind_at).
     [[nodiscard]] const cpp_emit::DriveEmission& emission_of(std::size_t kind) const {
         return kind == 0 ? emission : others[kind - 1].emission;
     }
 };
 
-/// Reads the scenario and its model and binds them. Never null; the project's diagnostics show whether it can run.
+/// Reads the scenario and its model and connects them. Never null; the project's diagnostics show whether the scenario
+/// can run.
 [[nodiscard]] std::unique_ptr<Simulation> load_simulation(const Options&);
 
 /// Reads the scenario; its text is added to the project's sources.
 [[nodiscard]] simulation::Scenario read_scenario_of(driver::Project&, const Options&);
-/// Builds the controllers. Returns that of the first kind of robots and stores the others. On failure the result is
-/// null, and the project's diagnostics contain the reason.
+/// Builds the controllers. Returns the controller of the first kind of robots and stores the others in the simulation.
+/// On failure the result is null, and the project's diagnostics contain the reason.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
 
-/// All controllers, after they are built.
+/// All controllers. They must be built before.
 [[nodiscard]] simulation::Drives drives_of(const Simulation&, const simulation::Controller&);
 
 /// Adds to a hash everything that a trial depends on except its seed: the texts of the scenario and drawings, and the
-/// generated code. The cache's own keys contain the program.
+/// generated code. The identity of the program is not added, because the cache adds it to every key.
 void add_trials(const Simulation&, diagnostics::Hasher&);
 
-/// The path of the model of one of a scenario's controllers (see Scenario::controller_at); `path` is that of the
+/// The path of the model of one of a scenario's controllers (see Scenario::controller_at); `path` is the path of the
 /// scenario.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
-/// The settings for the model of one controller: its path, and its constants. These are the constants of `--const` for
-/// this controller and, for constants without a value there, those of the scenario (`const ...` in `robots` and
-/// `environment`). The robots are simulated with these constants, so all claims about the models are decided with them.
+/// The settings for the model of one controller: its path, and its constants. `--const` gives the values of constants
+/// for this controller. A constant without a value in `--const` gets the value of the scenario (`const ...` in `robots`
+/// and `environment`). The robots are simulated with these constants, so all claims about the models are decided with
+/// them.
 [[nodiscard]] driver::Settings settings_for(const simulation::Scenario&, driver::Settings, std::size_t controller);
 /// "NAME=VALUE" for all constants that were given to the model.
 [[nodiscard]] std::vector<std::string> constants_of(const driver::Project&);
@@ -73,12 +75,12 @@ void add_trials(const Simulation&, diagnostics::Hasher&);
 /// Shows the findings about the scenario and its model, and those about the models of the other controllers.
 void show_all_diagnostics(const Simulation&, const Options&);
 
-/// The three functions add to the evidence what is decided with the constants of settings_for. The first adds the
-/// assertions of the scenario's models and the digests of their files. The second adds whether the code of each
-/// controller conforms. The third adds the scenario's claims; it returns false if the scenario cannot be run, and the
-/// simulation's project contains the reason. Results about controllers other than the first have the controller's name
-/// in front, "leaders: A1". Two controllers with the same model and constants are decided once. Throw
-/// diagnostics::LimitReached.
+/// These three functions add results to the evidence. All are computed with the constants of settings_for. The first
+/// function adds the assertions of the scenario's models and the digests of their files. The second adds whether the
+/// code of each controller conforms. The third adds the scenario's claims. It returns false if the scenario cannot be
+/// run; the simulation's project then contains the reason. Results about other controllers than the first begin with
+/// the controller's name: "leaders: A1". If two controllers have the same model and constants, only one is checked. All
+/// three throw diagnostics::LimitReached.
 void decide_assertions(const Options&, const simulation::Scenario&, driver::Evidence&);
 void decide_conformance(const Options&, const simulation::Scenario&, driver::Evidence&);
 [[nodiscard]] bool decide_claims(const Options&, driver::Evidence&, std::unique_ptr<Simulation>&);
@@ -90,19 +92,20 @@ struct OtherStage {
     bool parallel = true;  ///< trials may run at the same time
 };
 Exit run_simulate(const Options&, const OtherStage&);
-/// For a scenario in which something varies.
+/// Runs a scenario that has variations.
 Exit sweep(const Options&, const OtherStage&);
-/// For a scenario with a chain. Its project must have no errors.
+/// Runs a scenario that defines a chain. The simulation's project must have no errors.
 Exit study_chain(Simulation&, const Options&, const OtherStage&);
-/// Returns true if trials must end because of a limit or a signal.
+/// A function that returns true if trials must end because of a limit or a signal.
 [[nodiscard]] std::function<bool()> when_a_limit_is_reached(const Options&);
-/// The progress reports of trials that `--progress` selects; empty: none.
+/// A function that reports the progress of trials as `--progress` selects; empty if no reports are wanted.
 [[nodiscard]] std::function<void(const simulation::RunProgress&)> progress_reports(const Options&,
                                                                                    const std::string& subject);
-/// The whole program that simulates in another simulator, with the arguments of the verb. Returns its exit code.
+/// Runs the program for another simulator, with the arguments of the verb `simulate`. Returns its exit code.
 int simulate_program(const char* program, int argc, char** argv, const OtherStage&);
 
-/// Writes tables and pictures of a run below the output folder. Returns the paths; problems are reported.
+/// Writes tables and pictures of a run below the output folder. Returns the paths. Errors are reported in the project's
+/// diagnostics.
 [[nodiscard]] std::vector<std::string> write_simulation_files(Simulation&, const simulation::RunResult&,
                                                               const simulation::Machines&, const Options&,
                                                               std::string& notes);

@@ -23,7 +23,7 @@ namespace robochart::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// How much faster than real time an animation runs; a trial takes about half a minute.
+/// The factor by which an animation runs faster than real time, so that a trial takes about half a minute.
 double animation_speed(double duration) {
     return std::max(1.0, std::round(duration / 30));
 }
@@ -92,7 +92,7 @@ private:
         return true;
     }
 
-    /// Runs a program that makes a file with this name in the work folder, and moves the file to the others.
+    /// Runs a program that creates a file with this name in the work folder, and moves the file to the output folder.
     bool make_file(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
         std::string error;
         const std::string log = work_->path() + "/log";
@@ -108,7 +108,8 @@ private:
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
-    /// If a limit ends the conversions, the drawings still exist.
+    /// Converts the drawings to images and films. The drawings are written before, so they exist even if a limit ends
+    /// the conversions.
     void images_and_films(const std::vector<simulation::Frame>& frames, std::string& notes) try {
         make_images(notes);
         make_videos(frames, notes);

@@ -37,9 +37,9 @@
 namespace robochart::app {
 namespace {
 
-/// The number of hidden steps that are taken at once while no other step is possible.
+/// The maximal number of hidden steps that are taken automatically while no other step is possible.
 constexpr std::size_t most_settled = 10'000;
-/// The number of steps in which `until` searches for its condition.
+/// The maximal number of steps in which `until` searches for its condition.
 constexpr std::size_t most_until = 100'000;
 
 std::string place_of(const std::optional<runs::Place>& place) {
@@ -55,7 +55,7 @@ public:
     Console(runs::Stepper& stepper, const Options& options, Stepped stepped)
         : stepper_(stepper), options_(options), stepped_(std::move(stepped)) {}
 
-    /// Runs until the input ends. Returns the exit code: wrong commands in a file are a failure.
+    /// Runs until the input ends. Returns the exit code, which is a failure if a file contains wrong commands.
     Exit run();
 
 private:
@@ -66,7 +66,7 @@ private:
         const char* help;
         void (Console::*obey)(const std::string& argument);  ///< null for numbers
     };
-    /// A prefix of a name selects the first command in this list that has it.
+    /// A prefix selects the first command in this list whose name begins with it.
     static const std::vector<Command>& command_table();
 
     void run_command_line(const std::string& line);
@@ -78,7 +78,7 @@ private:
     void explain_absences(const std::string& text);
     void find(const std::string& text);
     [[nodiscard]] std::string leads_to(std::size_t offer);
-    bool list_offers(const std::string& text);  ///< those with this text; false if there are none
+    bool list_offers(const std::string& text);  ///< lists the offers with this text; false if there are none
     void watch_component(const std::string& name);
     void print_way(const std::string&);
     void print_tree(const std::string&);
@@ -91,16 +91,16 @@ private:
     void show_state();
     void report_wrong(const std::string& text);
     [[nodiscard]] bool take_random_offer();
-    /// True if the text occurred after this number of steps.
+    /// True if a step after the first `steps` steps contains the text, or if the current state of a machine does.
     [[nodiscard]] bool has_occurred(const std::string& text, std::size_t steps);
     std::optional<std::size_t> read_number(const std::string& word, std::size_t otherwise);
 
     runs::Stepper& stepper_;
     const Options& options_;
     Stepped stepped_;
-    std::vector<std::size_t> choices_;  ///< the number of steps before each choice
+    std::vector<std::size_t> choices_;  ///< for each choice, the number of steps before it
     std::string watched_;
-    std::uint64_t chance_ = 1;  ///< state of the generator; every run makes the same choices
+    std::uint64_t chance_ = 1;  ///< state of the random generator; its fixed start makes runs repeatable
     bool internal_ = false;
     bool failed_ = false, quits_ = false;
     bool person_ = isatty(STDIN_FILENO) == 1;
@@ -144,7 +144,8 @@ void Console::show_state() {
     if (offers.empty()) print("      nothing can happen any more\n");
 }
 
-/// For a process of a script in which several offers have the same text: "   to STOP".
+/// The target of an offer, such as " to STOP". It is shown for processes of scripts if several offers have the same
+/// text.
 std::string Console::leads_to(std::size_t offer) {
     const std::vector<runs::Offer>& offers = stepper_.current_offers();
     const auto same = [&](const runs::Offer& each) {
@@ -414,7 +415,7 @@ Candidates candidate_components(const std::vector<driver::Part>& parts, const st
     return result;
 }
 
-/// The selected component. Throws UsageError if there is none, or several.
+/// The selected component. Throws UsageError unless exactly one component matches.
 std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::vector<driver::Part>& parts,
                                                                    const std::string& wanted) {
     const Candidates found = candidate_components(parts, wanted);
@@ -422,7 +423,7 @@ std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::ve
     std::vector<std::string> names;
     for (const auto& [project, component] : found.empty() ? candidate_components(parts, "") : found)
         names.push_back(ir::qualified_name(component));
-    std::vector<std::string> known = names;  // with and without packages
+    std::vector<std::string> known = names;  // names with and without their packages
     for (const std::string& name : names) known.push_back(name.substr(name.rfind(':') + 1));
     if (found.empty())
         throw UsageError(fmt::format("the model has no component '{}'{}; it has {}", wanted,

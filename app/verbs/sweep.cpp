@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate` with a scenario in which something varies: decides its claims at every point, one after another. The
-// results of a point are stored in the cache, so a run that was stopped continues where it ended.
+// `simulate` with a scenario that has variations: decides its claims at every point, one after another. The results of
+// a point are stored in the cache, so a run continues after the last finished point of an earlier run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ private:
                                          {fmt::format("{} points are more than {}", points, most_points)});
     }
 
-    /// Reads the table of `--compare`; its errors are reported in the table's text.
+    /// Reads the table of `--compare`. Errors are reported at their place in the table.
     void read_table() {
         std::string error;
         const auto source = project_->sources.load_file(options_.simulate.compare, error);
@@ -95,7 +95,7 @@ private:
                 {fmt::format("--compare {}: {}", diagnostics::escape_for_display(options_.simulate.compare), error)});
     }
 
-    /// Errors of the file are reported when it is used.
+    /// Reads the text of the rule file of `--monitor`. Errors in it are reported when the rules are used.
     void read_rules() {
         std::string error;
         if (const auto source = project_->sources.load_file(options_.simulate.guarding_rules, error))
@@ -142,7 +142,7 @@ private:
         result_.interrupted = found.interrupted;
         if (result_.watched && !found.watched) unwatched_ = prepared_.monitors->summary_lines();
         result_.watched = result_.watched && found.watched;
-        // A point that was not completely monitored is computed again next time, to repeat the message.
+        // A point that was not completely monitored is not stored, so that the next run repeats the message.
         if (!found.interrupted && found.watched && cache != nullptr)
             cache->store_entry(key, simulation::claims_to_text(found.claims));
         return std::nullopt;
@@ -252,8 +252,8 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// Success if all that `--monitor` checks was observed and every point is decided. If values are tried until one is
-    /// proved, every least value must be decided instead.
+    /// Success if every point is decided and `--monitor` could follow all trials. If values are tried until one is
+    /// proved, only the least values must be decided.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
         if (std::ranges::any_of(
@@ -293,13 +293,13 @@ private:
 
     const Options& options_;
     const OtherStage& stage_;
-    std::unique_ptr<driver::Project> project_;  ///< contains only the scenario's text
+    std::unique_ptr<driver::Project> project_;  ///< this project contains only the scenario's text
     simulation::Scenario scenario_;
     Prepared prepared_;
     bool shown_ = false;
-    std::string rules_text_;                   ///< for `--monitor RULES.sleec`
+    std::string rules_text_;                   ///< text of the rule file of `--monitor RULES.sleec`
     std::string unwatched_;                    ///< the guard's note about the first incomplete observation
-    std::vector<simulation::TableRow> table_;  ///< from `--compare`
+    std::vector<simulation::TableRow> table_;  ///< rows of the table of `--compare`
     std::vector<simulation::Compared> compared_;
     simulation::SweepResult result_;
     const Clock::time_point start_ = Clock::now();

@@ -48,9 +48,9 @@ struct ReportedRun {
 struct Totals {
     std::size_t logs = 0;
     std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
-    std::vector<ReportedRun> reported;  ///< the first of the runs that are not accepted
-    std::vector<ComparedLog> compared;  ///< for a page
-    std::string limit;                  ///< why not everything was checked
+    std::vector<ReportedRun> reported;  ///< the first runs that are not accepted
+    std::vector<ComparedLog> compared;  ///< logs for the page of `--html`
+    std::string limit;                  ///< reason why not everything was checked
     double seconds = 0;
 };
 constexpr std::size_t max_reported = 100;
@@ -93,7 +93,8 @@ public:
 
     [[nodiscard]] diagnostics::Budget& budget() const { return options_.run->budget(); }
 
-    /// No value, with a finding, if there is no such component.
+    /// Finds the checker for the component of a log. If there is no such component, reports a finding and returns no
+    /// value.
     std::optional<Found> find_checker(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.load.component.empty() ? options_.load.component : header.component;
         const std::vector<driver::Part>* const parts = model_with(header.constants);
@@ -126,8 +127,8 @@ private:
         std::string error;
     };
 
-    /// The model with the log's constants, unless the options set them: like `--component` and `--cycle`, `--const` has
-    /// priority over the log. Null, with a finding, if the model cannot be read with them.
+    /// The model with the constants of the log. `--const` has priority over the log, as do `--component` and `--cycle`.
+    /// If the model cannot be read with these constants, reports a finding and returns null.
     const std::vector<driver::Part>* model_with(const std::vector<std::string>& constants) {
         if (constants.empty()) return &parts_;
         auto [known, fresh] = others_.try_emplace(constants);
@@ -148,7 +149,7 @@ private:
                 }
         return &parts;
     }
-    /// The first component of this name in each part.
+    /// The first component with this name in each part.
     [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<driver::Part>& parts,
                                                                  const std::string& wanted) {
         std::vector<Candidate> result;
@@ -175,11 +176,11 @@ private:
     const std::vector<driver::Part>& parts_;
     const Options& options_;
     refine::Limits limits_;
-    std::map<std::vector<std::string>, std::vector<driver::Part>> others_;  ///< the model with the constants of logs
+    std::map<std::vector<std::string>, std::vector<driver::Part>> others_;  ///< the model, by the constants of logs
     std::map<std::tuple<const driver::Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 
-/// Reads only the header, up to its first fault: the component and the constants of the log. Throws
+/// Reads only the header of a log, which names the component and the constants, up to the first error. Throws
 /// diagnostics::LimitReached.
 conformance::TraceHeader peek_header(const std::string& path, diagnostics::Budget& budget) {
     std::ifstream in(path, std::ios::binary);
@@ -195,12 +196,12 @@ conformance::TraceHeader peek_header(const std::string& path, diagnostics::Budge
             (void)conformance::read_header_line(tokens, header, lines.line_number());
         }
     } catch (const conformance::TraceFault&) {
-        // The main reader will find and report the fault.
+        // The main reader finds and reports the error.
     }
     return header;
 }
 
-/// Reports the fault in a text that contains only this line, at its line number.
+/// Reports an error in a line of a log. The sources contain only this line, at its line number.
 void report_fault(driver::Project& project, const std::string& path, const conformance::LogFault& found) {
     const std::uint64_t above = std::min<std::uint64_t>(found.line > 0 ? found.line - 1 : 0, 50'000'000);
     const auto source = project.sources.add(path, std::string(above, '\n') + found.text + "\n");
@@ -213,7 +214,7 @@ void report_fault(driver::Project& project, const std::string& path, const confo
 void check_log(const std::string& path, driver::Project& project, Checkers& checkers, Totals& totals) {
     std::error_code error;
     std::ifstream in;
-    // A log is read twice, so it must be a regular file.
+    // A log is read twice, which is possible only for regular files.
     if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
     if (!in.is_open()) {
         project.diagnostics.report(frontend::syntax::unreadable, {},
@@ -311,7 +312,7 @@ std::string totals_json(const Totals& totals, Exit exit) {
 
 namespace {
 
-/// The component of the logs, if only the command line names it.
+/// The subject of the report: the component that --component names, otherwise "the model".
 std::string subject_text(const Options& options) {
     return options.load.component.empty() ? "the model" : options.load.component;
 }

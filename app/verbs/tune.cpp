@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `tune`: finds constants of a model with which a scenario's claims do best, by iterated racing. The best ones
-// are checked, compared with their code, and judged on seeds that the search has not used. The result is a certificate,
-// which can be verified again.
+// The verb `tune`: finds values of a model's constants that optimise the claims of a scenario, by iterated racing. For
+// the best values, the model is checked, its code is compared with it, and trials with unused seeds evaluate the
+// claims. The result is a certificate, which can be verified again.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -66,7 +66,7 @@ bool has_any_answer(const std::vector<driver::DecidedItem>& items, std::initiali
     });
 }
 
-/// The exit code for the decisions: 1 if something fails, otherwise 3 if something is open.
+/// The exit code for the decisions: 1 if one is negative, otherwise 3 if one is open.
 Exit exit_of(const driver::Evidence& evidence) {
     const bool fails = has_any_answer(evidence.assertions, {"fails", "error"}) ||
                        has_any_answer(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
@@ -80,7 +80,7 @@ Exit exit_of(const driver::Evidence& evidence) {
     return open || claim("open") ? Exit::inconclusive : Exit::success;
 }
 
-/// The decisions, line by line.
+/// The decisions as text, one per line.
 std::string evidence_text(const driver::Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
     for (const driver::DecidedItem& each : evidence.assertions)
@@ -150,7 +150,7 @@ public:
             missing.push_back(t);
             trials.push_back({&built.simulation->plan, &*built.drives, seed_of(wanted[t])});
         }
-        // In portions, so that an interrupted search keeps its results so far.
+        // Trials run in portions, so that an interrupted search has the results of finished portions.
         constexpr std::size_t portion = 64;
         for (std::size_t begin = 0; begin < trials.size(); begin += portion) {
             const std::size_t end = std::min(trials.size(), begin + portion);
@@ -169,9 +169,9 @@ public:
         return result;
     }
 
-    /// Why a candidate could not be used; "" if all could be used.
+    /// The reason why a candidate could not be used; "" if all could be used.
     [[nodiscard]] const std::string& unusable_reason() const { return unusable_; }
-    /// Why one of the best candidates was refused; "" if none was.
+    /// The reason why one of the best candidates was rejected; "" if none was.
     [[nodiscard]] const std::string& refusal_reason() const { return refusal_; }
     [[nodiscard]] std::uint64_t earlier_trials() const { return earlier_; }
 
@@ -278,7 +278,7 @@ public:
             limit_ = limit.what();
         }
         if (!limit_.empty() || race.elites().empty())
-            options_.run->recorder().forget_values();  // those of the candidates, none of which is the answer
+            options_.run->recorder().forget_values();  // the values of the candidates are not results of the run
         if (!limit_.empty()) return end_interrupted(race);
         if (race.elites().empty()) return without_winner(race, subject);
         if (!project_->diagnostics.ok()) return show_refusal();
@@ -330,7 +330,8 @@ private:
         return controller == 0 ? *project_ : *others_.at(controller - 1).project;
     }
 
-    /// The constants that do not vary: those of `--const`, and those that the scenario leaves open.
+    /// The constants that do not vary: those of `--const`, and those of the scenario that are not among the constants
+    /// to search.
     [[nodiscard]] Pairs fixed_constants() const {
         Pairs result;
         for (const std::string& each : options_.instantiation.constants) result.push_back(split_constant(each));
@@ -409,9 +410,9 @@ private:
         decide_all(options);
     }
 
-    /// Decides everything for the certificate.
+    /// Makes all decisions for the certificate.
     void decide_all(const Options& options) {
-        options_.run->recorder().forget_values();  // those of other candidates
+        options_.run->recorder().forget_values();  // the values of other candidates
         driver::Evidence& evidence = certificate_.evidence;
         decide_assertions(options, scenario_, evidence);
         decide_conformance(options, scenario_, evidence);
@@ -419,7 +420,7 @@ private:
         if (!decide_claims(options, evidence, simulation)) project_ = std::move(simulation->project);
     }
 
-    /// The results of a search that was interrupted.
+    /// Prints the results of a search that was interrupted.
     Exit end_interrupted(const simulation::Race& race) const {
         print_json(race, "", Exit::inconclusive);
         if (options_.output.format == Format::json) return Exit::inconclusive;

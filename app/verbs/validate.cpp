@@ -28,7 +28,7 @@ bool is_syntax(const diagnostics::Rule& rule) {
            std::ranges::any_of(cspm::rules::all_rules(), [&](const diagnostics::Rule* each) { return each == &rule; });
 }
 
-/// The parts, including the findings in their CSP blocks.
+/// Reads the parts, including the findings in their CSP blocks.
 std::vector<driver::Part> read_with_blocks(const Options& options) {
     std::vector<driver::Part> parts = driver::read_parts(options.load, options.run->budget());
     for (const driver::Part& part : parts) record_texts(part.project->sources, options);
@@ -37,8 +37,8 @@ std::vector<driver::Part> read_with_blocks(const Options& options) {
     return parts;
 }
 
-/// Repairs the texts of a part (base/repair/repair.hpp) and writes the changed ones; each file is written
-/// completely or not at all. Returns why one could not be written; "" if all were.
+/// Repairs the texts of a part (base/repair/repair.hpp) and writes the changed ones; each file is written completely or
+/// not at all. Returns the reason why a file could not be written, or "".
 std::string repair_part(const driver::Part& part, const Options& options, diagnostics::Repaired& sum) {
     const driver::Project& project = *part.project;
     diagnostics::Texts texts;
@@ -84,7 +84,7 @@ bool is_valid(const diagnostics::Diagnostics& findings, const Options& options) 
     return findings.ok() && !(options.load.deny_warnings && findings.warning_count() > 0);
 }
 
-/// `limit`: why not everything was checked; "" if everything was.
+/// Outputs the findings. `limit` is the reason why not everything was checked, or "".
 void output_findings(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings,
                      const std::string& limit, const Options& options) {
     output_document(options, [&](Format format) {

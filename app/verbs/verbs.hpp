@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One function for each verb; each uses only the public headers of the components and returns the exit code.
+// Declares one function for each verb. It uses only the public headers of the components and returns the exit code.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace robochart::app {
 
-/// Runs the verb of the options.
+/// Runs the verb that the options name, and returns its exit code.
 Exit run_verb(const Options&);
 
 Exit run_model(const Options&);  ///< verify, check, emit, conform

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs over models: read, then check, write and conform as the verb requires, with one report.
+// The verbs about models: verify, check, emit and conform. A run reads the models and then checks, writes files and
+// tests conformance as the verb requires, with one report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -83,7 +84,7 @@ std::vector<std::string> instantiation_notes(const ir::Instantiation& i) {
     return result;
 }
 
-/// The finite instantiation; printed once if all parts with one have the same.
+/// Notes about the finite instantiation. A note that all parts share is printed once.
 std::vector<std::string> instantiation_notes(const std::vector<driver::Part>& parts) {
     std::vector<const driver::Project*> finite;
     for (const driver::Part& part : parts)
@@ -131,7 +132,7 @@ conformance::Export export_format(const std::string& path) {
     return ending == ".csp" ? Export::csp : Export::none;
 }
 
-/// Writes all states of the code, if they are known.
+/// Writes all states of the code, if all were explored.
 bool write_code_graph(driver::Project& project, const Options& options, conformance::Result& result, Report& report) {
     std::string error =
         result.exported.empty()
@@ -147,7 +148,7 @@ bool write_code_graph(driver::Project& project, const Options& options, conforma
     return false;
 }
 
-/// True if --export can be satisfied, which requires one component.
+/// True if --export is not given, or if the extension of its file is known and there is exactly one component.
 bool export_fits(driver::Project& project, const Options& options, std::size_t components) {
     if (options.conform.exported_code.empty()) return true;
     const bool named = export_format(options.conform.exported_code) != conformance::Export::none;
@@ -174,8 +175,8 @@ std::string first_file(const driver::Part& part) {
     return file == files.end() ? "" : part.project->sources.path((*file)->source);
 }
 
-/// Fills in the beginning of the report. If all parts are rejected, they may not have been lowered, so it contains only
-/// the model's name.
+/// Fills in the head of the report. If all parts are rejected, it contains only the model's name, because the parts may
+/// not have been lowered.
 void begin(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
     const auto edit = options.run->edit();
     const auto accepted = [](const driver::Part& part) { return part.project->diagnostics.ok(); };
@@ -183,7 +184,7 @@ void begin(const std::vector<driver::Part>& parts, const Options& options, Repor
     report.file = first_file(parts.front());
     report.load_seconds = parts.front().project->seconds;
     if (options.probability.preferences.empty())
-        report.notes = instantiation_notes(parts);  // otherwise the file gives the ranges
+        report.notes = instantiation_notes(parts);  // ranges in the preferences file replace the instantiation
 }
 
 /// Prints the report so far.
@@ -198,7 +199,8 @@ Exit print_report(const Report& report, const Options& options) {
     return report.exit_code();
 }
 
-/// `code`: code is generated for the part's components, and no earlier part has them.
+/// Runs the phases of the verb for one part. `code` is true if code must be generated for its components, which no
+/// earlier part has.
 bool run_phases(driver::Project& project, const Options& options, bool code, Report& report) {
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, search_context(options), report);
@@ -233,7 +235,7 @@ bool write_csp(driver::Project& project, const Options& options, Report& report)
 
 namespace {
 
-/// The mapping of --mapping; no value, with findings, if it cannot be read.
+/// Reads the mapping of --mapping. If it cannot be read, reports findings and returns no value.
 std::optional<cpp_emit::ros2::Mapping> read_mapping(driver::Project& project, const Options& options) {
     std::string error;
     const auto source = project.sources.load_file(options.code.mapping, error);
@@ -246,7 +248,8 @@ std::optional<cpp_emit::ros2::Mapping> read_mapping(driver::Project& project, co
     return std::nullopt;
 }
 
-/// The only component to write: that of the mapping; empty, with a finding, if it does not exist.
+/// The component of the mapping, which is the only one to write. If it does not exist, reports a finding and returns an
+/// empty list.
 std::vector<ir::ComponentRef> mapped_component(driver::Project& project,
                                                const std::vector<ir::ComponentRef>& components,
                                                const cpp_emit::ros2::Mapping& mapping) {
@@ -299,7 +302,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
 
 namespace {
 
-/// The module, if the component is one.
+/// The component as a module; null if it is not a module.
 const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& component) {
     return component.kind == ir::ComponentKind::module ? &system.modules[component.definition] : nullptr;
 }
@@ -359,7 +362,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
             report.conformance.back().result.reason = driver::undecided_at_limit;
         }
     }
-    std::optional<conformance::TimedModel> model;  // made for the first component, used for all
+    std::optional<conformance::TimedModel> model;  // built for the first component and used for all
     std::string unlike_blocks;
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ir::ComponentRef& component = components[i];
@@ -418,13 +421,13 @@ bool has_components(const driver::Part& part, const std::vector<driver::Part>& p
     return some || (options.load.component.empty() && (!code || parts.size() == 1));
 }
 
-/// True if the report lists every claim of a rejected part as undecided, because only claims have errors.
+/// True if only the claims of a rejected part have errors. The report then lists all its claims as undecided.
 bool reports_refused(const driver::Part& part, const Options& options) {
     return part.again || (decides_assertions(options.verb) && only_claims_broken(*part.project));
 }
 
-/// Shows the diagnostics of all parts. In formats for programs, those of a single part are the answer; those of several
-/// parts, and of claims, are part of the report.
+/// Shows the diagnostics of all parts. In formats for programs, the diagnostics of a single part are the result of the
+/// run. Those of several parts, and those of claims, are part of the report.
 bool show_all(const std::vector<driver::Part>& parts, const Options& options) {
     const bool alone = parts.size() == 1 && !reports_refused(parts.front(), options);
     if (alone) return show_diagnostics(*parts.front().project, options);
@@ -436,7 +439,8 @@ bool show_all(const std::vector<driver::Part>& parts, const Options& options) {
     return good;
 }
 
-/// The first part that is rejected because the command line is wrong; for a single part, also if its model is wrong.
+/// The first part that is rejected because the command line is wrong. If there is only one part, also if its model is
+/// wrong.
 const driver::Project* first_refused(const std::vector<driver::Part>& parts, const Options& options) {
     for (const driver::Part& part : parts) {
         if (is_acceptable(*part.project, options.load)) continue;
@@ -492,7 +496,7 @@ void keep_last_page(const std::vector<driver::Part>& parts, const Options& optio
                                     }));
 }
 
-/// The answer if no part is processed: the diagnostics of this part, and with --html a page with the errors.
+/// The result if no part is processed: the diagnostics of this part and, with --html, a page with the errors.
 Exit refuse_parts(const driver::Project& stopped, const std::vector<driver::Part>& parts, const Options& options,
                   Report& report) {
     if (refusal_code(stopped) != Exit::usage) {
@@ -572,7 +576,7 @@ Exit print_phases(const std::vector<driver::Part>& parts, const Options& options
     return exit;
 }
 
-/// A log may belong to any part, so all parts must be correct.
+/// Compares logs with the parts. A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
     const auto refused = std::ranges::find_if(
         parts, [&](const driver::Part& part) { return !is_acceptable(*part.project, options.load); });
@@ -584,7 +588,8 @@ Exit compare_traces(const std::vector<driver::Part>& parts, const Options& optio
     return conform_traces(parts, options);
 }
 
-/// PRISM models contain buffers between machines, so the warning that they are ignored is suppressed.
+/// Sets the options for PRISM models. These contain buffers between machines, so the warning about ignored buffers is
+/// suppressed.
 Options with_buffers(Options options) {
     options.load.allowed.emplace_back("Cn11");
     return options;
@@ -616,7 +621,7 @@ Exit run_model(const Options& given) {
     const auto report = std::make_shared<Report>();
     const auto parts = std::make_shared<std::vector<driver::Part>>();
     report->model = fmt::format("{}", fmt::join(options.load.inputs, " "));
-    // The last word may be called after this function has returned, so it owns its data.
+    // The run may call the function after this function has returned, so the function owns its data.
     options.run->last_word([report, parts, options](const std::string& why) {
         report->limit = why;
         for (driver::AssertionReport& each : report->assertions)

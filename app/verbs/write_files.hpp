@@ -15,8 +15,8 @@
 
 namespace robochart::app {
 
-/// Writes files (with a `path` and a `text`) to a folder below the output folder, such as "cpp/C/". Returns false, with
-/// a diagnostic, if one cannot be written. An existing file is not overwritten if `keep` is set.
+/// Writes files (with a `path` and a `text`) to a folder below the output folder, such as "cpp/C/". If one cannot be
+/// written, reports a diagnostic and returns false. Existing files are not overwritten if `keep` is set.
 bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options,
                driver::Project& project) {
     for (const auto& file : files) {
