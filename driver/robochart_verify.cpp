@@ -27,7 +27,7 @@ namespace {
 using driver::Part;
 using driver::Project;
 
-/// The services of one call. Nothing watches the limits: phases poll them.
+/// The services of one call. No thread watches the limits; the phases poll them.
 class CallServices final : public driver::Services {
 public:
     explicit CallServices(diagnostics::Limits limits) : budget_(std::move(limits)) {}
@@ -220,13 +220,13 @@ void take(const CheckOptions& options, driver::Settings& settings) {
     settings.limits.threads = options.limits.threads;
 }
 
-/// The phases over this part poll the budget from now on.
+/// Sets the budget that all phases of this part poll.
 void use(Project& project, diagnostics::Budget* budget) {
     project.diagnostics.set_budget(budget);
     project.instantiation.budget = budget;
 }
 
-/// Runs a phase. Returns why it ended early, or adds a finding if it failed.
+/// Runs a phase. Returns the reason if a limit ended it early. If it failed, adds a finding.
 std::string guarded(std::vector<Finding>& findings, const std::function<void()>& phase) {
     try {
         phase();
@@ -251,7 +251,7 @@ void add_new(const Project& project, const std::vector<diagnostics::Diagnostic>&
     }
 }
 
-/// Lists the selected claims of a part as answers that no search has given.
+/// Lists the selected claims of a part as claims without an answer.
 void list_claims(const Project& project, const driver::ClaimSettings& settings, Verdict verdict,
                  const std::string& reason, std::vector<Answer>& answers) {
     for (const driver::ClaimName& claim : driver::claims_of(*project.model)) {
@@ -274,7 +274,7 @@ struct Model::Impl {
     std::vector<Claim> claims;
 
     void list() {
-        std::set<std::pair<std::string, std::uint32_t>> known;  // parts of broken claims have texts of their own
+        std::set<std::pair<std::string, std::uint32_t>> known;  // parts with broken claims have separate texts
         for (const Part& part : parts)
             for (const driver::ClaimName& claim : driver::claims_of(*part.project->model)) {
                 const std::string& path = part.project->sources.path(claim.span.source);
@@ -283,7 +283,7 @@ struct Model::Impl {
             }
     }
 
-    /// Replaces the words by the names of claims. Returns false, with a finding, if one selects none.
+    /// Replaces the words by the names of claims. If a word selects no claim, adds a finding and returns false.
     bool select(const std::vector<std::string>& words, driver::ClaimSettings& selected,
                 std::vector<Finding>& findings) const {
         std::vector<std::string> names;
@@ -296,7 +296,7 @@ struct Model::Impl {
         return selection.lost.empty();
     }
 
-    /// Decides the claims of one part. Returns why it ended early.
+    /// Decides the claims of one part. Returns the reason if a limit ended the check early.
     std::string check(const Part& part, const driver::Settings& wanted, CallServices& services, CheckResult& result) {
         Project& project = *part.project;
         if (!is_acceptable(project, wanted.load)) {
@@ -305,7 +305,7 @@ struct Model::Impl {
             return "";
         }
         use(project, &services.budget());
-        project.scripts.clear();  // they depend on the settings of the check
+        project.scripts.clear();  // the scripts depend on the settings of the check
         const diagnostics::Diagnostics before = project.diagnostics;
         driver::Settings of_part = wanted;
         of_part.claims.core = core_wanted(part, wanted);

@@ -2,8 +2,8 @@
 // The library robochart::driver: loads RoboChart models, decides their claims in the CSP semantics, and explains the
 // answers with runs of the model. It is the pipeline of the command `robochart-verify check`.
 //
-// Functions return what is wrong with a model or a setting as findings. They print nothing, never end the program, and
-// throw only std::bad_alloc. This header needs only the standard library (docs/library.md has an example).
+// Functions return errors and warnings about a model or a setting as findings. They print nothing, never end the
+// program, and throw only std::bad_alloc. This header needs only the standard library (docs/library.md has an example).
 #pragma once
 
 #include <cstddef>
@@ -29,12 +29,12 @@ struct Place {
 /// The severity of a finding. A model with errors cannot be checked.
 enum class Severity { note, warning, error };
 
-/// What is wrong with a model or a setting.
+/// An error, a warning or a note about a model or a setting.
 struct Finding {
     Severity severity = Severity::error;
     std::string code;            ///< of the rule, "STM6"; `robochart-verify explain CODE` explains it
     std::string message;         ///< one sentence
-    std::optional<Place> place;  ///< no value: it is not about a text
+    std::optional<Place> place;  ///< no value: the finding is not about a text
 };
 
 /// A file whose text is given instead of read.
@@ -53,7 +53,7 @@ struct LoadOptions {
     bool deny_warnings = false;                 ///< a model with warnings cannot be checked
 };
 
-/// The semantics in which claims are decided; a claim may restrict itself to one.
+/// The semantics in which claims are decided. A claim may be restricted to one of them.
 enum class Semantics { both, untimed, timed };
 
 /// The limits of one check. A claim that a limit leaves undecided is inconclusive.
@@ -65,7 +65,7 @@ struct Limits {
     unsigned threads = 0;                ///< of each search; 0: one for each core
 };
 
-/// What is decided, and within which limits.
+/// Selects the claims to decide, and sets the limits.
 struct CheckOptions {
     Semantics semantics = Semantics::both;
     /// Also decides the core properties of every component, such as freedom from deadlock. They are always decided if
@@ -106,23 +106,23 @@ struct Step {
     std::string component;             ///< the instance that performs it; "" if there is none
     std::string element;               ///< of the model: the transition, statement or event; "" if unknown
     std::vector<std::string> values;   ///< that are communicated
-    bool hidden = false;               ///< invisible to the environment
-    bool notable = true;               ///< false: Answer::text leaves it out, for example that a state is entered
+    bool hidden = false;               ///< true if the environment cannot observe the step
+    bool notable = true;               ///< false if Answer::text omits the step, for example the entry of a state
     std::optional<std::int64_t> time;  ///< time units before it; only in the timed semantics
     std::optional<Place> place;
     std::vector<Machine> machines;  ///< all machines after the step
 };
 
-/// A run of the model that refutes a claim, or that shows what a claim asks for.
+/// A run of the model that refutes a claim, or an example run that a claim asks for.
 struct Run {
     bool timed = false;
     std::vector<Machine> initial;  ///< before the first step
     std::vector<Step> steps;
     std::optional<std::size_t> loop_start;  ///< index of the first step that repeats forever; no value: the run ends
-    std::string end;                        ///< one sentence: what is wrong at the end
+    std::string end;                        ///< one sentence about the violation at the end
 };
 
-/// A fact that a verdict rests on besides the model, for example a bound of the finite instantiation.
+/// A fact on which a verdict depends besides the model, for example a bound of the finite instantiation.
 struct Ground {
     std::string text;
     std::optional<Place> place;
@@ -144,11 +144,11 @@ struct Answer {
     std::optional<Place> place;
     Verdict verdict = Verdict::inconclusive;
     std::string reason;         ///< of a verdict that needs one; "" otherwise
-    std::vector<Ground> basis;  ///< what the verdict rests on besides the model
+    std::vector<Ground> basis;  ///< facts on which the verdict depends besides the model
     std::optional<Run> run;     ///< the counterexample of a claim that fails
     std::string text;           ///< the same run as lines for people; "" if there is none
     std::vector<Value> values;  ///< of a probabilistic claim
-    bool information = false;   ///< a core property that is informative only: no answer to it is a problem
+    bool information = false;   ///< true for a core property that is only informative: no answer to it is a problem
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;
 };
@@ -159,8 +159,8 @@ struct CheckResult {
     std::vector<Finding> findings;  ///< of the check itself, for example about unknown claims
     std::string limit;              ///< why the check ended early; "" if it did not
 
-    /// True if at least one claim holds or has a value, every other holds, has a value or has no check in this
-    /// semantics, and the findings contain no error. Informative answers do not count.
+    /// True if at least one claim holds or has a value, all other claims hold, have a value or have no check in this
+    /// semantics, and no finding is an error. Informative answers do not count.
     [[nodiscard]] bool all_hold() const;
 };
 
@@ -184,7 +184,7 @@ public:
     /// Decides all claims.
     [[nodiscard]] CheckResult check(const CheckOptions& = {});
     /// Decides the claims that the words select: a name, a number (from 1), a range of numbers (`3..5`) or a pattern
-    /// (`Safe*`). A word that selects none is a finding, and nothing is decided.
+    /// (`Safe*`). If a word selects no claim, there is a finding and nothing is decided.
     [[nodiscard]] CheckResult check(const std::vector<std::string>& words, const CheckOptions& = {});
 
 private:
@@ -194,15 +194,15 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// A model, and what was found while it was loaded.
+/// A model, and the findings of loading it.
 struct LoadResult {
     std::optional<Model> model;     ///< no value: the errors among the findings leave nothing to check
     std::vector<Finding> findings;  ///< errors and warnings, by file and place
     std::string text;               ///< the findings with excerpts of the files, for people; "" if there are none
 };
 
-/// Loads files or folders, as the command does: with a model, the files of its folder that it needs. Files that do not
-/// belong together are checked as separate models.
+/// Loads files or folders in the same way as the command. With a model, it also loads the files in the model's folder
+/// that the model needs. Files that do not belong together are checked as separate models.
 [[nodiscard]] LoadResult load_files(const std::vector<std::string>& paths, const LoadOptions& = {});
 /// Loads a model whose texts are given; no other file is read, except rules in SLEEC that a claim names.
 [[nodiscard]] LoadResult load_texts(const std::vector<Text>& texts, const LoadOptions& = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bound is reported once for each expression, with the element that contains the expression.
+// Each expression whose bound a run reaches is reported once, with the element that contains the expression.
 #include "driver/claims/bounds.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,8 @@
 namespace robochart::driver {
 namespace {
 
-/// Limited, because a state of a term takes much longer than one of a compiled machine.
+/// The number of states is limited, because the evaluation of a term takes much longer than a step of a compiled
+/// machine.
 constexpr std::size_t most_states = 20'000;
 
 /// The functions that access the elements of a sequence.
@@ -108,7 +109,7 @@ std::string component_of(const cspm::Expr& expr) {
 
 using Processes = std::vector<cspm::ExprPtr>;
 
-/// Collects the processes of components in an expression, in their form before compression.
+/// Collects the processes of components in an expression, in the variant that is not compressed.
 void add_components(const cspm::ExprPtr& expr, Processes& found) {
     if (!expr) return;
     if (const std::string component = component_of(*expr); !component.empty()) {
@@ -120,8 +121,8 @@ void add_components(const cspm::ExprPtr& expr, Processes& found) {
     for (const cspm::ExprPtr& part : expr->args) add_components(part, found);
 }
 
-/// If a claim is about a process that a CSP block defines, the whole process counts, because the block may restrict a
-/// component.
+/// The processes to explore for a claim. If a CSP block defines the process of the claim, the whole process is
+/// explored, because the block may restrict a component.
 Processes processes_of(const csp_emit::Obligation& claim) {
     Processes sides;
     if (claim.firing) sides.push_back(claim.firing->process);
@@ -147,8 +148,8 @@ const ReachedBounds::Visited& ReachedBounds::visit_process(const cspm::ExprPtr& 
     const auto [at, added] = visited_.try_emplace(cspm::print(process));
     Visited& result = at->second;
     if (!added) return result;
-    // A separate session: in the session of another claim, values may be cached, and the observer would not see their
-    // evaluation.
+    // A separate session is necessary, because a session caches values, and the observer does not see the evaluation of
+    // cached values.
     cspm::Session session(emission_.script, &search_.services.budget());
     BoundWatch watch(project_, emission_, instantiation_);
     session.set_observer(watch.observer());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of the finite instantiation that runs reach: places where a value was clipped, chosen, or does not belong to
-// the type.
+// Finds bounds of the finite instantiation that runs reach: places at which a value is clipped or chosen, or does not
+// belong to the type.
 #pragma once
 
 #include <map>
@@ -50,15 +50,15 @@ public:
                   const SearchContext& search)
         : project_(project), emission_(emission), instantiation_(instantiation), search_(search) {}
 
-    /// `met`: the bounds observed by the search, for this claim or others.
+    /// The basis of one claim. `met` contains the bounds that the searches for this and other claims observed.
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
-    /// The same for one process.
+    /// The basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);
 
 private:
     struct Visited {
         std::vector<Ground> reached;
-        bool all = true;  ///< every state was explored
+        bool all = true;  ///< true if every state was explored
     };
     const Visited& visit_process(const cspm::ExprPtr& process);
     [[nodiscard]] bool is_part(const std::string& element, const cspm::ExprPtr& process) const;

@@ -9,7 +9,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The evaluator does not enumerate more values of a set.
+/// The number of values of a set above which the evaluator does not enumerate them.
 constexpr double most_values = 5'000'000;
 
 }  // namespace

@@ -44,7 +44,7 @@ struct Context {
     const TakenGuards& guards;
 };
 
-/// The data for reading counterexamples and steps.
+/// The context for converting counterexamples and steps to runs of the model.
 runs::Context reading_context(const Context& context) {
     return {context.emission.provenance, context.project.system, context.project.instantiation, context.project.sources,
             context.session};
@@ -76,8 +76,8 @@ void add_verdict(const Context& context, const csp_emit::Obligation& obligation,
     }
 }
 
-/// The basis of the answer to an assertion. If there is a run, it is that of its steps, even if the run shows that the
-/// assertion holds.
+/// The basis of the answer to an assertion. If the answer has a run, the basis consists of the entries for its steps.
+/// This is also true for runs that show that the assertion holds.
 Basis basis_of(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                const refine::Verdict& verdict, const AssertionReport& report) {
     Basis basis;
@@ -122,12 +122,13 @@ void poll_turn(const SearchContext& search) {
     if (search.turn.is_over()) throw diagnostics::LimitReached("the time limit was reached");
 }
 
-/// Limited, because a state of a term takes much longer than one of a compiled machine.
+/// The number of states is limited, because the evaluation of a term takes much longer than a step of a compiled
+/// machine.
 constexpr std::uint64_t most_states_for_firing = 20'000;
 
 using Transitions = std::vector<csp_emit::TransitionInside>;
 
-/// The transitions that are not among the elements.
+/// The transitions of the question whose names are not in `elements`.
 Transitions missing_transitions(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
     Transitions result;
     for (const csp_emit::TransitionInside& each : question.transitions)
@@ -143,7 +144,7 @@ std::string transition_list(const Project& project, const Transitions& transitio
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The transitions that fire in no instance of their machine.
+/// The transitions that never fire in any instance of their machine.
 std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion& question, const Transitions& never) {
     std::map<std::string, std::size_t> instances;
     for (const csp_emit::TransitionInside& each : question.transitions) ++instances[each.origin.element];
@@ -154,8 +155,8 @@ std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion&
     return result;
 }
 
-/// A step may not distinguish several transitions of one state with the same trigger and target. If one of them fires,
-/// the others may still never fire.
+/// Answers which transitions fire. If several transitions of one state have the same trigger and target, a step may not
+/// show which of them fired. So the others may never fire although one does.
 void answer_firing(const Project& project, const csp_emit::FiringQuestion& question, const runs::Exercised& found,
                    AssertionReport& report) {
     const Transitions never = missing_transitions(question, found.possible);
@@ -191,12 +192,12 @@ void decide_firing(const Context& context, const csp_emit::FiringQuestion& quest
     }
 }
 
-/// Printed if the claim holds: without probabilities it states only a possibility.
+/// This text is printed if a recurrence claim holds, because without probabilities the claim only states a possibility.
 const char* const fair_draws =
     "it happens again and again with probability 1 only if every choice between steps is a draw, each with a chance "
     "above 0";
 
-/// Decides whether something can always happen again, by a backward search through all states.
+/// Decides whether the goal remains reachable from every reachable state, by a backward search through all states.
 void decide_recurrence(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     const refine::Limits bounds = limits_of_check(context.search, obligation.title);
     report.answer = Answer::holds;
@@ -215,10 +216,11 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
     }
 }
 
-/// If all assertions must hold, the first that fails ends the check. If one suffices, the first that holds decides, and
-/// the claim fails only if all of them fail. If none holds and one of them is unknown, the claim is inconclusive.
+/// Decides a claim that consists of several assertions. If all of them must hold, the first that fails ends the check.
+/// If one suffices, the first that holds ends the check, and the claim fails only if all of them fail. If none holds
+/// and one is inconclusive, the claim is inconclusive.
 void decide_claim(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
-    std::optional<std::string> unknown;  // why the first inconclusive one is inconclusive
+    std::optional<std::string> unknown;  // the reason of the first inconclusive assertion
     Basis before;                        // basis of assertions that do not decide the claim alone
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         for (Ground& ground : std::exchange(report.basis, {})) add(before, std::move(ground));
@@ -240,11 +242,11 @@ void decide_claim(const Context& context, const csp_emit::Obligation& obligation
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
 }
 
-/// The premises of claims; each is decided once.
+/// Decides the premises of claims. A premise that several claims share is decided once.
 class Premises {
 public:
-    /// A claim that holds becomes inconclusive if its premise does not hold, and the run that refutes the premise is
-    /// shown.
+    /// If the premise of a claim that holds does not hold, the claim becomes inconclusive and gets the run that refutes
+    /// the premise.
     void apply_premise(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
         if (obligation.premise == nullptr || report.answer != Answer::holds) return;
         const AssertionReport premise = answer_premise(context, obligation);
@@ -295,7 +297,7 @@ bool is_wanted(const Context& context, const csp_emit::Obligation& obligation) {
                               context.project.system.properties[obligation.property].name);
 }
 
-/// The transitions or states of which the obligation finds out whether runs exercise them.
+/// The transitions or states for which the obligation asks whether runs exercise them.
 std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     std::vector<std::string> result;
     if (obligation.firing)
@@ -346,7 +348,7 @@ void announce_claims(const Context& context, ClaimResults& results) {
     }
 }
 
-/// If a script uses an undefined name, the input is wrong; this is reported once for all claims of the script.
+/// Opens the session of a script. If the script uses an undefined name, this is reported once for all its claims.
 std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_emit::Emission& emission, Time time,
                                              const SearchContext& search, ClaimResults& results) {
     try {
@@ -364,7 +366,8 @@ std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_e
     }
 }
 
-/// An answer from the cache contains no information about bounds.
+/// Adds the bounds to the basis of an answer. An answer from the cache contains no information about bounds, so it gets
+/// none.
 void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
                 AssertionReport& report) {
     const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
@@ -372,7 +375,7 @@ void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit
     for (Ground& ground : reached.basis_of_claim(claim, bounds.met_bounds())) add(report.basis, std::move(ground));
 }
 
-/// Adds these bounds to those of other claims and of the other semantics.
+/// Merges these bounds with those of other claims and of the other semantics.
 void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds) {
     const std::string name = time == Time::timed ? "timed" : "untimed";
     for (const Ground& ground : basis) {
@@ -387,7 +390,7 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
     }
 }
 
-/// The claims in one semantics.
+/// Decides the claims in one semantics, timed or untimed.
 class TimeClaims {
 public:
     /// Lists the claims in the results.
@@ -419,7 +422,7 @@ public:
                                   }});
     }
 
-    /// Frees what claims share. The next one opens the script again.
+    /// Frees the session that the claims share. The next claim opens the script again.
     void give_back() {
         second_look_.reset();
         given_back_ = session_ != nullptr || given_back_;
@@ -446,7 +449,7 @@ private:
         search.turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, at); };
         AssertionReport one = announced_[at];
         try {
-            if (!session_ && !open_session()) return true;  // the results say why
+            if (!session_ && !open_session()) return true;  // the results contain the reason
             decide_whole({project_, search, emission_, *session_, guards_}, obligation, one);
         } catch (const diagnostics::LimitReached& limit) {
             if (run_is_over(search_.services.budget())) throw;
@@ -511,7 +514,7 @@ private:
     std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
 };
 
-/// Lists the claims for other tools; none of them counts as a success.
+/// Lists the claims that only other tools can check. They do not count as successes.
 void report_unchecked(const Project& project, const SearchContext& search, ClaimResults& results) {
     const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& why) {
         if (!is_selected(search.settings.claims, name)) return;
@@ -532,7 +535,7 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
 }  // namespace
 
 void check_assertions(Project& project, const SearchContext& search, ClaimResults& results) {
-    // A file that cannot be read is an error even if no claim needs it.
+    // A preferences file that cannot be read is an error even if no claim needs it.
     if (!search.settings.probability.preferences.empty() && !read_preferences(project, search.settings.probability))
         return;
     std::vector<WaitingClaim> claims;

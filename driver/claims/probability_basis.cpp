@@ -32,7 +32,7 @@ Basis WatchedProcess::find_bounds(const std::string& component) {
         if (process != emission_.components.end())
             return reached_.basis_of_process(process->process, watch_.met_bounds());
     } catch (const diagnostics::LimitReached&) {
-        // The answer is known already, so the limit only affects its basis.
+        // The answer is known already, so the limit only affects the basis.
     }
     Basis result;
     for (Ground ground : watch_.met_bounds()) {
@@ -73,7 +73,7 @@ Basis RowBasis::basis() const {
 
 namespace {
 
-/// Whether one path is the end of the other.
+/// True if one path is a suffix of the other.
 bool names_same(const std::string& one, const std::string& other) {
     const auto ends = [](const std::string& path, const std::string& name) {
         return path == name || path.ends_with("::" + name);

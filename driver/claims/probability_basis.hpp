@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The basis of answers to probabilistic assertions: bounds of the finite instantiation for each set of constants,
-// constants that nothing gives a value, and random paths.
+// The basis of answers to probabilistic assertions. It consists of reached bounds of the finite instantiation for each
+// set of constants, of constants with a chosen value, and of random paths.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,12 @@ namespace robochart::driver {
 /// Observes the exploration of one component's process.
 class WatchedProcess {
 public:
-    /// Project, emission, instantiation and session must outlive the object. The object must outlive each evaluation in
-    /// the session.
+    /// All arguments must outlive the object, and the object must outlive every evaluation in the session.
     WatchedProcess(const Project&, const SearchContext&, const csp_emit::Emission&, const ir::Instantiation&,
                    cspm::Session&);
 
-    /// The bounds that runs of the component reach. If a limit ends the visit of its states: all bounds that its parts
-    /// met, with the remark that it is not known whether a run reaches them.
+    /// The bounds that runs of the component reach. If a limit ends the exploration of its states, all bounds that its
+    /// parts reach, with the remark that it is not known whether a run reaches them.
     [[nodiscard]] const Basis& reached_bounds(const std::string& component);
     [[nodiscard]] const ir::Instantiation& instantiation() const { return instantiation_; }
 
@@ -42,8 +41,8 @@ private:
     std::optional<Basis> bounds_;
 };
 
-/// The basis of an assertion, from its rows. An entry that some rows do not have names the constants of those that have
-/// it.
+/// Combines the bases of the rows to the basis of an assertion. If only some rows have an entry, the entry names the
+/// constants of these rows.
 class RowBasis {
 public:
     void add_row(const probability::Row& row, const Basis& basis);
@@ -59,11 +58,11 @@ private:
 };
 
 /// The constants of a component that have a chosen value, because neither the model, nor the assertion, nor an option
-/// gives them one. `component`: the path of the component; the row names the constants that the assertion sets.
+/// gives them one. `component` is the path of the component. The row contains the constants that the assertion sets.
 [[nodiscard]] Basis chosen_constants(const Project&, const ir::Instantiation&, const std::string& component,
                                      const probability::Row&);
 
-/// How random paths were made; empty if all states were explored.
+/// A description of the random paths; empty if all states were explored.
 [[nodiscard]] Basis sampling_basis(const probability::Row&, std::uint64_t seed);
 
 }  // namespace robochart::driver

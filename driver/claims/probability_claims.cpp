@@ -65,8 +65,8 @@ std::string subject_list(const std::vector<std::string>& subjects) {
     return text;
 }
 
-/// The component that a property is about: its names begin with it. A property without names is about the only
-/// component of the highest level.
+/// The component that a property is about. The names in the property begin with the component's name. A property
+/// without names is about the only component of the highest level.
 ir::ComponentRef subject_of(const Project& project, const std::vector<std::string>& subjects) {
     if (subjects.size() > 1)
         throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
@@ -134,11 +134,11 @@ public:
         }
     }
 
-    /// Frees what claims share.
+    /// Frees the encoding that claims share.
     void give_back() { encoding_.reset(); }
 
 private:
-    /// The encoding keeps the budget during the turns of several claims.
+    /// The encoding has one budget, which it uses in the turns of several claims.
     diagnostics::Limits limits_of_turn() {
         diagnostics::Limits limits = search_.services.budget().limits();
         limits.interrupted = [this] { return search_.services.budget().is_interrupted() || turn_.is_over(); };
@@ -149,8 +149,8 @@ private:
         const ir::ComponentRef subject =
             subject_of(project_, probability::subjects_of(all_, *claim.file, *claim.assertion));
         const auto functions = probability::functions_of(all_, *claim.file, *claim.assertion);
-        // Functions become part of RoboTool's model. If the assertion has none, the model is reused for the next
-        // property.
+        // RoboTool's model contains the functions of the assertion. If the assertion has none, the model is reused for
+        // the next property.
         const bool chain = uses_robotool(search_, *claim.assertion);
         const bool same = encoding_ && chain == chain_ && ir::qualified_name(subject) == ir::qualified_name(subject_);
         if (!same || (chain && (!functions.empty() || with_functions_))) {
@@ -198,7 +198,7 @@ private:
         return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, wanted);
     }
 
-    /// The basis of a row while the encoding is still that of the row.
+    /// The basis of a row. It must be computed before the encoding is replaced by that of the next row.
     [[nodiscard]] Basis basis_of(const Row& row) {
         const std::string subject = ir::qualified_name(subject_);
         Basis basis;
@@ -229,7 +229,7 @@ private:
     std::unique_ptr<WatchedProcess> watched_;  ///< observes the session of the encoding, so it must outlive it
     std::unique_ptr<probability::Encoding> encoding_;
     ir::ComponentRef subject_;
-    bool chain_ = false;  ///< RoboTool's chain is used
+    bool chain_ = false;  ///< true if RoboTool's chain is used
     bool with_functions_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The probabilistic claims of a model.
+// Decides the probabilistic claims of a model.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace robochart::driver {
 
-/// The probabilistic claims of a model, decided on the Markov models that the settings select.
+/// Decides the probabilistic claims of a model on the Markov models that the settings select.
 class ProbabilityClaims {
 public:
-    /// Lists the claims in the results. Refers to its arguments.
+    /// Lists the claims in the results. Stores references to its arguments.
     ProbabilityClaims(Project&, const SearchContext&, ClaimResults&);
     ~ProbabilityClaims();
     ProbabilityClaims(const ProbabilityClaims&) = delete;
     ProbabilityClaims& operator=(const ProbabilityClaims&) = delete;
 
     void add_to(std::vector<WaitingClaim>& claims);
-    /// Frees what claims share.
+    /// Frees the encoding that claims share.
     void give_back();
 
 private:

@@ -106,8 +106,8 @@ const SecondLook::Seen& SecondLook::seen_of(const ExprPtr& process) {
     return known->second;
 }
 
-/// The process with calls, outputs and writes hidden, because the platform accepts them at once. If time stops then,
-/// only the component stops it.
+/// Hides calls, outputs and writes of the process, because the platform accepts them at once. If time stops in the
+/// result, the component stops it.
 ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     std::vector<ExprPtr> outputs;
     for (const std::string& path : csp_emit::components_in(emission_, {process}))
@@ -115,8 +115,8 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     return outputs.empty() ? process : b::hide(process, b::productions(outputs));
 }
 
-/// The component's process with the constants of the instantiation, in this variant. Null if the claim is about
-/// something else or sets constants.
+/// The process of the claim's component in this variant, with the constants of the instantiation. Null if the claim is
+/// not about a component or sets constants.
 ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std::string& variant) const {
     if (obligation.property == ir::no_id) return nullptr;
     const ir::Property& property = project_.system.properties[obligation.property];
@@ -142,8 +142,8 @@ void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report)
                        "`is timelock-free` shows a run to where time stops"});
 }
 
-/// Applies if the forbidden event is the passing of time: a specification without `tock` allows only events before any
-/// time passes.
+/// Adds an entry if the violation is the passing of time. A specification without `tock` allows only events that occur
+/// before any time passes.
 void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& report) {
     if (!report.run || report.run->end.kind != runs::EndKind::forbidden || !report.run->end.event ||
         report.run->end.event->kind != runs::Kind::tock)
@@ -162,7 +162,8 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
                      name)});
 }
 
-/// If an event never occurs, the part of the specification after it has no influence on the answer.
+/// Adds the events of the specification that never occur. The part of the specification after such an event does not
+/// influence the answer.
 void SecondLook::note_unreached_events(const cspm::Assertion& assertion, AssertionReport& report) {
     const auto named = prefixed_events(emission_, assertion.specification);
     if (named.empty()) return;
@@ -184,7 +185,7 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     if (assertion.kind != cspm::AssertionKind::refinement || assertion.negated) return;
     if (timed && report.answer == Answer::fails) add_no_time(assertion, report);
     if (report.answer != Answer::holds) return;
-    // Only for components: a process that a block defines may stop time.
+    // The entry is added only for components, because a process that a block defines may stop time on purpose.
     const bool of_model = !csp_emit::components_in(emission_, {assertion.implementation}).empty();
     if (timed && of_model) add_time_stops(assertion.implementation, report);
     if (assertion.model == cspm::Model::failures) {

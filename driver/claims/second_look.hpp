@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explores the processes of a decided claim again, to find the basis of its verdict that no search for a violation
-// shows. Only processes with few states are explored; larger ones are skipped.
+// Explores the processes of a decided claim again, to find the entries of its basis that the search for a violation
+// cannot find. Only processes with few states are explored; larger ones are skipped.
 #pragma once
 
 #include <map>
@@ -29,10 +29,10 @@ private:
     /// The facts found by exploring all states of a process.
     struct Seen {
         bool whole = false;        ///< all states were explored; otherwise nothing else is known
-        bool ends = false;         ///< it can terminate
-        bool diverges = false;     ///< it has an infinite sequence of internal steps
-        bool time_passes = false;  ///< in some run
-        bool time_stops = false;   ///< in a stable state
+        bool ends = false;         ///< the process can terminate
+        bool diverges = false;     ///< the process has an infinite sequence of internal steps
+        bool time_passes = false;  ///< time passes in some run
+        bool time_stops = false;   ///< time stops in a stable state
         std::set<std::string> events;
     };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See sizes.hpp. A process that cannot be evaluated has no size; this is reported.
+// See sizes.hpp. If a process cannot be evaluated, the error is reported in place of the size.
 #include "driver/claims/sizes.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@
 namespace robochart::driver {
 namespace {
 
-/// A component by itself may have more states, because its environment restricts it.
+/// The limit is necessary because a component may have more states than the whole model, in which its environment
+/// restricts it.
 constexpr std::uint64_t most_component_states = 1'000'000;
 
 SizeReport::Size size_of(cspm::Session& session, const cspm::ExprPtr& process, const SearchContext& search) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions whose clock-reading parts the untimed semantics has taken as true; verdicts are based on them.
+// Finds conditions that read clocks. The untimed semantics takes the parts that read clocks as true, so these
+// conditions are part of the basis of verdicts.
 #pragma once
 
 #include <map>
@@ -23,16 +24,16 @@ public:
     [[nodiscard]] bool has_guards() const { return !guards_.empty(); }
     /// Adds the conditions of the transitions in the run.
     void add_of_run(const runs::Run&, Basis&) const;
-    /// Adds the conditions for an assertion without a run. Without time, a component has more behaviours, so a true
-    /// assertion about traces depends only on the conditions of its specification.
+    /// Adds the conditions for an assertion without a run. A component has more behaviours without time, so if an
+    /// assertion about traces holds, its basis contains only the conditions of the specification.
     void add_of_assertion(const cspm::Decl&, bool holds, Basis&) const;
 
 private:
     using Key = std::pair<diagnostics::SourceId, std::uint32_t>;  ///< the place of the transition
     struct Guard {
         Ground ground;
-        std::string element;   ///< the transition, as in runs
-        bool trigger = false;  ///< it has a trigger
+        std::string element;   ///< name of the transition, as in runs
+        bool trigger = false;  ///< true if the transition has a trigger
     };
     void add_of(const std::vector<cspm::ExprPtr>&, Basis&) const;
     void add_of_event(const runs::Event&, Basis&) const;

@@ -28,14 +28,14 @@ double first_turn(const SearchContext& search) {
 /// A claim that starts again loses the work of its last turn. Each turn is so much longer that the loss is small.
 constexpr double longer = 8;
 
-/// A turn that ends after `seconds`; 0: it ends with the run.
+/// A turn that ends after `seconds`. If `seconds` is 0, it ends with the run.
 Turn turn_of(double seconds) {
     constexpr double for_ever = 1e9;
     if (seconds <= 0 || seconds >= for_ever) return {};
     return {Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)), {}};
 }
 
-/// The budget looks at memory a hundred times a second: what is free counts as free after this.
+/// Frees shared memory and waits until the budget, which measures memory a hundred times per second, has noticed.
 void free_memory(const std::function<void()>& give_back) {
     constexpr std::chrono::milliseconds two_looks{20};
     if (give_back) give_back();

@@ -19,14 +19,15 @@ struct WaitingClaim {
     std::function<bool(const Turn&)> decide;
 };
 
-/// Decides all claims. Those without an answer after their turn are repeated with longer turns, until
-/// --assertion-timeout. Searches that use files or several programs get only one turn, because they continue from their
-/// stored states. If a claim reaches the memory limit, `give_back` frees what the claims share, and the next claim is
-/// decided. Throws LimitReached with the current claim if the run is over, or if `give_back` does not free enough.
+/// Decides all claims. A claim without an answer after its turn gets another, longer turn, until --assertion-timeout.
+/// Searches that use files or several programs get only one turn, because they continue from their stored states. If a
+/// claim reaches the memory limit, `give_back` frees what the claims share, and the next claim is decided. Throws
+/// LimitReached with the current claim if the run is over, or if `give_back` does not free enough.
 void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContext& search,
                      const std::function<void()>& give_back = {});
 
-/// Whether the run has to end: at its time limit or an interrupt. The memory limit may be that of one claim alone.
+/// True if the run must end, because of its time limit or an interrupt. The memory limit does not count, because one
+/// claim may have reached it alone.
 [[nodiscard]] bool run_is_over(const diagnostics::Budget&);
 
 /// The text for a claim that --assertion-timeout left undecided; it replaces the claim's own reason.

@@ -87,7 +87,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// An object each of whose fields is read exactly once; remaining fields are an error.
+/// A JSON object whose fields must all be read exactly once. Fields that are not read are an error.
 class Fields {
 public:
     Fields(const Json& value, std::string where) : value_(value), where_(std::move(where)) {

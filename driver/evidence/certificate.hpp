@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of tuning: constants, how they were found, and what was decided about the model with them. Anybody can
-// repeat the decisions (`tune --verify-certificate`).
+// A certificate is the result of tuning: constants, the search that found them, and the decisions about the model with
+// these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
 #pragma once
 
 #include <cstdint>
@@ -32,13 +32,13 @@ struct DecidedClaim {
     std::string answer;
     std::uint64_t trials = 0;
     std::uint64_t successes = 0;
-    double low = 0;  ///< of the interval at the last look
+    double low = 0;  ///< the interval at the last look
     double high = 1;
 
     friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;
 };
 
-/// The decisions about a model with certain constants, and the texts that they are about.
+/// The decisions about a model with certain constants, and the digests of the model's texts.
 struct Evidence {
     using Files = std::vector<std::pair<std::string, std::string>>;
 
@@ -47,11 +47,11 @@ struct Evidence {
     Files model;                  ///< the files of the model and their digests, sorted
     std::vector<DecidedItem> assertions;
     std::vector<DecidedItem> conformance;
-    std::uint64_t seed = 0;  ///< of the first trial for the claims
+    std::uint64_t seed = 0;  ///< seed of the first trial for the claims
     std::vector<DecidedClaim> claims;
 };
 
-/// How the constants were found.
+/// The search that found the constants.
 struct SearchRecord {
     std::vector<std::pair<std::string, std::string>> parameters;  ///< "farRadius", "0.05..0.5"
     std::uint64_t budget = 0;
@@ -66,11 +66,12 @@ struct SearchRecord {
 
 /// Schema "robochart-verify/certificate/1" (docs/cli.md).
 struct Certificate {
-    std::string program;                                         ///< "robochart-verify 0.1.0"
-    std::string build;                                           ///< build ID of the program; "" if unknown
-    std::string run = "{}";                                      ///< record of the run, in JSON; not compared
-    std::vector<std::pair<std::string, std::string>> constants;  ///< those found, then those given
-    std::vector<std::string> ranges;                             ///< `--range`
+    std::string program;     ///< "robochart-verify 0.1.0"
+    std::string build;       ///< build ID of the program; "" if unknown
+    std::string run = "{}";  ///< record of the run, in JSON; not compared
+    /// The constants that were found, then those that were given.
+    std::vector<std::pair<std::string, std::string>> constants;
+    std::vector<std::string> ranges;  ///< `--range`
     SearchRecord search;
     Evidence evidence;
 };
@@ -81,7 +82,7 @@ struct Certificate {
 /// failure; `error` contains the reason.
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 
-/// The differences, one line each: files, verdicts, claims. Empty if both are equal.
+/// The differences between files, verdicts and claims, one line for each difference. Empty if both are equal.
 [[nodiscard]] std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found);
 
 }  // namespace robochart::driver

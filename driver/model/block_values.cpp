@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the script with the blocks and the one without them, and compares their definitions as texts.
+// Makes a script with the blocks and a script without them, and compares the texts of their definitions.
 #include "driver/model/block_values.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,8 @@ public:
         }
     }
 
-    /// The value of a constant; if it is defined as another constant, the value of that one. "": not defined.
+    /// The value of a constant; "" if it is not defined. If it is defined as another constant, the value of that
+    /// constant.
     [[nodiscard]] std::string constant_value(std::string name) const {
         std::set<std::string> followed;
         for (auto at = values_.find(name); at != values_.end(); at = values_.find(name)) {
@@ -47,7 +48,7 @@ public:
         }
         return "";
     }
-    /// True if the user wrote it; generated definitions have no place.
+    /// True if the user wrote the definition. Generated definitions have no place.
     [[nodiscard]] bool is_written(const std::string& name) const { return written_.contains(name); }
     [[nodiscard]] std::string function_value(const std::string& name) const {
         const auto at = functions_.find(name);
@@ -60,11 +61,11 @@ private:
     std::map<std::string, std::string> functions_;
 };
 
-/// Constants with different values: by the last part of the name if all constants of this name have the same values,
-/// otherwise by path.
+/// The constants with different values. A constant is shown by the last part of its name if all constants with this
+/// last part have the same values, otherwise by its path.
 std::vector<std::string> constants_unlike(const Project& project, const Definitions& here, const Definitions& there) {
     const auto own = ir::own_constants(project.system);
-    std::vector<std::pair<std::string, std::string>> unlike;  // path and both values
+    std::vector<std::pair<std::string, std::string>> unlike;  // path of a constant, and text with both values
     std::map<std::string, std::set<std::string>> of_name;     // the values of all constants of one name
     const auto last = [](const std::string& path) { return path.substr(path.rfind(':') + 1); };
     for (const ir::NamedConstant& constant : ir::named_constants(project.system)) {

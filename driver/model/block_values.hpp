@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds values that csp blocks replace. If there are any, the assertions use other values than the generated code and
-// its comparison.
+// Finds values that CSP blocks replace. If a block replaces a value, assertions use another value than the generated
+// code and its conformance check.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace robochart::driver {
 
-/// The constants and functions that the timed blocks define differently from these definitions, which were made without
-/// blocks: "RC = 0 (there 1), ms(...)". "" if they define none differently.
+/// The constants and functions for which the timed blocks have other definitions than `without_blocks`: "RC = 0 (there
+/// 1), ms(...)". "" if there are none.
 [[nodiscard]] std::string values_unlike_blocks(const Project&, const cspm::Script& without_blocks);
 
 }  // namespace robochart::driver

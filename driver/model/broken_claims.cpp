@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Claims are independent of each other: an error in one does not affect the others if the text around both could be
-// parsed. A claim depends on the CSP blocks whose processes it names, and a block depends on those whose names it uses.
-// A block may also replace the instantiation, on which everything depends. Excluded items are blanked in the text, so
-// that the rest is read as if they did not exist.
+// parsed. A claim depends on the CSP blocks whose processes it names, and a block depends on the blocks whose names it
+// uses. A block may also replace the instantiation, on which everything depends. Excluded items are blanked in the
+// text, so that the rest is read as if they did not exist.
 #include "driver/model/broken_claims.hpp"
 
 #include <algorithm>
@@ -88,8 +88,9 @@ public:
 
     [[nodiscard]] const std::vector<Item>& all_items() const { return items_; }
 
-    /// Finds the items that an error touches. An error between two items is left to `beside_strays`. Returns false if
-    /// the error is before all items and not in a claim that could not be parsed. `head`: where such claims begin.
+    /// Finds the items that an error touches. `add_stray_neighbours` finds the items for an error in a text between two
+    /// items. Returns false if the error is before all items and not in a claim that could not be parsed. `head` is set
+    /// to the beginning of the first such claim.
     bool touched_by(diagnostics::Span error, std::vector<Item>& found, std::size_t& head) const {
         if (items_.empty()) return false;
         if (error.begin < items_.front().begin) {
@@ -164,7 +165,8 @@ private:
     std::vector<Item> items_;
 };
 
-/// The index in Model::files. The texts of blocks are separate sources, with the path of their file and its offsets.
+/// The index of a source in Model::files. The text of a block is a separate source with the path and the offsets of its
+/// file.
 std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId source) {
     const std::string& path = project.sources.path(source);
     const auto& files = project.model->files;
@@ -173,7 +175,7 @@ std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId
     return std::nullopt;
 }
 
-/// The places of the errors in each assertion file; empty if there are errors elsewhere.
+/// The places of the errors in each assertion file; empty if other files have errors.
 std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Project& project) {
     std::map<std::size_t, std::vector<diagnostics::Span>> result;
     if (project.diagnostics.dropped_count() > 0) return {};
@@ -207,7 +209,7 @@ public:
 private:
     [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.source_text(file.source); }
 
-    /// False if the file contains a block that could not be parsed: an unknown block may replace the instantiation, on
+    /// False if the file contains a block that could not be parsed. Such a block may replace the instantiation, on
     /// which everything depends.
     [[nodiscard]] bool all_known(const File& file) const {
         std::size_t blocks = 0;
@@ -244,8 +246,8 @@ private:
         if (item.block != nullptr && blocks_.insert(item.block).second) add_declared(*item.block, declared_);
     }
 
-    /// Excludes the blocks that use a name that an excluded block may declare, until there are no more. Then excludes
-    /// the claims about excluded blocks.
+    /// Excludes all blocks that directly or indirectly use a name that an excluded block may declare. Then excludes the
+    /// claims about excluded blocks.
     void leave_out_dependent() {
         for (bool more = true; more;) {
             more = false;
@@ -268,7 +270,7 @@ private:
         return std::ranges::any_of(words, [&](const std::string& word) { return declared_.contains(word); });
     }
 
-    /// Adds the file to the side or sides that contain a part of it.
+    /// Adds the file to the broken claims, to the other claims, or in parts to both.
     void divide_file(std::size_t index, const File& file, BrokenClaims& result) {
         if (!file.is_assertions) {
             result.sound.unit.files.push_back(index);
@@ -298,13 +300,13 @@ private:
     }
 
     const Project& project_;
-    std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by place in Model::files
+    std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by index in Model::files
     std::map<std::size_t, std::size_t> heads_;                      ///< for files with errors: see ItemList::touched_by
     std::set<std::size_t> whole_;                                   ///< files of which no part can be used
     std::set<const Assertion*> claims_;                             ///< excluded claims; the order is never used
     std::set<const CspBlock*> blocks_;                              ///< excluded blocks; the order is never used
     std::set<std::string> declared_;                                ///< names that these blocks may declare
-    bool some_ = false;                                             ///< a claim remains that can be decided
+    bool some_ = false;                                             ///< true if some claim can still be decided
 };
 
 }  // namespace

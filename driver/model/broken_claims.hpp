@@ -21,8 +21,8 @@ struct BrokenClaims {
         std::map<std::size_t, std::string> texts;
     };
     Side sound;
-    Side broken;        ///< includes the models (`again`)
-    bool some = false;  ///< a claim remains that can be decided
+    Side broken;        ///< includes the models, which are then read again (Part::again)
+    bool some = false;  ///< true if some claim can still be decided
 };
 /// No value if an error is not in an assertion file, or if all remaining claims could depend on a part that cannot be
 /// read. No claim is decided in these cases.

@@ -48,7 +48,7 @@ std::string project_name(const std::string& input) {
     return stem.empty() || stem == "." || stem == ".." ? "model" : stem;
 }
 
-/// Sets what all phases of a project use: its budget and the suppressed warnings.
+/// Sets the budget and the suppressed warnings for all phases of a project.
 void prepare_project(Project& project, const LoadSettings& settings, diagnostics::Budget* budget) {
     for (const std::string& code : settings.allowed) project.diagnostics.allow_code(code);
     project.diagnostics.set_budget(budget);
@@ -61,7 +61,7 @@ bool lower(Project& project, const LoadSettings& settings) {
     return project.diagnostics.ok();
 }
 
-/// `wanted`: the settings without constants that exist only in other parts.
+/// Makes the project finite. `wanted` are the settings without constants that exist only in other parts.
 bool make_finite(Project& project, const ir::InstantiationOptions& wanted) {
     const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "making the model finite");
     project.asked = wanted;
@@ -173,7 +173,7 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
     return names;
 }
 
-/// The part that consists of these files; some of them have other texts.
+/// The part that consists of these files. Some files may be given with changed texts.
 std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
                                  const LoadSettings& settings,
                                  const std::map<std::size_t, std::string>& other_texts = {}) {
@@ -211,8 +211,8 @@ std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(co
     return first;
 }
 
-/// The project without the assertion files that have errors; each is reported. The unchanged project if other files
-/// have errors, too, or if no file would remain.
+/// Removes the assertion files that have errors from the project, and reports each. Returns the unchanged project if
+/// other files have errors too, or if no file would remain.
 std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> project, const LoadSettings& settings) {
     const auto broken = errors_of_assertions(*project);
     frontend::Unit rest;
@@ -357,8 +357,8 @@ std::vector<std::string> claim_names(const Project& whole, const SwarmSettings& 
     return names;
 }
 
-/// Replaces the words of --assertion by the names of the claims that they select. Words that select none are reported
-/// in the project.
+/// Replaces the words of --assertion by the names of the claims that they select. Words that select no claim are
+/// reported in the project.
 void name_claims(Project& whole, Settings& settings) {
     std::vector<std::string>& claims = settings.claims.names;
     if (claims.empty()) return;
@@ -366,7 +366,7 @@ void name_claims(Project& whole, Settings& settings) {
     const ClaimSelection selection = select_claims(claims, names);
     claims.clear();
     for (const std::size_t place : selection.chosen) claims.push_back(names[place]);
-    const bool errors = !whole.diagnostics.ok();  // because of them, the list of claims may be incomplete
+    const bool errors = !whole.diagnostics.ok();  // with errors, the list of claims may be incomplete
     for (const std::string& word : selection.lost)
         if (errors)
             claims.push_back(word);
@@ -375,8 +375,8 @@ void name_claims(Project& whole, Settings& settings) {
                                      {fmt::format("--assertion {}: {}", word, why_lost(word, names, "the model"))});
 }
 
-/// Errors in CSP blocks are found when the script is made. The script is stored, so it is made with the options of the
-/// check.
+/// Errors in CSP blocks are found when the script is made. The script is stored and reused by the check, so it is made
+/// with the options of the check.
 void read_blocks(const Part& part, const Settings& settings) {
     Project& project = *part.project;
     if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
@@ -422,7 +422,7 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
         instantiate_parts(sound, settings);
         separate_broken_claims(sound, settings);  // errors in blocks are only found if there are no others
         std::set<diagnostics::SourceId> wrong;
-        std::string named;  // the first file with an error
+        std::string named;  // name of the first file with an error
         for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted_findings())
             if (finding.rule->severity == diagnostics::Severity::error) {
                 if (wrong.empty()) named = whole.sources.path(finding.span.source);
@@ -576,7 +576,8 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
 
 namespace {
 
-/// The component that the options name must exist in some part. If it does not, the first part reports this.
+/// Checks that the component that the options name exists in some part. If it does not, the error is reported in the
+/// first part.
 void check_component(const std::vector<Part>& parts, const std::string& wanted) {
     std::vector<std::string> known;
     for (const Part& part : parts) {

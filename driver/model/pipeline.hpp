@@ -25,7 +25,7 @@ struct Project {
         std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
         : texts(std::move(shared)), sources(*texts) {}
 
-    std::string name;    ///< of the first input, without folder and extension; used in names of written files
+    std::string name;    ///< name of the first input without folder and extension; used in names of written files
     std::string label;   ///< printed before results: "NAME: " if parts have components of the same name, otherwise ""
     std::string folder;  ///< folder for the files of its components: "NAME/" in this case
     std::shared_ptr<diagnostics::SourceManager> texts;
@@ -36,12 +36,12 @@ struct Project {
     ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;
     std::set<std::string> shared_names;  ///< names that components of one kind in several of its packages share
-    double seconds = 0;                  ///< for reading, resolving and lowering
-    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< those that were requested (emit_csp)
+    double seconds = 0;                  ///< time for reading, resolving and lowering
+    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts that were requested (emit_csp)
 };
 
 /// Reads the inputs, lowers them and makes them finite, as one project. Stops after the first phase with errors.
-/// `diagnostics` contains them, and names in the settings that the model does not have.
+/// `diagnostics` contains the errors. Names in the settings that the model does not have are errors too.
 [[nodiscard]] std::unique_ptr<Project> load_project(const Settings&, diagnostics::Budget&);
 
 /// Completes the settings from the swarm's file: constants, ranges, and the timed semantics if there is a grid. Errors
@@ -58,7 +58,7 @@ struct Part {
     bool again = false;  ///< an earlier part contains its components, too
 };
 [[nodiscard]] std::vector<Part> load_parts(Settings&, diagnostics::Budget&);
-/// The same, but only reading and resolving, without instantiations. Errors are in the diagnostics.
+/// Like load_parts, but only reads and resolves the parts, without instantiations. Errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const LoadSettings&, diagnostics::Budget&);
 
 /// A claim of an assertion file.
@@ -69,20 +69,21 @@ struct ClaimName {
 /// The claims of a model in the order of its files.
 [[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
 
-/// True if the claim of this name is to be decided; without names, all are.
+/// True if the settings select the claim with this name. Without names, all claims are selected.
 [[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
 
 /// True if the core properties of a part are checked: they were requested, or assertions are checked and the model has
 /// none. False if an earlier part has the same components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
-/// The semantics for one time, type checked; diagnostics are added to the project's. Computed on the first request with
-/// the settings of that request, and stored in the project. Throws std::logic_error if the script is wrong although it
-/// contains no text of the user.
+/// The timed or untimed semantics as a type-checked script; diagnostics are added to the project's. The script is made
+/// on the first request with the settings of that request, and stored in the project. Throws std::logic_error if the
+/// script is wrong although it contains no text of the user.
 [[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const ClaimSettings&, const SwarmSettings&, csp_emit::Time);
 
-/// The components for which C++ is generated: the modules; if there are none, the controllers; if there are none, the
-/// machines. With a name, the component of this name, of any kind. Empty with a diagnostic if there is none.
+/// The components for which C++ is generated. Without a name: the modules; if the model has no modules, the
+/// controllers; if it has no controllers either, the machines. With a name: the component with this name, of any kind.
+/// If there is none, a diagnostic is reported and the list is empty.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
 
 /// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
@@ -94,8 +95,8 @@ struct ClaimName {
 [[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
                                                               std::string& error);
 
-/// "; it has patrol.scenario": the files that may have been meant if a folder is given instead of a file; "" if there
-/// are none.
+/// "; it has patrol.scenario": the files of a folder that the user may have meant, if the user names a folder where a
+/// file is required. "" if there are none.
 [[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
 /// True if there are no errors and, if warnings are denied, no warnings.

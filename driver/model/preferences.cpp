@@ -17,7 +17,8 @@ namespace robochart::driver {
 
 namespace {
 
-/// Warns about ignored entries of the preferences file; only once, although the file may be read for several claims.
+/// Warns about ignored entries of the preferences file. The warning is given once, although the file may be read for
+/// several claims.
 void warn_of_ignored(Project& project, const ProbabilitySettings& settings, const std::vector<std::string>& ignored) {
     const auto reported = [](const diagnostics::Diagnostic& each) {
         return each.rule == &prism_emit::rules::ignored_preferences;

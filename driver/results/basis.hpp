@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The basis of a verdict, apart from the model: assumptions, limits, and questions that never arose. The code that
-// decides a claim makes the list. Every format shows it with the verdict, and no option hides it.
+// The basis of a verdict lists the facts on which the verdict depends besides the model: assumptions, reached limits,
+// and situations that no run reaches. The code that decides a claim makes the list. Every format shows it with the
+// verdict, and no option hides it.
 #pragma once
 
 #include <optional>
@@ -26,7 +27,7 @@ enum class GroundKind : unsigned char {
     sampling,       ///< probabilistic: random paths, not all states
 };
 
-/// As data: "guard", "noTime".
+/// The kind as a word in data formats: "guard", "noTime".
 [[nodiscard]] std::string_view name_of(GroundKind);
 
 /// An entry of the basis.

@@ -31,7 +31,7 @@ enum class Answer {
 /// The answer for people: "holds", "FAILS".
 [[nodiscard]] std::string_view answer_word(Answer);
 
-/// The reason of a claim that is inconclusive because its decision has not begun.
+/// The reason of a claim whose decision has not begun when a limit is reached.
 inline constexpr const char* undecided_at_limit = "it was not decided before the limit";
 
 /// Additional data of an assertion that is a core property, which is checked for every component.
@@ -39,13 +39,13 @@ struct CoreReport {
     std::string component;     ///< "state machine P::S"
     std::string property;      ///< "deadlock-free"
     bool information = false;  ///< informative only: neither a false nor an unknown answer is a problem
-    /// If the question is which elements are exercised: the transitions or states of the resolved model that it is
+    /// If the property asks which elements are exercised: the transitions or states of the resolved model that it is
     /// about.
     std::vector<std::string> elements = {};
     std::vector<std::string> unexercised = {};  ///< those that no run exercises
 };
 
-/// Printed with a counterexample that may not be shortest.
+/// This text is printed with a counterexample that may not be a shortest one.
 inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
 
 /// The model that decided a probabilistic assertion, and the result for each combination of values of its constants.
@@ -59,7 +59,7 @@ struct ProbabilityReport {
 struct AssertionReport {
     std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
     std::string place;  ///< "aggregation.assertions:12"
-    /// The same place with its end. For a core property without a place, the declaration of the component.
+    /// The place with its end. For a core property without a place, the declaration of the component.
     std::optional<runs::Place> region;
     std::optional<CoreReport> core;                ///< no value: an assertion of the model or the script
     std::optional<ProbabilityReport> probability;  ///< for probabilistic assertions
@@ -67,7 +67,8 @@ struct AssertionReport {
     std::string reason;  ///< inconclusive, no_check, error
     Basis basis;         ///< the basis of the answer, apart from the model
     refine::Statistics statistics;
-    bool searched = false;         ///< in this run: the answer is not entirely from the cache
+    /// True if this run computed at least a part of the answer, so it is not only from the cache.
+    bool searched = false;
     std::optional<runs::Run> run;  ///< the counterexample of a model
     std::string counterexample;    ///< the counterexample of a script, as text
 };
@@ -83,7 +84,7 @@ struct BoundReport {
     std::string time;     ///< "untimed", "timed", or both
 };
 
-/// The size of a component's process. If a bound was reached, the size known then.
+/// The size of a component's process. If a limit was reached, the size at that time.
 struct SizeReport {
     struct Size {
         std::size_t states = 0;
@@ -96,7 +97,7 @@ struct SizeReport {
     Size compressed;        ///< O__
 };
 
-/// The answers to the claims, and what was found while they were decided.
+/// The answers to the claims, and further data found by the check.
 struct ClaimResults {
     std::vector<AssertionReport> assertions;
     std::vector<BoundReport> bounds;

@@ -19,7 +19,8 @@
 namespace robochart::driver {
 namespace {
 
-/// A run of component and rule in terms of the rule. It follows the obligation that the rule's process has selected.
+/// Explains a run of the component and the rule in terms of the rule. It follows the obligation that the rule's process
+/// has selected.
 class BrokenRule {
 public:
     BrokenRule(const RulesOf& of, const sleec::Watch& watch, const sleec::Linking& linking, std::size_t rule)
@@ -41,7 +42,7 @@ public:
         at_ = second ? now_ - 1 : now_;
     }
 
-    /// The demands, each with the clause that made it.
+    /// The demands, each with the clause from which it comes.
     [[nodiscard]] std::vector<std::string> demand_lines() const {
         std::vector<std::string> lines;
         const sleec::Asked& way = watch_.ways()[way_.value()];
@@ -83,7 +84,7 @@ private:
 
 }  // namespace
 
-/// One rule and the component.
+/// Decides one rule for the component.
 class ModelRules::Question {
 public:
     Question(const ModelRules& of, std::size_t rule, sleec::Readings readings)
@@ -140,7 +141,7 @@ private:
         add_run(run, judged);
     }
 
-    /// The run in terms of the model; the verdict contains its lines.
+    /// Adds the run in terms of the model to the verdict, also as lines of text.
     void add_run(const refine::Counterexample& run, JudgedRule& judged) {
         csp_emit::Obligation claim;
         claim.kind = ir::PropertyKind::conforms;
@@ -160,7 +161,7 @@ private:
         judged.run->end.why = judged.verdict.lines.back();
     }
 
-    /// A demand without limit is met eventually, unless an infinite run never meets it.
+    /// Checks demands without a time limit: searches for an infinite run that never meets the demand.
     void check_waiting(JudgedRule& judged) {
         RuleVerdict& verdict = judged.verdict;
         const refine::Limits bounds = limits_of_check(of_.search_);
@@ -203,8 +204,8 @@ private:
                 : fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between)));
     }
 
-    /// The same run as steps of the terms that the system was compiled from. If there are no terms, or if a state
-    /// represents several of them, there is no run to show.
+    /// Adds the infinite run to the verdict as steps of the terms from which the system was compiled. No run is added
+    /// if the system has no terms, or if a state represents several terms.
     void draw_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, JudgedRule& judged) {
         if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
         refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};

@@ -26,18 +26,19 @@ struct RulesOf {
 /// A verdict and, for a broken rule, the run of the model.
 struct JudgedRule {
     RuleVerdict verdict;
-    std::optional<runs::Run> run;  ///< no value: it was not found in terms of the model
+    std::optional<runs::Run> run;  ///< no value: no run in terms of the model was found
 };
 
-/// Whether time can stop in a component although its platform accepts every output and call at once. Then no rule is
-/// broken.
+/// States whether time can stop in a component although its platform accepts every output and call at once. If it can,
+/// no rule is broken from then on.
 struct TimeStops {
     bool stops = false;
     std::string unknown;  ///< why it is not known; "" if it is known
-    bool error = false;   ///< not known because the component cannot be evaluated
+    bool error = false;   ///< true if the component cannot be evaluated, so the answer is unknown
 };
 
-/// One component and the rules of a file, in the timed semantics. Refers to its constructor's arguments.
+/// Decides the rules of a file for one component, in the timed semantics. Stores references to the constructor's
+/// arguments.
 class ModelRules {
 public:
     ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,

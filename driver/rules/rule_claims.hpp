@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rules are in files in the folder of
-// the assertions.
+// Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rule files are in the folder of the
+// assertion file.
 #pragma once
 
 #include <map>
@@ -28,7 +28,7 @@ struct LoadedRules {
 /// Reads a rule file; "-" is standard input.
 void load_rules(const std::string& path, LoadedRules& loaded);
 
-/// Decides the claims of one model. Every file is read once. Refers to its constructor's arguments.
+/// Decides the claims of one model. Every file is read once. Stores references to the constructor's arguments.
 class RuleClaims {
 public:
     RuleClaims(const Project& project, const csp_emit::Emission& emission, const SearchContext& search);

@@ -13,17 +13,17 @@
 
 namespace robochart::driver {
 
-/// Maps words of logs to events and measures of a rule file. Equal names are linked, unless `map` states otherwise.
-/// Refers to the rules.
+/// Maps words of logs to events and measures of a rule file. Equal names are linked, unless the rule file has a `map`.
+/// Stores a reference to the rules.
 class RuleWords {
 public:
     explicit RuleWords(const sleec::CheckedRules& rules);
 
-    /// The events that belong to the word, by its name before `?` or `!`.
+    /// The events of the rules to which a word of the log is linked by its name before `?` or `!`.
     [[nodiscard]] std::vector<std::size_t> events_of_word(std::string_view word) const;
     [[nodiscard]] std::vector<std::size_t> measures_of_word(std::string_view word) const;
-    /// The value in the word. No value if the rules cannot express it: a fraction, or a literal that they do not
-    /// declare.
+    /// The value of a measure in the word. No value if the rules cannot express it, because it is a fraction or a
+    /// literal that they do not declare.
     [[nodiscard]] std::optional<std::int64_t> value_in(std::size_t measure, std::string_view word) const;
 
 private:
@@ -34,25 +34,26 @@ private:
     Names events_, measures_;
 };
 
-/// One run. Everything in an instant is processed together, because a measure may be read after a trigger. Refers to
-/// the rules.
+/// Monitors one run. All events and readings of an instant are processed together, because a measure may be read after
+/// a trigger. Stores a reference to the rules.
 class RuleRun {
 public:
     RuleRun(RulesOf of, sleec::WithoutLimit without);
 
-    /// A reading at this instant; without a value, one that the rules cannot express.
+    /// Adds a reading at this instant. It has no value if the rules cannot express the value.
     void read(std::size_t measure, std::optional<std::int64_t> value);
-    /// An event at this instant; `line` is its line in a log.
+    /// Adds an event at this instant; `line` is its line in a log.
     void add_event(std::size_t event, std::uint64_t line = 0);
-    /// The end of a second.
+    /// Ends the current second.
     void end_second(std::uint64_t line = 0);
     /// Drops all open obligations.
     void drop_obligations();
-    /// The end of the run, possibly in the middle of an instant.
+    /// Ends the run, possibly in the middle of an instant.
     void end() { end_instant(); }
 
     [[nodiscard]] bool is_broken() const { return !text_.empty(); }
-    /// The first violation: its line, and its description, with one line per duty, then the event that broke them.
+    /// The first violation: its line in the log, and a description with one line per duty and then the event that broke
+    /// the duties.
     [[nodiscard]] std::uint64_t violation_line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& violation_text() const { return text_; }
     [[nodiscard]] diagnostics::Span violation_place() const { return place_; }

@@ -37,7 +37,7 @@ bool is_pattern(std::string_view word) {
 /// True if the whole text matches the pattern.
 bool matches_pattern(std::string_view text, std::string_view pattern) {
     std::size_t at = 0, t = 0;
-    std::size_t star = std::string_view::npos, after = 0;  // the last star, and how much text it covers
+    std::size_t star = std::string_view::npos, after = 0;  // index of the last star, and end of the text that it covers
     while (t < text.size()) {
         if (at < pattern.size() && pattern[at] == '*') {
             star = at++;

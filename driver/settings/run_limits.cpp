@@ -21,7 +21,7 @@ std::uint64_t default_memory() {
 diagnostics::Limits run_limits(const LimitSettings& settings) {
     diagnostics::Limits limits;
     limits.memory_bytes = settings.memory_bytes > 0 ? settings.memory_bytes : default_memory();
-    // More than a year means no limit, and would overflow the clock.
+    // A limit of more than a year is treated as none, because it would overflow the clock.
     if (constexpr double year = 366.0 * 24 * 3600; settings.timeout_seconds > 0 && settings.timeout_seconds < year)
         limits.deadline =
             std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(

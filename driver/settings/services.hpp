@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run provides to all phases: its budget, the cache, the progress that it shows, and searches in files. The
-// phases themselves print nothing.
+// The services that a run provides to all phases: its budget, the cache, the display of progress, and searches in
+// files. The phases themselves print nothing.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace robochart::driver {
 
-/// The services of one run. The defaults are those of a run without a cache that shows nothing.
+/// The services of one run. By default there is no cache, and progress is not shown.
 class Services {
 public:
     Services() = default;
@@ -25,19 +25,20 @@ public:
     [[nodiscard]] virtual diagnostics::Budget& budget() = 0;
     /// Results of earlier runs; null if they are not used.
     [[nodiscard]] virtual diagnostics::Cache* cache() { return nullptr; }
-    /// Receives the progress of a search about this subject; empty if nobody wants it.
+    /// A function that receives the progress of a search about this subject; empty if progress is not shown.
     [[nodiscard]] virtual std::function<void(const refine::Progress&)> progress(const std::string& /*subject*/) {
         return {};
     }
     /// True if searches continue from stored states, so that a claim needs only one turn.
     [[nodiscard]] virtual bool continues_searches() const { return false; }
-    /// The strategy for searches in files or by several programs; null for others. All calls return the same object.
+    /// The strategy for searches in files or by several programs; null for searches in memory. All calls return the
+    /// same object.
     [[nodiscard]] virtual refine::LevelStrategy* level_searches() { return nullptr; }
     /// Must be held while results are changed that another thread may print. A thread may hold it several times.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> edit() { return std::unique_lock(results_mutex_); }
 
 protected:
-    /// True if no thread holds `edit`; the lock is then held.
+    /// Tries to take the lock of edit(). The result owns the lock unless another thread holds it.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> try_edit() {
         return std::unique_lock(results_mutex_, std::try_to_lock);
     }

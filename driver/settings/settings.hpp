@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings of the phases over a model, one struct for each phase. A phase gets the settings that it needs; what a
-// run provides to all phases (budget, cache, progress) is in services.hpp.
+// The settings for processing a model, one struct for each phase. A phase gets only the settings that it needs.
+// services.hpp contains what a run provides to all phases (budget, cache, progress).
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace robochart::driver {
 
-/// What the claims of a model are used for.
+/// The use of a model's claims.
 enum class ClaimUse {
-    decide,  ///< they are decided; without claims, the core properties are
-    write,   ///< they are written to scripts
-    read,    ///< they are read with the model, and nothing else
-    ignore,  ///< only the model is used, so assertion files with errors are ignored
+    decide,  ///< claims are decided; without claims, the core properties are decided
+    write,   ///< claims are written to scripts
+    read,    ///< claims are only read with the model
+    ignore,  ///< claims are not used, so assertion files with errors are ignored
 };
 
 /// A file whose text is given.
@@ -23,10 +23,10 @@ struct TextInput {
     std::string text;
 };
 
-/// Which files are read, and which findings reject them.
+/// Settings for reading files: the files, and the findings that reject them.
 struct LoadSettings {
     std::vector<std::string> inputs;   ///< files or folders
-    std::vector<TextInput> texts;      ///< if there are any, they are the whole project, and the inputs only name it
+    std::vector<TextInput> texts;      ///< texts of the project; if there are any, `inputs` only names the project
     std::vector<std::string> allowed;  ///< codes of warnings to suppress
     bool deny_warnings = false;        ///< treats warnings as errors
     std::string component;             ///< only this module, controller or machine is used; "": all
@@ -34,7 +34,7 @@ struct LoadSettings {
     bool split_broken_claims = true;  ///< claims are decided although other claims have errors
 };
 
-/// How a model is made finite.
+/// Settings for the finite instantiation.
 struct InstantiationSettings {
     std::vector<std::string> constants;  ///< NAME=VALUE
     /// NAME=VALUE from a scenario, a swarm or a log. These values are used for constants that `constants` does not set.
@@ -52,7 +52,7 @@ struct SwarmSettings {
 /// The semantics that are checked.
 enum class Times { both, timed, untimed };
 
-/// Which claims are decided.
+/// Settings for the selection of claims.
 struct ClaimSettings {
     std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); empty: all
     Times times = Times::both;
@@ -66,35 +66,35 @@ enum class Encoding {
     robotool  ///< RoboTool's Markov chains
 };
 
-/// Who resolves the choices of a decision process.
+/// The scheduler that resolves the choices of a decision process.
 enum class Scheduler {
     any,     ///< best and worst case
     urgent,  ///< internal steps before inputs and time
     uniform  ///< all choices are equally likely
 };
 
-/// How probabilistic claims are decided.
+/// Settings for probabilistic claims.
 struct ProbabilitySettings {
     Encoding encoding = Encoding::csp;
     Scheduler scheduler = Scheduler::any;
     bool exact = false;       ///< exact fractions instead of intervals
     double epsilon = 1e-6;    ///< relative width of intervals
-    std::uint64_t seed = 0;   ///< of random paths
+    std::uint64_t seed = 0;   ///< seed of random paths
     std::string preferences;  ///< RoboTool's file with ranges; "": --range, or the defaults
 };
 
 /// The limits of a run, and of each claim in it.
 struct LimitSettings {
     std::uint64_t memory_bytes = 0;  ///< 0: `default_memory`
-    double timeout_seconds = 0;      ///< of the whole run; 0: none
-    double assertion_seconds = 0;    ///< of each claim; 0: none
+    double timeout_seconds = 0;      ///< limit of the whole run; 0: no limit
+    double assertion_seconds = 0;    ///< limit of each claim; 0: no limit
     std::uint64_t max_states = 500'000'000;
     bool reduction = true;  ///< skips states that only lead on by confluent taus
     unsigned threads = 0;   ///< 0: one per core
     bool progress = true;   ///< the progress of searches is reported
 };
 
-/// The settings of all phases over a model.
+/// The settings of all phases.
 struct Settings {
     LoadSettings load;
     InstantiationSettings instantiation;
