@@ -103,7 +103,7 @@ QuestionKey key_of_packed(const Question& question, const Script& script, const 
 
 namespace {
 
-/// Whether all events of the findings are among these events. The events of linked processes are not, because they
+/// Whether `names` contains all events of the findings. It does not contain events of linked processes, because they
 /// belong to no channel.
 bool all_named(const refine::Findings& findings, const process::EventSet& named) {
     if (!findings.violation) return true;

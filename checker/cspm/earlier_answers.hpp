@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers of earlier runs. An assertion is identified by the content of its compiled processes, so it stays the same
-// after every edit of the script that does not change these processes.
+// Answers of earlier runs. An assertion is identified by the content of its compiled processes, so its answer stays
+// valid after every edit of the script that does not change these processes.
 #pragma once
 
 #include <chrono>
@@ -22,7 +22,7 @@ struct Question {
     lts::TransitionSystem* specification = nullptr;  ///< for a refinement; otherwise null
     lts::TransitionSystem* process = nullptr;
     std::uint64_t max_states = 0;
-    bool reduction = false;  ///< whether the search may leave states out, which changes its statistics
+    bool reduction = false;  ///< whether the search may skip states, which changes its statistics
 };
 
 /// The key of a check in the cache, and the events with which its answer is encoded.
@@ -31,9 +31,9 @@ struct QuestionKey {
     process::EventSet named;
 };
 
-/// No value if the process is not compiled, if the specification is neither compiled nor small, or if visiting all of
-/// it fails or takes longer than `longest`. Without `longest`, the result does not depend on time. Throws the
-/// exceptions of `poll`.
+/// No value if the process is not compiled, if the specification is neither compiled nor small, or if a complete visit
+/// of the specification fails or takes longer than `longest`. Without `longest`, the result does not depend on time.
+/// Throws the exceptions of `poll`.
 [[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
@@ -57,8 +57,8 @@ struct Memory {
 /// confirmed are not used.
 [[nodiscard]] refine::Verdict check_with_memory(const Question&, const QuestionKey&, const Memory&,
                                                 const std::function<refine::Verdict(refine::Earlier)>& ask);
-/// The same for packed states. If rows are widened, the check runs again, and its findings are those of states of the
-/// new width. They are also stored under the key of the check itself when it has been answered.
+/// Runs a check on packed states. If rows are widened, the check runs again, and its findings have states of the new
+/// width. When the check has been answered, the findings are also stored under its original key.
 [[nodiscard]] refine::Verdict answer_of_width(const Question&, const QuestionKey&, const Memory&,
                                               const std::function<refine::Verdict(refine::Earlier)>& ask);
 

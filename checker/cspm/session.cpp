@@ -207,7 +207,7 @@ struct Session::Impl {
     }
 
     /// Returns the poll function for a compilation. A component with more states than the limit of the check is not
-    /// compiled. It stays a term, because only those of its states count that the whole process reaches.
+    /// compiled. It stays a term, because the limit counts only states that the whole process reaches.
     std::function<void()> polling_within(refine::Budget& budget, const refine::Limits& limits) const {
         return [this, &budget, most = limits.max_states] {
             budget.charge();
@@ -295,7 +295,7 @@ struct Session::Impl {
                 limits.reduction};
     }
 
-    /// Decides by levels. The search may continue one of an earlier run, whatever limit ended that one. Its answers are
+    /// Decides by levels. The search may continue the search of an earlier run that any limit ended. Its answers are
     /// stored separately, because its statistics differ if it finds a violation.
     refine::Verdict decide_by_levels(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                      refine::Budget& evaluation,
@@ -369,7 +369,8 @@ struct Session::Impl {
     /// Replaces each process that stays a term by packed states. The terms become the reference for replays.
     void pack_sides(Sides& both, const Decl& assertion, const refine::Limits& limits) {
         const Assertion& asked = assertion.assertion;
-        // Event numbers must be the same in every run, but a search numbers events in the order in which it finds them.
+        // Event numbers must be the same in every run. A search numbers events in the order in which it finds them, so
+        // all events are numbered before.
         if (limits.by_levels != nullptr) all_events = events_of_script();
         const std::shared_ptr<PackedProcesses> processes = processes_for(limits);
         std::vector<std::pair<std::unique_ptr<lts::TransitionSystem>*, std::size_t>> sides;
@@ -427,7 +428,7 @@ struct Session::Impl {
         }
     }
 
-    /// Values and terms take a few hundred bytes each, which is a small part of the memory.
+    /// The number of stored values and terms that use a small part of the memory, at a few hundred bytes for each.
     static std::size_t most_kept_in(std::uint64_t memory_bytes) {
         constexpr std::uint64_t fewest = 20'000, most = 400'000;
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
@@ -456,7 +457,8 @@ struct Session::Impl {
 
     Script script;
     bool whole_states;
-    bool observed = false;  ///< each call is reported only once, so nothing may be evaluated again
+    /// True if calls are observed; each call is reported once, so nothing may be evaluated again.
+    bool observed = false;
     Packing packing;
     std::size_t terms_made = 0;                         ///< by searches
     std::shared_ptr<PackedProcesses> packed_processes;  ///< null until a process is packed
@@ -465,7 +467,7 @@ struct Session::Impl {
     LoadedScript loaded;
     machine::Compiler compiler;
     Memory memory;
-    std::unique_ptr<Impl> whole;  ///< the same script with all arguments kept; null until it is needed to display a run
+    std::unique_ptr<Impl> whole;  ///< the same script with all arguments, which is needed to display a run; null before
 };
 
 Session::Session(Script script, diagnostics::Budget* budget, bool whole_states)
@@ -584,7 +586,7 @@ std::optional<process::Behaviour> Session::behaviour_with_values(const Decl& ass
     };
     const bool values =
         leaves_values_out(counterexample.initial) || lacks(counterexample.steps) || lacks(counterexample.accepting);
-    // In a loop, values may change in every round, although the state without them repeats.
+    // In a loop, the values that a state omits may change in every round, although the state itself repeats.
     if (!values || counterexample.terms.empty() || !counterexample.loop.empty())
         return behaviour(counterexample, limits);
     try {

@@ -35,15 +35,15 @@ struct Packing {
     /// if steps can be computed without terms (packed/direct_steps.hpp); otherwise 1,000,000.
     std::optional<std::size_t> from_terms;
     std::optional<std::size_t>
-        most_kept;             ///< maximal number of stored values and terms; 0: those of one state; none: by memory
+        most_kept;             ///< most stored values and terms; 0: those of one state; no value: by the memory limit
     bool terms_alone = false;  ///< all steps are computed with terms
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.
 class Session {
 public:
-    /// The budget is polled while the script is compiled, because instances copy their modules. `whole_states`:
-    /// processes also keep arguments that are never read, for callers that read them from states.
+    /// The budget is polled while the script is compiled, because instances copy their modules. With `whole_states`,
+    /// processes also have the arguments that they never read, for callers that show them.
     explicit Session(Script script, diagnostics::Budget* budget = nullptr, bool whole_states = false);
     ~Session();
     Session(const Session&) = delete;
@@ -55,24 +55,24 @@ public:
     /// Decides one assertion. Throws evaluation errors; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
 
-    /// Uses answers of earlier runs from this cache, and stores those of this run whose search had at least this many
-    /// states; repeating a smaller search is faster than a look-up. The cache must outlive the session.
+    /// Uses answers of earlier runs from this cache. Stores the answers of this run whose searches had at least
+    /// `fewest_states` states, because a smaller search is faster than a look-up. The cache must outlive the session.
     void set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
 
     /// Sets when processes are packed; call it before the first check.
     void set_packing(const Packing& packing);
 
-    /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, for the
-    /// first assertion that evaluates it, so this must be called before the first check.
+    /// Reports calls of these functions during the evaluation of processes. The calls in a state are reported once, for
+    /// the first assertion that evaluates the state. So this function must be called before the first check.
     void set_observer(CallObserver observer);
 
-    /// The run of a counterexample taken apart into components; the loop of a divergence follows the trace. No value if
-    /// its states are not terms. Without `offers`, no state after the run is computed.
+    /// Splits the run of a counterexample into the runs of its components. The loop of a divergence follows the trace.
+    /// No value if the states of the run are not terms. Without `offers`, no state after the run is computed.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
-    /// The same with limits. Returns no value if a limit is reached.
+    /// Splits the run within limits. Returns no value if a limit is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-    /// The same for display. Adds to the counterexample the values of arguments that are never read; the terms of
-    /// states do not contain them. The terms of the result belong to another session.
+    /// Splits the run for display. Adds to the counterexample the values of arguments that are never read, which the
+    /// terms of states do not contain. The terms of the result belong to another session.
     [[nodiscard]] std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion,
                                                                           refine::Counterexample&,
                                                                           const refine::Limits&);
@@ -84,18 +84,18 @@ public:
 
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);
-    /// The same as a transition system that shares this session's events; valid during the session's lifetime.
+    /// The process as a transition system that shares this session's events. It is valid during the session's lifetime.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
-    /// The same with limits. Throws process::Interrupted if a limit is reached during compilation.
+    /// The transition system, compiled within limits. Throws process::Interrupted if a limit is reached.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&, const refine::Limits&);
-    /// The same with components that are not minimised. A state then determines the state of each component, and hidden
-    /// events keep their names.
+    /// The transition system with components that are not minimised. A state then determines the state of each
+    /// component, and hidden events keep their names.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
     /// An expression that denotes an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
     /// An expression of any other type, printed like FDR's `print`.
     [[nodiscard]] std::string evaluate(const ExprPtr&);
-    /// The same with limits. Throws process::Interrupted if a limit is reached.
+    /// Evaluates the expression within limits. Throws process::Interrupted if a limit is reached.
     [[nodiscard]] std::string evaluate(const ExprPtr&, const refine::Limits&);
 
     [[nodiscard]] process::EventTable& event_table();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arguments that are never read are not part of a state, so a run does not contain their values. This file repeats the
-// run in the same script with all arguments kept, for display.
+// run in the same script with all arguments, for display.
 #pragma once
 
 #include <functional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a block have the same signature: their events and the blocks of the targets, including those reached
-// through taus inside the block (inert taus) if the equivalence is branching. If targets have moved to another block,
-// the signatures are recomputed and the block is split; its largest part keeps its number, so a state moves at most log
-// n times.
+// The states of a block have the same signature: their events and the blocks of the targets, and for the branching
+// equivalence also those that are reached through taus inside the block (inert taus). If targets have moved to another
+// block, the signatures are recomputed and the block is split. Its largest part keeps the number of the block, so a
+// state moves at most log n times.
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
@@ -145,7 +145,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
         } else if (edge.target == state) {
             result.push_back({tau, endless});
         } else {
-            assert(edge.target < state);  // its signature has been computed, or has not changed
+            assert(edge.target < state);  // the signature of the target is up to date
             const auto known = fresh.find(edge.target);
             const Signature& through = known != fresh.end() ? *known->second : signatures_[own];
             result.insert(result.end(), through.begin(), through.end());
@@ -157,7 +157,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
 }
 
 void Refinement::split(Block block, std::map<Signature, States>& groups, bool clean_states) {
-    // All unmarked states still have the signature of the block. They join the group with this signature.
+    // All unmarked states still have the signature of the block, so they join the group with this signature.
     States* with_clean = nullptr;
     std::size_t clean = members_[block].size();
     for (const auto& [signature, states] : groups) clean -= states.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as bytes for messages between programs: seven bits in each byte, the lowest first.
+// Encodes numbers as bytes for messages between programs, with seven bits in each byte, the lowest first.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,8 @@
 
 namespace robochart::lts {
 
-/// The position of a value in a packed state: in one word, starting at bit `shift`, with the width of `mask`.
+/// The position of a value in a packed state. The value is in one word, starts at bit `shift` and has the width of
+/// `mask`.
 struct Field {
     std::uint32_t word, shift, mask;
     [[nodiscard]] std::uint32_t get(std::span<const std::uint32_t> state) const {
@@ -17,7 +18,7 @@ struct Field {
     }
     void put(std::span<std::uint32_t> state, std::uint32_t value) const {
         assert(word < state.size() && shift < 32);
-        assert((value & ~mask) == 0);  // otherwise it would change the values beside it
+        assert((value & ~mask) == 0);  // a larger value would change its neighbours
         state[word] = (state[word] & ~(mask << shift)) | (value << shift);
     }
 };

@@ -76,8 +76,8 @@ private:
 /// Writes the Aldebaran format as CADP and mCRL2 read it. Tau is written "tau", and termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
 /// Writes CSPM definitions of `name` and of one process for each state, called `name` followed by the number of the
-/// state. The process is equal to the graph in T, F and FD. The channels must be declared. A state with several taus
-/// and another event gets an additional tau before them.
+/// state. The process is equal to the graph in T, F and FD. The channels must already be declared. A state with several
+/// taus and another event gets an additional tau before them.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Graphviz format.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);

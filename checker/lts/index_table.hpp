@@ -22,7 +22,7 @@ class IndexTable {
     struct Bucket;
 
 public:
-    /// The slot of a number, or a free slot for it.
+    /// The slot of a number, or a free slot for a number.
     class Slot {
     public:
         [[nodiscard]] bool is_taken() const { return taken_; }

@@ -113,7 +113,7 @@ StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
     return slot.is_taken() ? slot.get() : no_state;
 }
 
-/// The table takes 64 bytes for twelve places and is at most four fifths full.
+/// A bucket of the table has 64 bytes and twelve places, and the table is at most four fifths full.
 std::uint64_t StateStore::bytes() const {
     return size_ * width_ * sizeof(Word) + (size_ + free_state_count()) * 5 / 4 * 64 / 12;
 }

@@ -34,23 +34,23 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t width() const { return width_; }
 
-    /// Approximate memory use: the states, and their places in the table.
+    /// The approximate memory in bytes that the states and their places in the table use.
     [[nodiscard]] std::uint64_t bytes() const;
     /// The number of states that fit into this many bytes if each needs `more` additional bytes; at least a few, and at
     /// most as many as there are numbers.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
-    // To look up many states, hash and prefetch one, continue with others, and return to it when its memory has been
-    // loaded.
+    // To look up many states, call `hash` and `prefetch` for several of them, and look them up when their memory has
+    // been loaded.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
-    // New states that several threads find at the same time. Each state first gets a claim: a provisional number from
-    // `first_claim` on. Claims have the order of the final numbers; among duplicates, the smallest claim wins. When no
-    // thread makes claims any more, one thread calls `make_space`. Then several threads publish the remaining states
-    // with their final numbers, or drop them.
+    // The following functions are for new states that several threads find at the same time. A state first gets a
+    // claim, which is a provisional number from `first_claim` on. Claims have the order of the final numbers; among
+    // duplicates, the smallest claim wins. When all threads have finished their claims, one thread calls `make_space`.
+    // Then several threads publish the remaining states with their final numbers, or drop them.
     static constexpr StateIndex most_claims = StateIndex{1} << 27U;
     static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {

@@ -17,7 +17,8 @@ struct GraphView {
     std::function<void(StateIndex vertex, std::vector<StateIndex>& targets)> successors;
 };
 
-/// Receives the vertices of a component; `cyclic`: it contains an edge. Valid only during the call.
+/// Receives the vertices of a component. `cyclic` is true if the component contains an edge. The vertices are valid
+/// only during the call.
 using OnComponent = std::function<void(std::span<const StateIndex> members, bool cyclic)>;
 
 /// Reports the components that are reachable from the roots, each after the components to which its edges lead. The

@@ -11,8 +11,8 @@
 
 namespace robochart::lts {
 
-/// The states are those of the original system. A representative replaces its images as the target of transitions.
-/// Transitions have the events that they have in their source state.
+/// The states are those of the original system. A representative replaces its images as the target of transitions. The
+/// events of transitions are those of the source state; they are not replaced by images.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
     /// `symmetry`: a symmetry of the system, or of the system that it reduces.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replicas are converted to numbers that are common to a set, so that permuting replicas is permuting rows of numbers.
-// In the representative of a state these rows are in ascending order.
+// The states of replicas are converted to rows of numbers that all replicas of a set share, so that a permutation of
+// replicas is a permutation of rows. In the representative of a state these rows are in ascending order.
 #include "checker/lts/symmetry.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Event Symmetry::orbit_representative(Event event) const {
     return known == orbits_.end() ? event : known->second;
 }
 
-/// The rows of numbers of a set's replicas, one after the other.
+/// Reads the rows of a set's replicas, one after the other.
 void Symmetry::read(const ReplicaSet& set, std::span<const std::uint32_t> state, Numbers& numbers) {
     numbers.clear();
     for (const Replica& replica : set)

@@ -17,8 +17,8 @@ namespace robochart::lts {
 /// A permutation of events: the pairs (event, image) in which both differ, ascending.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// A value of a state that belongs to a replica, and its conversion to common numbers: two replicas are in the same
-/// state if these numbers are equal.
+/// A value of a state that belongs to a replica, and its conversion to numbers that all replicas share. Two replicas
+/// are in the same state if these numbers are equal.
 struct ReplicaPart {
     Field field;
     std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< common number by value
@@ -31,7 +31,7 @@ struct Replica {
     EventPermutation exchange;       ///< the exchange of events when the first replica and this one are exchanged
 };
 
-/// Replicas that can be exchanged with the first one, and therefore with each other. There are at least two.
+/// Two or more replicas that can all be exchanged with each other.
 using ReplicaSet = std::vector<Replica>;
 
 /// A group of automorphisms: all permutations of replicas within their sets. An automorphism maps each transition of a

@@ -10,7 +10,7 @@ namespace robochart::lts {
 
 struct TauComponents {
     std::vector<StateIndex> component;  ///< by state; a tau between components leads to a lower number
-    std::vector<bool> cyclic;           ///< by component: its states can perform taus forever inside it
+    std::vector<bool> cyclic;           ///< by component: true if its states can perform taus forever inside it
 };
 
 [[nodiscard]] TauComponents tau_components(const Graph& graph);

@@ -46,8 +46,8 @@ public:
     /// Sets a function that is called regularly during long work inside the system. It may throw to stop the work. It
     /// may be empty.
     virtual void set_poll(const std::function<void()>& /*poll*/) {}
-    /// The same process with a slower semantics that shares only the definitions with this one. Results of a search are
-    /// replayed there before they are reported. Null if there is none.
+    /// The same process in a slower semantics, which shares only the definitions with this system. Results of a search
+    /// are replayed in it before they are reported. Null if there is none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
     /// Returns the same process with fewer states. Its initial state is branching bisimilar with explicit divergence to
@@ -58,7 +58,7 @@ public:
     /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system
     /// (docs/search.md, "Symmetry"). Empty if none are known. `poll` may throw to stop.
     [[nodiscard]] virtual std::vector<ReplicaSet> replicas(const std::function<void()>& /*poll*/) const { return {}; }
-    /// The number of states left out so far because a chain of taus leads on from them.
+    /// The number of states that were skipped so far because confluent taus lead from them to other states.
     [[nodiscard]] virtual std::uint64_t chased_state_count() const { return 0; }
     /// Whether a state is one word, a process::TermId.
     [[nodiscard]] virtual bool states_are_terms() const { return false; }
@@ -69,8 +69,8 @@ private:
     std::shared_ptr<TransitionSystem> reference_;
 };
 
-/// A system in which some states are represented by others that a sequence of taus reaches. The states are those of the
-/// original system.
+/// A reduced system, in which a state that a sequence of taus reaches may represent an earlier state. The states are
+/// those of the original system.
 class ReducedSystem : public TransitionSystem {
 public:
     /// Returns the states on the path of taus from `state` to its representative. Empty if the state represents itself.

@@ -21,7 +21,7 @@ public:
         if (entry.asked == none) return std::nullopt;
         return entry.answer;
     }
-    /// Replaces an earlier answer, if there is one.
+    /// Stores an answer and replaces an earlier one.
     void store_answer(std::uint32_t asked, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();

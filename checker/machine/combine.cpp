@@ -103,10 +103,10 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Counts parts, actions and assignments. With deeply nested operators a rule can contain one of them for each
-/// operator.
+/// Adds a number of parts, actions and assignments to the work. With deeply nested operators, a rule can contain one of
+/// them for each operator.
 void Combiner::charge_work(std::size_t steps) const {
-    constexpr std::size_t worth = 20;  // work allowed for each rule
+    constexpr std::size_t worth = 20;  // allowed work for each rule
     constexpr std::size_t between_polls = 1024;
     const std::size_t before = work_;
     work_ += steps;
@@ -326,7 +326,7 @@ Vectors Combiner::combine_interruptible(const Node& node, std::vector<Vectors> o
 //   P |~| Q: one tau for each operand, which starts it.      e -> P: each event starts its continuation.
 Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
-    // A gate has one state. For a choice its only event is tau; for a prefix, each branch has an operand.
+    // A gate has only one state. For a choice its only event is tau; for a prefix, each branch has an operand.
     assert(operands.size() == node.children.size() && (node.op == Op::prefix || operands.front().size() == 1));
     const NodeId gate = node.children.front();
     const auto open = [&](Vector by, NodeId starts) {

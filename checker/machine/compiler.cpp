@@ -96,7 +96,7 @@ process::Machine without_names(const ExplicitMachine& explicit_machine) {
     return machine;
 }
 
-/// Returns, for each component, which of its events occur in a rule.
+/// Returns, for each component, the events that occur in a rule.
 std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     std::vector<std::vector<bool>> used;
     for (const ComponentPtr& component : combined.components) used.emplace_back(component->alphabet().size(), false);

@@ -18,31 +18,30 @@
 
 namespace robochart::machine {
 
-/// Limits of the compilation; beyond them the process stays a term.
+/// Limits of the compilation. A process that exceeds them stays a term.
 struct Bounds {
     std::size_t component_states = 200'000;
     std::size_t rules = 2'000'000;
     /// Components up to this size are minimised by strong bisimilarity, which preserves every model (FDR does the
     /// same).
     std::size_t minimised_states = 50'000;
-    /// An inner prioritise is explored to one component if its components together have fewer states than this. It does
-    /// not offer most events of its operand, and otherwise every state of the whole process would repeat this
-    /// computation.
+    /// An inner prioritise becomes one explicit component if its components together have fewer states than this.
+    /// Otherwise every state of the whole process would repeat the computation of the events that prioritise prevents.
     std::size_t region_states = 100'000;
-    /// A compression is left out if its operand has more states than this, and the process then runs without it. States
-    /// that confluent taus leave do not count if the compression allows it.
+    /// A compression is omitted if its operand has more states than this. States that the reduction by confluent taus
+    /// removes do not count if the compression permits the reduction.
     std::size_t compressed_states = 2'000'000;
 };
 
-/// Compiles terms of one store. Stores their components, so that equal terms are explored once.
+/// Compiles terms of one store. Compiles processes. It stores their components, so that equal terms are explored once.
 class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// Returns the compiled process. Returns null in these cases: there is no parallel operator to compile, or only
-    /// after many events and with few states in all; a component has too many states or cannot be explored separately
-    /// (an evaluation error that the whole process may never reach); or there are too many rules. `poll` is called
-    /// regularly and may throw process::Interrupted, which is passed on.
+    /// Returns the compiled process. Returns null in these cases. The process has no parallel operator, or one is
+    /// reached only after many events and the process has few states. A component has too many states. A component
+    /// cannot be explored separately, because of an evaluation error that the whole process may never reach. There are
+    /// too many rules. `poll` is called regularly and may throw process::Interrupted, which is passed on.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
     /// The current or last exploration; for progress and for the description of a limit.
     struct Stage {

@@ -18,7 +18,7 @@ using process::Event;
 using process::EventSet;
 using process::TermId;
 
-/// A state of one component, or `size()`: the component is off (not started yet, or ended).
+/// A state of one component. The value `size()` means that the component is off: it has not started, or it has ended.
 using Local = std::uint32_t;
 
 /// An explicit machine whose events are numbered by their index in its alphabet. State 0 is the initial one.
@@ -31,7 +31,7 @@ public:
     };
     using Edges = std::span<const Edge>;
 
-    /// An edge while the machine is built: by event, not by index.
+    /// An edge during the construction of the machine. It contains the event and not the index of the event.
     struct RawEdge {
         Event event;
         Event revealed;

@@ -12,7 +12,8 @@
 
 namespace robochart::machine {
 
-/// The numbering. Components with different hashes cannot be mapped to each other; those with equal hashes may be.
+/// A canonical numbering of a component. Components with different hashes cannot be mapped to each other; components
+/// with equal hashes may be mappable.
 struct ComponentShape {
     std::vector<Local> state;           ///< by number; one more at the end: off
     std::vector<std::uint32_t> number;  ///< by state; one more at the end: off

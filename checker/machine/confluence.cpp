@@ -54,7 +54,8 @@ void Confluence::count_offers() {
     }
 }
 
-/// Condition 1. Each rule is listed at one component: the one that can perform its part in the fewest states.
+/// Condition 1. Lists each rule at one component, which is the component that can perform its part in the fewest
+/// states.
 void Confluence::list_tau_rules() {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
@@ -172,7 +173,8 @@ bool known_well(const ProofRecord::Sum& sum) {
     return work(sum) >= enough;
 }
 
-/// A tau that is followed leaves out at most one state. It also saves memory, so it may cost more work than a state.
+/// Whether proofs pay off. A followed tau removes at most one state. It also saves memory, so a proof may take more
+/// work than a state.
 bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
     constexpr double most_for_a_state = 2;
     return sum.proofs > 0 &&
@@ -262,8 +264,8 @@ const Confluence::Asking& Confluence::rules_by_event(const Tracked& tracked) {
     return made;
 }
 
-/// Returns the set that also tracks the parts of one of the other rules: of the first one that has some untracked
-/// parts, but not too many.
+/// Returns the set that also tracks the parts of another rule. It is the first rule with some untracked parts, but not
+/// too many.
 Confluence::Next Confluence::find_larger_tracked_set(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
     const Slots& before = tracked_[number].slots;

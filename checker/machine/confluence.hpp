@@ -22,8 +22,8 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// Replaces queries that seldom decide, so that proofs skip them. Maps the slots of the parts of a rule and the slots
-/// that would be tracked to the slots to track instead. If these are empty, the proof is assumed to fail.
+/// A plan replaces queries that seldom decide, so that proofs skip them. It maps the slots of a rule's parts and the
+/// slots that a query tracks to the slots to track instead. If these are empty, the proof is assumed to fail.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
 /// Records the costs and results of proofs. They are summed over rules with the same components, because each value of
@@ -42,7 +42,7 @@ public:
 
     [[nodiscard]] Sum& sum_of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
     /// Returns the queries that proofs can skip if computing the successors of a state takes this much work. These are
-    /// proofs that never succeeded, and proofs that took more work than the states that they left out.
+    /// proofs that never succeeded, and proofs that took more work than they saved.
     [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
 
 private:
@@ -150,7 +150,7 @@ private:
     std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // numbers of queries
     std::uint64_t states_asked_ = 0, answers_asked_ = 0;
     AnswerTable answers_;               // by number of the query and key: `no`, `yes`, or the number of the next query
-    std::unique_ptr<Closure> closure_;  // its memory is reused
+    std::unique_ptr<Closure> closure_;  // stored to reuse its memory
 };
 
 }  // namespace robochart::machine

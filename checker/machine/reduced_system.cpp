@@ -11,8 +11,8 @@ namespace robochart::machine {
 
 namespace {
 
-/// A sequence of followed taus may end at any of its states, which then represents the states before it. So the
-/// sequence may be cut at any length.
+/// The maximal length of a sequence of followed taus. The sequence may end at any of its states, which then represents
+/// the states before it.
 constexpr std::size_t most_steps = 1000;
 /// The numbers of states of the pilot rounds, which estimate the benefit of proofs. After the first rounds the least
 /// useful proofs are removed.
@@ -90,7 +90,7 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         work += static_cast<double>(searched.examined_step_count());
         reduced.add_to(record);
         const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded_count());
-        // Each followed tau leaves out at most one state.
+        // Each followed tau removes at most one state.
         const auto kept = static_cast<double>(expanded);
         const double without = (kept + static_cast<double>(reduced.chased_state_count())) * work_of_a_state;
         worth_it = (whole_round && expanded < enough_to_judge) ||

@@ -69,7 +69,7 @@ private:
     std::map<std::pair<TermId, int>, bool> composite_;  // false while it is unknown
 };
 
-/// Unfolds calls and removes compressions that are left out.
+/// Unfolds calls, and removes compressions that must be omitted.
 TermId Builder::unfold_term(TermId term) {
     for (term = terms_.unfold_calls(term, deepest_look); left_out_.contains(term);)
         term = terms_.unfold_calls(terms_[term].children.front(), deepest_look);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of a process that does not change while it runs: the operators above its components. An operator that one
-// operand can replace (exception, sequence, interrupt, choice) also stays in place; its inactive operands are off. So a
-// state of the whole process contains one state for each component, in a vector of fixed length.
+// The skeleton of a process consists of the operators above its components and never changes. It also contains
+// operators that one operand can replace (exception, sequence, interrupt, choice); their inactive operands are off. So
+// a state of the whole process is a vector of fixed length with one state for each component.
 #pragma once
 
 #include <functional>
@@ -47,9 +47,10 @@ struct Skeleton {
 /// Compressed terms in `left_out` are replaced by their operands. No value if there is no parallel operator to split.
 /// May evaluate definitions and throw their exceptions. `poll` may throw to stop.
 ///
-/// Events before a parallel operator are followed, because a process may start its components or switch between modes.
-/// If this does not come back to its beginning, as in COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B), events are not
-/// followed anywhere in the term. A subterm that begins with an event is then one component.
+/// Events before a parallel operator are followed, because a process may perform events before it starts its
+/// components, or switch between modes. If this never returns to an earlier term, as in COUNT(n) = up -> COUNT(n + 1)
+/// [] go -> (A ||| B), events are not followed anywhere in the term. A subterm that begins with an event is then one
+/// component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
                                                   const std::function<void()>& poll);

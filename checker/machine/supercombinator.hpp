@@ -42,7 +42,7 @@ struct Requirement {
     std::uint32_t event;  ///< index in the participant's alphabet
 };
 
-/// An assignment of a rule in addition to the events of its participants: it starts a component or turns it off.
+/// An assignment of a rule: it starts a component that does not take part in the event, or turns it off.
 struct Assignment {
     std::uint32_t slot;
     Local value;
@@ -51,12 +51,13 @@ struct Assignment {
 /// "If these participants perform these events, the region performs this one."
 struct Rule {
     Event event;
-    Event revealed;       ///< for a hidden event, its name; tau: that of the participant's tau; otherwise the event
-    std::uint32_t place;  ///< index of the event in the region's alphabet
-    std::uint32_t level;  ///< level of the event in the region's priorities, or no_level
-    Requirement lead;     ///< requirement for the first participant
+    /// The name of a hidden event; tau: the name is that of the participant's tau; otherwise the event.
+    Event revealed;
+    std::uint32_t place;                               ///< index of the event in the region's alphabet
+    std::uint32_t level;                               ///< level of the event in the region's priorities, or no_level
+    Requirement lead;                                  ///< requirement for the first participant
     std::uint32_t first_requirement, end_requirement;  ///< requirements for the other participants
-    std::uint32_t first_assignment, end_assignment;    ///< rules may share them
+    std::uint32_t first_assignment, end_assignment;    ///< several rules may share these assignments
 };
 
 /// The rules between two prioritise operators. They are separate because operators above a prioritise see only what it

@@ -48,7 +48,7 @@ public:
         around_ = &first_rule_around;
         enumerate();
     }
-    /// The same for the rules with one event.
+    /// Lists the transitions of the rules with one event.
     void list_event(std::uint32_t event) {
         assert(event < region_.by_event.size());
         for (const std::uint32_t rule : region_.by_event[event])
@@ -240,7 +240,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
     ++state_number_;
-    changes_.clear();  // not empty if a sink has thrown
+    changes_.clear();  // not empty if a sink has thrown an exception
     for (Moves& moves : moves_) {
         moves.list.clear();
         moves.changes.clear();

@@ -13,7 +13,7 @@ namespace robochart::machine {
 /// States are the components' packed states. Computing successors allocates no memory after the buffers have grown.
 class SupercombinatorSystem final : public lts::TransitionSystem {
 public:
-    /// `terms`: the store of the components' meanings.
+    /// `terms` contains the terms that the states of components represent.
     SupercombinatorSystem(std::shared_ptr<const Supercombinator> combined, const process::TermStore& terms);
 
     [[nodiscard]] std::size_t width() const override { return combined_->words; }

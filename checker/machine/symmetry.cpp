@@ -16,7 +16,8 @@ using diagnostics::splitmix64_mixed;
 constexpr std::size_t largest_component = 20'000;  // number of states
 constexpr std::size_t most_rules = 200'000;
 constexpr std::size_t most_exchanges = 500;  // number of verifications
-/// After this many rules and states have been examined for wrong proposals, no more proposals are tried.
+/// The number of rules and states that may be examined for proposals that turn out to be wrong. After that, no more
+/// proposals are tried.
 constexpr std::size_t most_in_vain = 200'000;
 
 class Finder {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds equal operands of a compiled process that can be exchanged: the graphs of their components give proposals, and
-// each is verified on all rules (docs/search.md, "Symmetry").
+// Finds equal operands of a compiled process that can be exchanged. The graphs of their components give proposals, and
+// each proposal is verified on all rules (docs/search.md, "Symmetry").
 #pragma once
 
 #include <functional>

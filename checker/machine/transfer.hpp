@@ -12,15 +12,15 @@
 namespace robochart::machine {
 
 void write(const Supercombinator& process, lts::ByteWriter& out);
-/// Reads a process with the same transitions and packed states. `meaning`: a term that is used as the meaning of its
-/// states. Throws BadBytes for malformed bytes. For all inputs, a process that is returned can be searched.
+/// Reads a process with the same transitions and packed states. `meaning` is a term that all its states represent.
+/// Throws BadBytes for malformed bytes. Every process that is returned can be searched, even if the bytes were changed.
 [[nodiscard]] Supercombinator read_supercombinator(lts::ByteReader& in, TermId meaning);
 
 /// Writes a compiled process, its reduced form, or one of these with symmetry. Returns false for other systems; the
 /// output is then invalid.
 [[nodiscard]] bool write(const lts::TransitionSystem& system, lts::ByteWriter& out);
-/// Reads the same system, with the same words as states. It cannot describe states. `terms` must outlive it. Throws
-/// BadBytes.
+/// Reads a system that `write` has written. Its states consist of the same words, but it cannot describe them. `terms`
+/// must outlive the system. Throws BadBytes.
 [[nodiscard]] std::unique_ptr<lts::TransitionSystem> read_system(lts::ByteReader& in, process::TermStore& terms);
 
 }  // namespace robochart::machine

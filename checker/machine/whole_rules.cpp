@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A rule that requires an event of an inner region is combined with the region's rules for that event. The order of
 // changes is that of SupercombinatorSystem: changes of participants, in the order of the requirements, then the rule's
-// assignments; if several change one slot, the last counts.
+// assignments; if several of them change one slot, the last change applies.
 #include "checker/machine/whole_rules.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    /// A change of one slot: the component performs an event, or is put into a state.
+    /// A change of one slot: its component performs an event, or a rule sets the state of the component.
     struct Change {
         std::uint32_t slot;
         std::optional<std::uint32_t> event;

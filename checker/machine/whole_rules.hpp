@@ -29,8 +29,9 @@ struct Passage {
 /// "If these components perform these events, the whole process performs this one", unless a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
-    std::vector<Part> parts;         ///< ascending by slot, one for each slot
-    std::vector<Passage> prevented;  ///< the regions in which it can be prevented: its level is not the first one there
+    std::vector<Part> parts;  ///< ascending by slot, one for each slot
+    /// The regions that can prevent the rule, because its level there is not the first.
+    std::vector<Passage> prevented;
     std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the
                                             ///< first level
 
@@ -47,7 +48,7 @@ struct WholeRules {
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 
-/// No value if there are too many to be useful. `poll` may throw to stop.
+/// The rules of the whole process. No value if there are too many rules to be useful. `poll` may throw to stop.
 [[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, const std::function<void()>& poll);
 
 }  // namespace robochart::machine

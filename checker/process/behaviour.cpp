@@ -195,7 +195,7 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
         if (step.transition.event != tau) events.push_back(step.transition.event);
         if (step.transition.event != tau) shown.push_back(step.index);
     }
-    add_offer(segment.behaviour, segment.end);  // for a machine, whose states are all known
+    add_offer(segment.behaviour, segment.end);  // only for a machine, because all its states are known
     const TermId operand = term.children.front();
     const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
     if (!inside) return segment;

@@ -18,8 +18,8 @@ inline constexpr Event no_event = std::numeric_limits<Event>::max();
 struct Behaviour {
     std::string name;             ///< description of the part's initial state
     std::string op;               ///< the operator above `parts` in CSPM's notation; "" for a component
-    std::vector<Event> trace;     ///< for every step of the whole process: this part's event or no_event
-    std::vector<Event> revealed;  ///< the same with the names of hidden events
+    std::vector<Event> trace;     ///< for every step of the whole process: the event of this part, or no_event
+    std::vector<Event> revealed;  ///< the trace with the names of hidden events
     std::string state;            ///< description of the part's last state
     EventSet offered;             ///< the offer in the last state: visible events and tick
     bool stable = true;           ///< the last state has no tau
@@ -31,8 +31,8 @@ struct Behaviour {
     std::size_t begins = 0;       ///< the first step in which it is active
     std::size_t ends = std::numeric_limits<std::size_t>::max();  ///< the first step after it was left
     /// The operand of a compression has a separate run. For each step of that run, this is the step of the whole
-    /// process that shows it. If the compression does not show the step, this is the step of the whole process before
-    /// which it happens, or after which it happens at the end.
+    /// process in which it is visible. If it is not visible, this is the next step of the whole process, or the last
+    /// one if there is no next step.
     std::vector<std::size_t> shown_by;
 
     /// The events in which the part participated; taus only with `with_taus`.
@@ -45,7 +45,7 @@ struct Behaviour {
 [[nodiscard]] Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run,
                                   bool offers = true);
 
-/// What one component does in a step of the whole process.
+/// The move of one component in a step of the whole process.
 struct Move {
     TermId part;      ///< the component before the step
     Transition step;  ///< the component's own step

@@ -11,8 +11,8 @@ namespace robochart::process {
 namespace {}  // namespace
 
 // UCS 9.2:  P --x--> P'  (x ∉ A, x ≠ ✓)          P --a--> P', Q --a--> Q'  (a ∈ A)
-//           P [|A|] Q --x--> P' [|A|] Q          P [|A|] Q --a--> P' [|A|] Q'
-// FDR: P --✓-->, Q --✓-->  gives  P [|A|] Q --✓--> Ω (A behaves as A ∪ {✓}); no side terminates alone.
+//           P [|A|] Q --x--> P' [|A|] Q P [|A|] Q --a--> P' [|A|] Q' FDR: P --✓-->, Q --✓--> gives P [|A|] Q --✓--> Ω
+//           (A behaves as A ∪ {✓}), so neither side terminates alone.
 void FiringRules::fire_parallel(const Term& term, List& list) {
     const SetId set{term.payload};
     std::vector<std::size_t> everyone(term.children.size());
@@ -26,8 +26,8 @@ void FiringRules::fire_parallel(const Term& term, List& list) {
     synchronise_all(term, everyone, list);
 }
 
-// UCS 9.2, alphabetised parallel: an event happens if some alphabet contains it and every operand whose alphabet
-// contains it performs it; taus are free; tick as in [|A|].
+// UCS 9.2, alphabetised parallel: an event of some alphabet happens if every operand whose alphabet contains it
+// performs it. Operands perform taus alone. Tick is as in [|A|].
 void FiringRules::fire_alphabetised(const Term& term, List& list) {
     tick_together(term, list);
     std::vector<std::size_t> participants;
@@ -163,7 +163,8 @@ const std::vector<std::uint32_t>& FiringRules::priority_levels(OrderId id) {
 }
 
 // FDR manual, chase(P): if P has taus, one of them is followed at once and the other actions of that state are dropped,
-// until no tau is left. This implementation follows the first. If the taus have no end, the result diverges.
+// until no tau is left. This implementation follows the first tau. If the sequence of taus is infinite, the result
+// diverges.
 void FiringRules::fire_chase(const Term& term, List& list) {
     const TermId end = end_of_chase(term.children[0]);
     if (can_perform(end, tau)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface by which the operational semantics compresses operands: it explores the operand, and an implementation
-// makes it smaller.
+// The interface by which the operational semantics compresses operands: the semantics explores the operand, and an
+// implementation of the interface reduces it.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@
 namespace robochart::process {
 namespace {
 
-/// Definitions that unfold each other this many times without an event, and operators nested this deep, are assumed to
-/// be endless.
+/// The depth at which definitions that unfold each other without an event, and nested operators, are assumed to be
+/// infinite.
 constexpr std::size_t deepest_nesting = 1'000'000;
 
 enum class Progress : std::uint8_t { unknown, pending, known };

@@ -54,7 +54,7 @@ public:
     /// Valid during the lifetime of this object. Throws SemanticsError, and the exceptions of the definitions.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
-    /// The compressed terms so far that were not compressed, because their operands have too many states.
+    /// The terms whose compression was omitted so far, because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
     /// `poll` is called regularly while a compressed operand is explored; it may throw to stop. Empty: none.
     void set_poll(std::function<void()> poll);

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t no_level = 0xffffffffU;
 struct OrderFault {
     enum class Kind {
         missing,      ///< the event is in a pair or maximal, but not among the prioritised events
-        cyclic,       ///< the event is above itself
+        cyclic,       ///< the order is cyclic: an event is above itself
         not_maximal,  ///< the event is declared maximal and is below another
     };
     Kind kind;

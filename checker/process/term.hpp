@@ -46,8 +46,8 @@ enum class Op : std::uint8_t {
     sync_choice,      ///< [+ set +], n children
     sync_interrupt,   ///< P /+ set +\ Q
     parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
-    alphabetised,     ///< n children, one alphabet for each in `sets`; an event needs all whose alphabet contains it;
-                      ///< tick needs all
+    alphabetised,     ///< n children with one alphabet each in `sets`; all children whose alphabet contains an event
+                      ///< perform it together; tick needs all
     hide,
     rename,            ///< one child; set / renaming
     prioritise,        ///< one child; order
@@ -60,7 +60,7 @@ enum class Op : std::uint8_t {
     chaos_offer,       ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
 };
 
-/// The compressions of FDR by name; docs/cspm.md describes each of them here.
+/// The compressions of FDR by name. docs/cspm.md describes how this program implements them.
 enum class Compression : std::uint32_t {
     normal,
     sbisim,
@@ -72,8 +72,8 @@ enum class Compression : std::uint32_t {
     explicate,
     deter,
     lazyenumerate,
-    // Only their names are supported: computing their transitions is an error. `sets` contains the watchdog's alphabet
-    // and event.
+    // For these compressions only the names are supported, and the computation of their transitions is an error. `sets`
+    // contains the watchdog's alphabet and event.
     trace_watchdog,
     failure_watchdog
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A search as bytes, which rank 0 sends to the others.
+// Encodes a search as bytes, which rank 0 sends to the other ranks.
 #pragma once
 
 #include <chrono>

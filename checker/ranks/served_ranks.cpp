@@ -58,7 +58,8 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
 
 namespace {
 
-/// Takes part in one search. Its budget is not interruptible: the first program handles interrupts and informs all.
+/// Takes part in one search. Its budget ignores interrupts, because the first program handles them and informs all
+/// programs.
 void take_part(Exchange& exchange, const std::string& bytes, const std::string& program) {
     process::EventTable events;
     process::TermStore terms(events);
@@ -94,7 +95,7 @@ void serve_searches(Exchange& exchange, const std::string& program) {
             throw;
         } catch (const std::exception&) {
             // If all ranks have left the search together, rank 0 reports the reason. Otherwise other ranks wait for
-            // this one, so it must end.
+            // this one, so this program must end.
             if (!exchange.left_together()) throw;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Separate programs, or threads that act like programs, that share searches. The first program parses, evaluates and
-// compiles. For each search it sends the others the data that they need (job.hpp). Between searches the others wait.
-// Several threads search in each program.
+// compiles. For each search it sends the other programs the data that they need (job.hpp). Between searches they wait.
+// Every program searches with several threads.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace robochart::ranks {
 
-/// The side of the first program. The other ranks of the exchange run the function for served ranks (below) until this
-/// object is destroyed. The exchange must outlive the object. Each program searches with Limits::threads threads, or
-/// with one if that is 0.
+/// The first program uses this class. The other ranks of the exchange run serve_searches until this object is
+/// destroyed. The exchange must outlive the object. Each program searches with Limits::threads threads, or with one if
+/// that is 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
-    /// `program`: the identity of this program. The others reject searches of another program.
+    /// `program` is the identity of this program. The other ranks reject searches of a program with another identity.
     ServedRanks(refine::Exchange& exchange, std::string program) : exchange_(exchange), program_(std::move(program)) {}
     ServedRanks(const ServedRanks&) = delete;
     ServedRanks& operator=(const ServedRanks&) = delete;
     ~ServedRanks() override;
 
-    /// Ends the other ranks; no search can follow. The destructor calls this function if it has not been called, and
-    /// discards its exceptions.
+    /// Ends the other ranks. No search is possible afterwards. The destructor calls this function if it has not been
+    /// called before, and discards its exceptions.
     void end();
     /// A process that stays a term is searched by one thread of the first program only.
     std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,

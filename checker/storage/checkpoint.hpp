@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A checkpoint of a search: the files with the levels, and the other data that the search needs to continue. Each rank
-// writes a text file that ends with a check, when all its files are on the disk. Checkpoints are numbered. A number is
-// complete if all ranks have written their checkpoints. The previous checkpoint is kept until then. So a search that is
-// killed at any moment can continue from the newest complete checkpoint.
+// A checkpoint of a search consists of the files with the levels, and of the other data that the search needs to
+// continue. Each rank writes a text file that ends with a checksum, after all its files are on the disk. Checkpoints
+// are numbered. A number is complete if all ranks have written their checkpoints. The previous checkpoint is kept until
+// then. So a search that is killed at any moment can continue from the newest complete checkpoint.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@ enum class Lock {
     exclusive  ///< no access
 };
 
-/// Opens a regular file for reading and writing, never through a symbolic link. `make`: creates an empty file if it
-/// does not exist. On failure the descriptor is not open and errno is set.
+/// Opens a regular file for reading and writing, never through a symbolic link. With `make`, an empty file is created
+/// if none exists. On failure the descriptor is not open and errno is set.
 [[nodiscard]] diagnostics::Descriptor open_to_lock(const std::string& path, bool make);
 /// Locks a file that open_to_lock has opened, until it is closed. Does not wait, and replaces a lock that this process
 /// already has. Returns "" or the reason of the failure: `in_use` if another process has a conflicting lock, or if

@@ -83,7 +83,7 @@ const RowFile& LevelFiles::to_read(std::uint32_t file) {
 LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
     for (;;) {
         const std::string name = fmt::format("rows-{}-of-{}-{}", where_.place.rank, where_.place.ranks, next_name_++);
-        if (is_there(path_in(where_, name))) continue;  // from an earlier run
+        if (is_there(path_in(where_, name))) continue;  // the file exists from an earlier run
         return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), kind)), name, 0, false};
     }
 }
@@ -212,7 +212,8 @@ void LevelFiles::finish_last() {
     (void)to_read(static_cast<std::uint32_t>(files_.size() - 1));
 }
 
-/// Each piece is a level of the file. A file that could not be written is deleted, because the disk may be full.
+/// Saves rows to a file. Each piece becomes a level of the file. A file that could not be written is deleted, because
+/// the disk may be full.
 SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
     File made;
     std::uint32_t pieces = 0;

@@ -27,7 +27,7 @@ void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out
 /// Decodes rows piece by piece.
 class RowDecoder {
 public:
-    /// `bytes` must outlive the object. `width`: words in a row, not 0.
+    /// `bytes` must outlive the object. `width` is the number of words in a row, and not 0.
     RowDecoder(std::string_view bytes, std::size_t width)
         : at_(bytes.data()), end_(bytes.data() + bytes.size()), width_(width) {}
     /// Appends the next `count` rows. Returns false if the remaining bytes are not a code of this many rows.

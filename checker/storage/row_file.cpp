@@ -132,8 +132,8 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     }
 }
 
-/// Also removes data after the last block, such as an incomplete block or the end. A finished file may be closed, or
-/// open for reading.
+/// Removes data after the last valid block, such as an incomplete block or the end mark. The file may be finished, and
+/// then closed or open for reading.
 void RowFile::remove_blocks_from(std::size_t blocks) {
     assert(blocks <= blocks_.size());
     if (finished_) {

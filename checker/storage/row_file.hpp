@@ -113,7 +113,7 @@ private:
     std::uint64_t rows_ = 0;
     std::uint64_t size_ = 0;
     bool finished_ = false;
-    std::string lost_;  ///< why it could not be finished; "": it can still grow
+    std::string lost_;  ///< the reason why the file could not be finished; "": the file can still grow
     Check head_check_{};
     Check end_check_{};
     mutable std::string buffer_;

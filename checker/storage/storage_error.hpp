@@ -17,7 +17,7 @@ public:
 };
 
 /// Thrown if a file cannot be written, because the disk is full or the folder cannot be used. It is handled like other
-/// limits. Data written before are unchanged.
+/// limits. Data that were written before are unchanged.
 class CannotWrite : public diagnostics::LimitReached {
 public:
     using diagnostics::LimitReached::LimitReached;

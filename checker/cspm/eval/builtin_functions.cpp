@@ -43,7 +43,7 @@ Value BuiltinFunctions::value(Builtin which, const TimedSection* timed) {
         default:
             break;
     }
-    // In a timed section WAIT and timed_priority know the section's tock.
+    // In a timed section, WAIT and timed_priority use the tock of the section.
     Values items;
     if (timed != nullptr && (which == Builtin::wait || which == Builtin::timed_priority)) {
         items.push_back(domains_.head_value(timed->tock));

@@ -61,7 +61,7 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
                 if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr)
                     part = values_.evaluate_in_place(part);
                 if (part->kind != Kind::sequence) {
-                    // The sequence from here on is unevaluated or infinite.
+                    // The rest of the sequence is unevaluated or infinite.
                     Value rest = store_.sequence({});
                     for (std::size_t k = parts->items.size(); k-- > i + 1;) rest = part_before(parts->items[k], rest);
                     return append(store_.compound(Kind::sequence, 0, std::move(items)), part_before(part, rest));
@@ -116,8 +116,8 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     if (which == Builtin::map_from_list) return put_all({}, written_out(arguments[0], span)->items);
     Values items = map_items(values_.evaluated_value(arguments[0]), span);
     if (which == Builtin::map_update_multiple) {
-        // If several pairs have the same key, the first counts here, while mapFromList takes the last (libcspm,
-        // Evaluator).
+        // If several pairs have the same key, this function uses the first pair, but mapFromList uses the last one
+        // (libcspm, Evaluator).
         Values pairs = written_out(arguments[1], span)->items;
         std::ranges::reverse(pairs);
         return put_all(std::move(items), pairs);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sequences and maps that are evaluated on demand: streams, the order and equality of values, and the built-ins that
-// take their arguments by need.
+// Evaluates sequences and maps on demand: streams, the order and equality of values, and the built-ins that evaluate
+// their arguments by need.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class Evaluator;
 /// Owns the list of comprehensions from which streams continue. Errors are thrown by `Work::fail` with the given place.
 class ByNeed {
 public:
-    /// The first element of a sequence and the sequence of the others.
+    /// The first element of a sequence, and the sequence of the remaining elements.
     struct Cut {
         Value head;
         Value tail;
@@ -49,8 +49,8 @@ public:
     // streams.cpp
     /// `first ^ rest`, where the rest may be unevaluated.
     Value append(Value first, Value rest);
-    /// `first`, followed by the elements that the comprehension makes from those of `source`; `frame`: the variables
-    /// around it.
+    /// The sequence of `first` and the elements that the comprehension makes from the elements of `source`. `frame`
+    /// contains the variables of the enclosing scope.
     Value make_stream(Value first, Value source, Comprehension of, const Values& frame);
     /// No value if the sequence is empty.
     std::optional<Cut> split_first(Value sequence, Span span);
@@ -65,7 +65,7 @@ public:
     bool is_less(Value a, Value b, Span span);
 
     // builtins_by_need.cpp
-    /// Any built-in; evaluates its arguments only as far as it needs them.
+    /// Calls any built-in, and evaluates its arguments only as far as the built-in needs them.
     Value call(Value builtin, Values arguments, Span span);
     /// A built-in of maps; keys are evaluated, their values may be unevaluated.
     Value map_builtin(Builtin which, const Values& arguments, Span span);

@@ -38,7 +38,7 @@ Value Evaluator::call(Value function, Values arguments, Span span) {
     return result;
 }
 
-/// Reports the call to the observer, with the numbers that are known by now.
+/// Reports the call to the observer, with those numbers among its arguments that are already evaluated.
 void Evaluator::report_call(const Function& function, const Values& arguments, Value result, Span span) {
     if (function.watched < 0) function.watched = observer_.functions.contains(function.name) ? 1 : 0;
     if (function.watched == 0) return;
@@ -138,7 +138,7 @@ Value Evaluator::member_value(const GroupObject& group, int index, Span span) {
         try {
             value = share_value(value);
         } catch (const EvaluationError&) {
-            return value;  // a part of the value cannot be evaluated; the value is evaluated again when it is needed
+            return value;  // evaluation of a part failed; the value is evaluated again when it is needed
         }
     }
     group.known[at] = value;

@@ -67,7 +67,7 @@ struct Code {
     Value constant = nullptr;
     std::vector<const Code*> args;
     std::vector<FieldCode> fields;
-    std::vector<ClauseCode> clauses;  ///< prefix: those of `[] e : S @ e -> P`, if its events are those of a set
+    std::vector<ClauseCode> clauses;  ///< prefix: the clauses of `[] e : S @ e -> P`, if its events are those of a set
     std::vector<std::pair<const Code*, const Code*>> links;
     std::vector<ClauseCode> link_clauses;  ///< replicated linked parallel: clauses of the links
     Unit* unit = nullptr;                  ///< prefix
@@ -75,7 +75,7 @@ struct Code {
     const Group* group = nullptr;          ///< let
     TimedSection* timed = nullptr;         ///< inside a timed section
     std::uint32_t number = 0;              ///< prefix: identity
-    mutable std::uint8_t too_long = 0;     ///< how often its early evaluation was abandoned (see Evaluator)
+    mutable std::uint8_t too_long = 0;     ///< number of times that its early evaluation was abandoned (see Evaluator)
 };
 
 struct FunctionClause {
@@ -84,17 +84,17 @@ struct FunctionClause {
     const Code* body = nullptr;
 };
 
-/// A function or a constant (no groups).
+/// A function, or a constant (a function without argument groups).
 struct Function {
     std::uint32_t number = 0;
     std::string name;
     Span span;
     std::vector<std::size_t> groups;  ///< number of arguments in each group
     std::vector<FunctionClause> clauses;
-    std::vector<bool> unread;          ///< only for a single group: for each argument, whether it is never read
+    std::vector<bool> unread;          ///< only for a single group: true for arguments that are never read
     std::size_t environment = 0;       ///< number of captured items before the arguments
-    mutable std::int8_t watched = -1;  ///< whether its calls are observed; -1: unknown
-    mutable std::int8_t process = -1;  ///< whether its result is obviously a process; -1: unknown
+    mutable std::int8_t watched = -1;  ///< 1 if calls are observed, otherwise 0; -1: unknown
+    mutable std::int8_t process = -1;  ///< 1 if the result is obviously a process, otherwise 0; -1: unknown
 };
 
 /// A let's declarations; a member is a function, a constant, or a part of a constant that is a pattern.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of values, and dotted values: channels and constructors with their fields, their extensions, and events.
+// Computes with sets of values and with dotted values: channels and constructors with their fields, their extensions,
+// and events.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@
 
 namespace robochart::cspm {
 
-/// Computes with evaluated values. Only the types in declarations are evaluated here, on first use. Caches elements of
-/// sets, extensions, productions and events.
+/// Computes with evaluated values. It evaluates only the types in declarations, on first use. Caches elements of sets,
+/// extensions, productions and events.
 class Domains {
 public:
     /// Evaluates a type expression of a declaration.

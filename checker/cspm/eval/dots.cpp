@@ -41,7 +41,7 @@ const Values& Domains::fields_of(int index) {
     return head.fields;
 }
 
-// A type expression as one set for each field: A.B gives two, (A,B) one set of pairs.
+// Converts a type expression to one set for each field: A.B gives two sets, (A,B) gives one set of pairs.
 Values Domains::type_fields(Value type, Span span) {
     if (type->kind == Kind::dot && !is_named(type)) {
         Values result;
@@ -66,7 +66,7 @@ Value Domains::type_set(Value type, Span span) {
     return fields.size() == 1 ? fields[0] : product_of(fields, Kind::dot, span);
 }
 
-// A set of plain dots is split into one set for each field; it must contain all combinations of them.
+// Splits a set of plain dots into one set for each field. The set must contain all combinations of the fields' values.
 Values Domains::rectangle(Value set, Span span) {
     const auto plain = [](Value value) {
         return value->kind == Kind::dot && !is_named(value) && value->items.size() > 1;

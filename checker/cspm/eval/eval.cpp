@@ -399,8 +399,8 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }
 
-// Evaluates elements early while that succeeds; the rest stays unevaluated. If the sequence is infinite, all of it
-// stays unevaluated.
+// Evaluates elements early until an evaluation fails. The rest stays unevaluated. If the sequence is infinite, all of
+// it stays unevaluated.
 Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     std::size_t first = 0;
     for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)

@@ -3,12 +3,13 @@
 // never needed may have no value. They are nevertheless evaluated at once, within a limit on work, and stay unevaluated
 // only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
 //
-// Who owns what; each class knows only those before it. ValueStore owns the values, Work the call stack and the step
-// counter, ProcessShape decides what is obviously a process, Domains owns the elements of sets, the fields of dotted
-// values and the events, ProcessTerms the terms of calls and prefixes; BuiltinFunctions computes with evaluated
-// arguments. Evaluator implements everything that needs evaluation: expressions, calls, patterns. ByNeed takes
-// sequences and maps apart on demand; ProcessEvaluator evaluates processes. These two and Evaluator call each other,
-// since parts of a sequence may be unevaluated, a value may be a process, and a process contains values.
+// Every class uses only the classes that this list names before it. ValueStore owns the values. Work owns the call
+// stack and the step counter. ProcessShape decides which expressions are obviously processes. Domains owns the elements
+// of sets, the fields of dotted values and the events. ProcessTerms owns the terms of calls and prefixes.
+// BuiltinFunctions computes with evaluated arguments. Evaluator implements everything that needs evaluation:
+// expressions, calls, patterns. ByNeed takes sequences and maps apart on demand; ProcessEvaluator evaluates processes.
+// These two and Evaluator call each other, since parts of a sequence may be unevaluated, a value may be a process, and
+// a process contains values.
 #pragma once
 
 #include <functional>
@@ -35,7 +36,7 @@ namespace robochart::cspm {
 
 class ProcessEvaluator;
 
-/// Evaluates expressions, lazily where that may matter; contains the entry points for a script.
+/// Evaluates expressions, lazily if this can change the result. Contains the entry points for a script.
 class Evaluator {
 public:
     Evaluator(Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sets: explicit ones are sorted; Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) keep their form until their elements
-// are needed. Unions with sets that cannot be listed keep their parts, in a form that is unique for sets of numbers:
-// {0..} and no 1 in addition.
+// are needed. A union with a set that cannot be listed is stored as its parts. For sets of numbers this form is unique:
+// the union of {0..} and {1} has only the part {0..}.
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -88,7 +88,7 @@ std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
             return size_of(set->items[0], span) == 0 ? std::optional<std::uint64_t>(0) : std::nullopt;
         case Kind::datatype: {
             Global& global = program_.globals[static_cast<std::size_t>(set->number)];
-            if (global.running) return std::nullopt;  // it contains itself
+            if (global.running) return std::nullopt;  // the definition contains itself
             const Running running(global.running);
             std::uint64_t sum = 0;
             for (const int head : global.heads) {

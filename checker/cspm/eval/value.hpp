@@ -48,7 +48,8 @@ enum class Kind : std::uint8_t {
 struct Object {
     Kind kind = Kind::integer;
     bool shared = false;  ///< hash-consed: contains only shared objects, lives as long as the store
-    bool made = false;    ///< shared objects: its position in a set depends on when a process in it was created
+    /// Shared objects: true if the position in a set depends on the order in which processes were created.
+    bool made = false;
     std::uint32_t id = 0;
     std::int64_t number = 0;
     const Function* function = nullptr;
@@ -59,7 +60,7 @@ struct Object {
 using Value = const Object*;
 using Values = std::vector<Value>;
 
-/// The values of one let's declarations in one environment; `known` is filled on demand.
+/// The values of the declarations of a `let` in one environment. `known` is filled on demand.
 struct GroupObject : Object {
     mutable Values known;
     mutable std::vector<bool> running;
@@ -73,9 +74,9 @@ struct Thunk : Object {
     mutable bool running = false;
 };
 
-/// Whether it is a set, explicit or not.
+/// Whether the value is a set, explicit or not.
 [[nodiscard]] bool is_set(Value value);
-/// Whether it is a sequence that is not written out.
+/// Whether the value is a sequence whose elements are not all stored.
 [[nodiscard]] bool is_stream(Value value);
 /// Whether a sequence is obviously infinite; thunks are not evaluated for the answer.
 [[nodiscard]] bool is_infinite(Value sequence);

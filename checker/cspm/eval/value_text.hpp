@@ -8,7 +8,7 @@
 
 namespace robochart::cspm {
 
-/// Prints the values of a program; has no data.
+/// Prints the values of a program.
 class ValueText {
 public:
     explicit ValueText(const Program& program) : program_(program) {}
@@ -18,7 +18,8 @@ public:
     /// Appends a list of values in the form used in messages.
     void items(const Values& values, const char* open, const char* separator, const char* close,
                std::string& out) const;
-    /// Returns the complete text. It is data, because it is used for names of events and for the results of `show`.
+    /// Returns the complete text. It is not shortened, because it is used for names of events and for the results of
+    /// `show`.
     [[nodiscard]] std::string full_text(Value value) const;
 
 private:

@@ -34,7 +34,7 @@ public:
     void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
     /// Counts one more step.
     void count_step(Span span);
-    /// The place for errors without a place: the prefix whose events are being computed.
+    /// Sets the place for errors without a place: the prefix whose events are being computed.
     void at_prefix(Span span) { prefix_place_ = span; }
     [[noreturn]] void fail(const std::string& message, Span span) const;
     [[noreturn]] void not_supported(const std::string& what, Span span) const;
@@ -54,7 +54,7 @@ private:
     struct Activation {
         const Function* function = nullptr;
         const Values* arguments = nullptr;
-        Span called;  ///< place, if known: in generated scripts a place of the model
+        Span called;  ///< place of the call, if known; in generated scripts a place of the model
     };
     static constexpr std::uint64_t no_end = ~std::uint64_t{0};
 
@@ -65,7 +65,7 @@ private:
     std::size_t stack_bytes_ = 0;  // from there
     std::uint64_t steps_ = 0;
     std::uint64_t promised_until_ = no_end;  // number of steps after which no more values are evaluated early...
-    std::uint64_t given_up_at_ = no_end;     // ...and after which those in progress are given up
+    std::uint64_t given_up_at_ = no_end;     // number of steps after which evaluations in progress are abandoned
     std::uint64_t question_ = 0;
     std::function<void()> poll_;
     Span prefix_place_;

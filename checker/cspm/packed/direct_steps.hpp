@@ -42,7 +42,7 @@ public:
     Bytes bytes;
 };
 
-/// Finds steps. Keeps its buffers between calls so that it allocates memory rarely.
+/// Finds steps. Reuses its buffers, so that calls rarely allocate memory.
 class DirectSteps {
 public:
     DirectSteps(Evaluator& values, TermCodec& codec, PackedParts& parts);

@@ -72,7 +72,8 @@ std::size_t PackedProcesses::add(const ExprPtr& expr, const Decl& assertion) {
     return asked_.size() - 1;
 }
 
-// Compiles the sides in the same order each time, so that definitions have the same numbers.
+// Loads the script and compiles the sides, in the same order each time, so that definitions always have the same
+// numbers.
 void PackedProcesses::load_script() {
     direct_.reset();
     codec_.reset();
@@ -97,8 +98,8 @@ std::size_t PackedProcesses::kept_object_count() const {
     return loaded_->store.size() + loaded_->terms.size();
 }
 
-/// Drops all evaluated data if there is much more than after the first state. The first state mainly needs the
-/// constants of the script, which are needed again after every reload.
+/// Drops all evaluated data if there is much more than after the first state. The data of the first state are mainly
+/// the constants of the script, which are needed again after every reload.
 void PackedProcesses::forget_if_large() {
     const std::size_t now = kept_object_count();
     if (kept_at_start_ == 0) kept_at_start_ = now;

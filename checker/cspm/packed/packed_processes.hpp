@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The processes of a script whose states are stored as bytes (term_codec.hpp). Only the bytes of a state are stored.
-// The data evaluated for its steps are dropped from time to time by loading the script again.
+// The data that are evaluated for its steps are freed from time to time, by loading the script again.
 #pragma once
 
 #include <functional>
@@ -34,8 +34,8 @@ public:
     /// Adds a process, which is one side of an assertion, and returns its number.
     [[nodiscard]] std::size_t add(const ExprPtr& expr, const Decl& assertion);
 
-    /// After this call rows are the same in every run. Parts that would be numbered in the order of their appearance
-    /// cause NotPacked.
+    /// After this call, rows are the same in every run. A part that has no number yet then causes NotPacked, because
+    /// new numbers depend on the order of use.
     void fix_parts() { parts_.fix_numbers(); }
 
     // The following functions throw EvaluationError, and NotPacked if a state has no packed form.
@@ -49,7 +49,7 @@ public:
     void set_poll(std::function<void()> poll);
     /// Whether the steps of the first states can be computed without terms.
     [[nodiscard]] bool is_direct(std::size_t side);
-    /// How often the script has been loaded.
+    /// The number of times that the script has been loaded.
     [[nodiscard]] std::size_t load_count() const { return loads_; }
     /// The number of states whose steps were computed without terms.
     [[nodiscard]] std::uint64_t direct_answers() const { return direct_answers_; }

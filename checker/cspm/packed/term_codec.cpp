@@ -116,7 +116,7 @@ TermCodec::TermCodec(const Program& program, ValueStore& store, process::TermSto
                      PackedParts& parts)
     : program_(program), store_(store), terms_(terms), processes_(processes), parts_(parts) {
     const auto add = [this](const Function& function) {
-        // Only functions have numbers.
+        // Only functions with clauses have numbers.
         if (!function.clauses.empty()) put_at<const Function*>(functions_, function.number, &function);
     };
     for (const Global& global : program.globals)

@@ -23,7 +23,7 @@ namespace robochart::cspm {
 /// the processes were created.
 class TermCodec {
 public:
-    /// All expressions must have been compiled before.
+    /// All expressions must be compiled before the codec is created.
     TermCodec(const Program& program, ValueStore& store, process::TermStore& terms, ProcessTerms& processes,
               PackedParts& parts);
 
@@ -35,7 +35,7 @@ public:
     /// Skips a term.
     void skip(ByteReader& in);
 
-    // The parts of calls and prefixes, for code that reads or writes them without terms.
+    // The following functions read and write the parts of calls and prefixes without terms.
     /// The number of values that the function has already received, and the number of arguments in its last group.
     struct CallShape {
         std::size_t given;

@@ -53,7 +53,7 @@ const Code* Resolver::compile(const ExprPtr& expr) {
 }
 
 // `[] e : S @ e -> P` offers the events of a set: one prefix with many events, not a choice of many prefixes. In a
-// timed section the choice synchronises all its operands on tock, so it stays a choice there.
+// timed section the choice synchronises all its operands on tock, so it is compiled as a choice.
 bool Resolver::offers_events(const Expr& choice) const {
     const Expr& body = *choice.args[0];
     if (timed_ != nullptr || choice.clauses.size() != 1 || body.kind != ExprKind::prefix) return false;
@@ -100,8 +100,8 @@ std::vector<ClauseCode> Resolver::compile_clauses(const std::vector<Clause>& cla
 
 namespace {
 
-// Arguments outside the scope of the clauses: the first process of a renaming, both processes of a linked parallel, the
-// interface of a replicated parallel.
+// Whether an argument is outside the scope of the clauses. This is true for the first process of a renaming, both
+// processes of a linked parallel, and the interface of a replicated parallel.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
     return (kind == ExprKind::replicated_parallel || kind == ExprKind::replicated_synchronising) && arg == 1;
@@ -236,7 +236,7 @@ void Resolver::let_value(const Decl& decl, LetScope& let) {
     }
 }
 
-// The names that a pattern binds: those that are not constructors or channels.
+// The names that a pattern binds. Constructors and channels are not bound.
 std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     std::vector<std::string> result;
     if (pattern.kind == PatternKind::name) {
@@ -250,7 +250,7 @@ std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     return result;
 }
 
-// A timed section in a let. Its duration function sees the script's names and not the let's.
+// Compiles a timed section in a `let`. The names of the `let` are not in scope in the duration function.
 void Resolver::let_timed(const Decl& decl, LetScope& let) {
     TimedSection& section = program_.timed.emplace_back();
     const Binding* tock = find("tock", scope_);

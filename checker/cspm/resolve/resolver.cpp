@@ -137,7 +137,7 @@ std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::s
     return last;
 }
 
-// A clause in a separate frame: parameters, then the body.
+// Compiles the parameters and the body of a clause in a separate frame.
 void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, const Group* member_of) {
     FunctionClause clause;
     clause.unit = &new_unit(parent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variable is read wherever its name occurs, except as a whole argument for a parameter that is not read. Following
-// these links backwards from the variables that are read marks more variables as read; the others are unread.
+// A variable is read wherever its name occurs, except as a whole argument for a parameter that is not read. Such an
+// argument is a link: the variable is read if the parameter is read. The algorithm follows these links backwards from
+// the variables that are read and marks more variables as read. All remaining variables are unread.
 #include "checker/cspm/resolve/unread_parameters.hpp"
 
 #include <set>
@@ -40,7 +41,7 @@ private:
 
     const Program& program_;
     std::set<Variable> read_;
-    std::map<Variable, std::vector<Variable>> links_;  // if the first is read, the others are too
+    std::map<Variable, std::vector<Variable>> links_;  // if the key is read, the variables of the set are read too
 };
 
 void Reading::read(const Variable& variable) {

@@ -18,7 +18,7 @@ namespace robochart::cspm {
 [[nodiscard]] std::size_t foreign_letter(std::string_view text);
 /// The name without the accents of its letters; "" if some letter has no ASCII form.
 [[nodiscard]] std::string in_plain_letters(std::string_view name);
-/// The CSPM notation for a symbol used in books, such as `->` for an arrow; "" if none is known.
+/// The CSPM notation for a symbol from books, such as `->` for an arrow; "" if the symbol is unknown.
 [[nodiscard]] std::string_view written_for(std::string_view symbol);
 
 }  // namespace robochart::cspm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small free functions that build CSPM syntax trees, for producers such as csp_emit. They add no parentheses and no
-// spans: the printer adds parentheses where the language needs them. n-ary operators fold to the left, like the
+// Functions that build CSPM syntax trees, for producers such as csp_emit. The trees contain no spans and no
+// parentheses. The printer adds parentheses where the language needs them. n-ary operators fold to the left, like the
 // reader's tree for `P [] Q [] R`.
 #pragma once
 
@@ -59,7 +59,7 @@ using Decls = std::vector<DeclPtr>;
 /// `let decls within body`; without declarations only the body.
 [[nodiscard]] ExprPtr let_(Decls decls, ExprPtr body);
 [[nodiscard]] ExprPtr if_(ExprPtr condition, ExprPtr then, ExprPtr otherwise);
-/// Any binary operator of ExprKind, on values or processes without a set argument.
+/// Builds an expression with any binary operator of ExprKind on values, or on processes without a set argument.
 [[nodiscard]] ExprPtr binary(ExprKind op, ExprPtr left, ExprPtr right);
 [[nodiscard]] ExprPtr negate(ExprPtr operand);
 [[nodiscard]] ExprPtr logical_not(ExprPtr operand);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a syntax tree as a number: trees that compare equal (syntax.hpp) have equal fingerprints. This finds
-// equal trees among many without printing them or comparing every pair.
+// A fingerprint is a hash of the content of a syntax tree: trees that compare equal (syntax.hpp) have equal
+// fingerprints. It finds equal trees among many without comparing every pair.
 #pragma once
 
 #include <cstdint>

@@ -17,8 +17,8 @@ namespace {
 
 using diagnostics::Span;
 
-// How line ends around a token are read (FDR's lexer, libcspm Lexer.x): `before`: line ends before the token are
-// ignored, since it cannot begin an expression or declaration; `after`: line ends after it are ignored.
+// The treatment of line ends around a token (FDR's lexer, libcspm Lexer.x). `before`: line ends before the token are
+// ignored, since it cannot begin an expression or declaration. `after`: line ends after it are ignored.
 enum LineBreaks : std::uint8_t { plain = 0, before = 1, after = 2, both_sides = 3 };
 
 struct Symbol {
@@ -276,7 +276,7 @@ private:
         return tokens_.back().kind == Tok::l_brace && line_end_;
     }
 
-    // `print` takes the rest of its line, independently of the beginning of the next line.
+    // Reads the rest of the line after `print`. The line ends there, whatever the next line begins with.
     void read_print_line(std::size_t from) {
         emit_token(Tok::print, from, after);
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
@@ -449,7 +449,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     bool line_end_ = false;        // a line end was skipped since the last token,
-    std::size_t line_end_at_ = 0;  // the first of them is here
+    std::size_t line_end_at_ = 0;  // position of the first of them
     bool soaking_ = true;          // line ends after the last token are ignored
     bool blank_before_ = false;    // white space precedes the token
     std::vector<Token> tokens_;

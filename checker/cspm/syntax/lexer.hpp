@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts CSPM text to tokens, with FDR's layout rule: a line end is a token unless the token before it cannot end an
-// expression, or the token after it cannot begin one or a declaration.
+// expression, or the token after it cannot begin an expression or a declaration.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view separator = "::";
 
-/// Lists of declarations, the outermost first: the scopes of a name that is used in the last of them.
+/// The scopes of a name: nested lists of declarations, the outermost first. The last list uses the name.
 using Scopes = std::vector<const std::vector<DeclPtr>*>;
 
 bool declares_name(const Decl& decl, std::string_view name) {
@@ -50,7 +50,8 @@ DeclPtr find_path(std::string_view path, const Scopes& scopes) {
     return find_inside(first, path.substr(end + separator.size()), scopes);
 }
 
-/// The module of an instance must be visible at the instance; inner modules see the declarations around them.
+/// Finds the rest of a path inside a declaration. The module of an instance must be in scope at the instance. The
+/// enclosing declarations are in scope in inner modules.
 DeclPtr find_inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
     if (decl->kind == DeclKind::module) {
         for (const auto* part : {&decl->exports, &decl->decls}) {

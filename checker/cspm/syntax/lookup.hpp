@@ -14,9 +14,9 @@ namespace robochart::cspm {
 /// pattern.
 [[nodiscard]] std::vector<std::string> declared_names(const Decl& decl);
 
-/// The declaration of `path`, a name or `A::B::name`, with or without a leading `::`. Searches modules including their
-/// private parts, timed sections, and for an instance its module. For a function, returns the first clause. Null if
-/// there is none.
+/// The declaration of `path`, a name or `A::B::name`, with or without a leading `::`. Searches modules with their
+/// private parts, timed sections, and the modules of instances. For a function, returns the first clause. Null if there
+/// is none.
 [[nodiscard]] DeclPtr declaration_of(const Script& script, std::string_view path);
 
 /// The assertions among declarations in order, including those inside modules and timed sections.

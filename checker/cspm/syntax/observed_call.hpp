@@ -17,8 +17,8 @@ namespace robochart::cspm {
 struct ObservedCall {
     std::string function;
     diagnostics::Span span;                           ///< place of the call
-    std::vector<std::optional<std::int64_t>> values;  ///< by argument: its value if it is a number
-    std::optional<std::int64_t> result;               ///< its value if it is a number
+    std::vector<std::optional<std::int64_t>> values;  ///< by argument: the value if it is a number
+    std::optional<std::int64_t> result;               ///< the value if it is a number
 };
 
 /// The top-level functions to observe, and the callback.

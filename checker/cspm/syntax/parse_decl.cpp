@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations, assertions, and the kinds of declarations that each list allows.
+// Parses declarations and assertions, and checks which kinds of declarations a list allows.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -493,7 +493,8 @@ std::vector<std::string> names_declared_by(const Decl& decl) {
 
 }  // namespace
 
-// Each annotation belongs to one declaration of the same list, and each declaration may have at most one.
+// Checks that every annotation belongs to one declaration of the same list, and that no declaration has several
+// annotations.
 void Parser::check_annotations(const std::vector<DeclPtr>& decls) {
     std::map<std::string, const Decl*> annotated;
     for (const DeclPtr& decl : decls) {

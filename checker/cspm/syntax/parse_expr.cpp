@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions: operands, then operators by precedence climbing (levels.hpp).
+// Parses expressions: operands, and operators by precedence climbing (levels.hpp).
 #include <algorithm>
 #include <array>
 
@@ -70,8 +70,8 @@ ExprPtr Parser::parse_expression(int minimum) {
     return parse_operators(parse_operand(), minimum);
 }
 
-// The operators after an operand. Hiding has the lowest precedence on its left, but its right side is one operand: FDR
-// parses `P \ A ||| Q` as `(P \ A) ||| Q`.
+// Parses the operators after an operand. Hiding has the lowest precedence on its left, but its right side is one
+// operand: FDR parses `P \ A ||| Q` as `(P \ A) ||| Q`.
 ExprPtr Parser::parse_operators(ExprPtr left, int minimum) {
     for (;;) {
         const Tok next = peek().kind;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operands: literals, names, bracketed forms, and the forms that begin with a word or an operator.
+// Parses operands: literals, names, bracketed forms, and the forms that begin with a word or an operator.
 #include "checker/cspm/syntax/levels.hpp"
 #include "checker/cspm/syntax/parser.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patterns. FDR parses them as expressions and converts them, so they have the expressions' precedences: @@ is lower
-// than `.`, which is lower than ^.
+// Parses patterns. FDR parses them as expressions and converts these, so patterns have the precedences of expressions:
+// @@ is lower than `.`, which is lower than ^.
 #include <algorithm>
 #include <string>
 

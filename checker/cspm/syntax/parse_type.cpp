@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types in annotations (`f :: (Int) -> {Event}`): their syntax is checked, and they are stored as text in a canonical
-// form.
+// Parses types in annotations (`f :: (Int) -> {Event}`). Their syntax is checked, and they are stored as text in a
+// canonical form.
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 

@@ -36,8 +36,8 @@ std::string describe_token(Tok kind) {
     return spelt ? "'" + text + "'" : text;
 }
 
-/// The word that a misspelt one probably means: an expected one, or the keyword of a declaration before it. "" if none
-/// is similar.
+/// The word that the user probably meant by a misspelt word: an expected word, or the keyword of a declaration before
+/// it. "" if no such word is similar.
 std::string meant_word(std::string_view expected, const Token& found, const Token* before) {
     if (found.kind == Tok::identifier && expected.size() > 3 && expected.front() == '\'') {
         const std::string word(expected.substr(1, expected.size() - 2));

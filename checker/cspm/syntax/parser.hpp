@@ -18,7 +18,7 @@ namespace robochart::cspm {
 enum class Place { top, module, let, timed, timed_in_module };
 /// The kind of list inside a timed section that is in a list of this kind.
 [[nodiscard]] Place timed_inside(Place outer);
-/// The place where a declaration of this kind is forbidden: "in a module"; "" if it is allowed.
+/// The text "in a module" if a declaration of this kind is forbidden at the place; "" if it is allowed.
 [[nodiscard]] std::string forbidden_place(DeclKind kind, Place place);
 void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics);
 
@@ -79,7 +79,8 @@ private:
     [[noreturn]] void fail(std::string_view expected);
     /// Returns the opening bracket that matches the expected closing bracket, or null if there is none.
     [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
-    /// The same with advice about the probable meaning. `about` is the part of the text that shows it.
+    /// Throws the error with advice about the probable meaning. `about` is the part of the text that the advice is
+    /// about.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span span_since(Span from) const;

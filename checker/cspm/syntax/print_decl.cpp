@@ -159,7 +159,7 @@ void Printer::print_block(const std::vector<DeclPtr>& decls) {
     print_declarations(decls);
 }
 
-// The group around a declaration has indented once; the module's own keywords are one level to the left.
+// Prints a module. Its keywords are one level to the left, because the group around a declaration is already indented.
 void Printer::print_module(const Decl& decl) {
     out_.add_text("module " + decl.names.at(0));
     if (!decl.parameters.empty()) {

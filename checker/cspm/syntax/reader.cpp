@@ -27,7 +27,8 @@ namespace {
 // Replaces `include` lines by the declarations of the included files.
 class Includer {
 public:
-    // Limits the nesting of includes. If each file includes others several times, a script becomes exponentially long.
+    // Limits the nesting of includes. A script becomes exponentially long if every file includes another file several
+    // times.
     static constexpr std::size_t max_open = 200;
     static constexpr std::size_t max_files = 10000;
 
@@ -69,7 +70,8 @@ private:
         return std::nullopt;
     }
 
-    /// `read_at`: the kind of list for which the parser has checked them; `place`: their list in the script.
+    /// Replaces includes by the declarations of their files. `read_at` is the kind of list for which the parser has
+    /// checked the declarations; `place` is the list that contains them in the script.
     std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder, Place read_at,
                                 Place place) {
         std::vector<DeclPtr> result;

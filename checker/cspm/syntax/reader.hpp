@@ -20,7 +20,7 @@ namespace robochart::cspm {
 
 /// Adds the text of a file to the sources. On failure returns no value and sets `error` to a description of the cause.
 using Loader = std::function<std::optional<diagnostics::SourceId>(const std::string& path, std::string& error)>;
-/// The same with other texts for some files than those on disk.
+/// Parses a file like the function above, but `load` may replace the texts of some files.
 [[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&,
                                const Loader& load);
 

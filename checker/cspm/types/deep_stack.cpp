@@ -24,7 +24,7 @@ namespace robochart::cspm {
 
 namespace {
 
-// One stack for each thread, mapped on first use and kept; pages are allocated when they are touched.
+// The stack of a thread, which is mapped on first use and stays mapped. Its pages are allocated when they are touched.
 class Stack {
 public:
     Stack()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dotted values: applies heads to their arguments, and makes two lists of parts equal. A list [A => B, A, C] is
+// Unifies dotted types: applies heads to their arguments, and makes two lists of parts equal. A list [A => B, A, C] is
 // equivalent to [B, C]. FDR's longest and shortest match rules determine which parts a head takes.
 #include <utility>
 
@@ -153,7 +153,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     return combine(replace_first_two(yielded, a), b);
 }
 
-// The same for `b`.
+// The head of `b` takes the following parts as arguments.
 Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
     const TypeId first = one_by_one(store_.head(b[0]));
     const TypeId next = store_.head(b[1]);

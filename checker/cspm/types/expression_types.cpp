@@ -412,7 +412,7 @@ TypeId ExpressionTypes::infer_replicated(const Term& term) {
     return atom(TypeKind::process);
 }
 
-// Both ends of a link or a renaming need the same remaining fields to be events.
+// Checks links and renamings. To be events, both ends need the same remaining fields.
 void ExpressionTypes::check_links(const Term& term) {
     std::vector<TypeId> left;
     for (const LinkTerm& each : term.links) {

@@ -10,7 +10,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-/// Edges from each declaration to those of the list that it uses, without duplicates.
+/// A graph with an edge from each declaration to every declaration of the list that it uses.
 using UseGraph = boost::adjacency_list<boost::setS, boost::vecS, boost::directedS>;
 
 UseGraph uses_of(const DeclarationList& list) {

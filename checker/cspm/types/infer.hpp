@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Type inference over a resolved script: Hindley-Milner, one strongly connected group of declarations after the other.
-// At the top level and in modules every name is generalised, in a let only names with an annotation (as in FDR).
+// Hindley-Milner type inference for a resolved script, for one strongly connected group of declarations after the
+// other. At the top level and in modules, the types of all names are generalised. In a `let` this applies only to names
+// with an annotation (as in FDR).
 #pragma once
 
 #include <vector>
@@ -62,7 +63,7 @@ private:
     TypeStore& store_;
     diagnostics::Diagnostics& diagnostics_;
     ExpressionTypes terms_;
-    Unifier& unifier_;  // the one in terms_
+    Unifier& unifier_;  // the unifier in terms_
     unsigned attempts_ = 0;
 };
 

@@ -43,7 +43,7 @@ void Inference::fail_group(const Group& group, TypeFault fault) {
 
 namespace {
 
-// Returns a module of the group from which an instance in the same group is created.
+// Returns an instance whose module is in the same group.
 const Declaration* cyclic_instance(const std::vector<Declaration*>& group) {
     for (const Declaration* each : group) {
         if (each->kind != DeclKind::instance || each->module->original == nullptr) continue;
@@ -289,7 +289,7 @@ void Inference::check_value(const Declaration& declaration) {
     terms_.set_span(declaration.pattern.syntax->span);
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
-    // As for arguments of functions, c.x splits an event only if c is a channel.
+    // c.x splits an event only if c is a channel. The same rule applies to arguments of functions.
     const bool splits = store_.kind(left) == TypeKind::dot;
     (void)(splits ? unifier_.unify_one_way(left, right) : unifier_.unify_one_way(right, left));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules with parameters, and instances. An instance has the module's types, in which the arguments' types replace
-// those of the parameters, and the instance's own datatypes replace the module's.
+// Infers types of modules with parameters and of instances. An instance has the types of its module, but the types of
+// the arguments replace those of the parameters, and new datatypes replace those of the module.
 #include <algorithm>
 #include <set>
 
@@ -50,7 +50,8 @@ void Inference::check_instance(const Declaration& declaration) {
     find_comparable(declaration);
 }
 
-// Variables that several names share, such as those of an inner module's parameters, are shared by their copies.
+// Copies the types of a module. If several names share a type variable, for example that of an inner module's
+// parameter, their copies share it too.
 void Inference::copy_types(const Declaration& instance, std::vector<std::pair<TypeId, TypeId>> variables) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> datatypes;
     std::set<TypeId> known;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations in phases, so that a list may have any order: modules first, then channels and constructors (they
-// determine the meaning of names in patterns), then all other names, then the right-hand sides.
+// Processes declarations in phases, so that a list may have any order. The phases are modules, then channels and
+// constructors (which determine the meaning of names in patterns), then all other names, and then the right-hand sides.
 #include <algorithm>
 #include <utility>
 
@@ -57,7 +57,7 @@ void NameResolver::flatten(const std::vector<DeclPtr>& decls, const Place& place
     std::size_t function = items.size();  // the item that collects the current function's clauses
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::annotation || decl->kind == DeclKind::include) continue;
-        // Clauses in two files are not combined: the included file declares the name again.
+        // Clauses in two files are not combined. The clause in the included file is another declaration of the name.
         if (decl->kind == DeclKind::function && function < items.size() &&
             items[function].decls[0]->names == decl->names &&
             items[function].decls[0]->span.source == decl->span.source) {
@@ -366,7 +366,7 @@ void NameResolver::body_of_function(Item& item) {
     }
 }
 
-// A subtype uses existing constructors; those of datatypes are declared by now.
+// A subtype uses existing constructors. At this point all constructors of datatypes are declared.
 void NameResolver::body_of_datatype(Item& item) {
     const Decl& decl = *item.decls[0];
     for (std::size_t i = 0; i < decl.constructors.size(); ++i) {

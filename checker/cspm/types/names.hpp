@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scopes: finds the declaration of each name in a script. Declarations of a list see each other; modules without
-// parameters are flattened into their list; an instance has its own copy of each name of its module.
+// Finds the declaration of each name in a script. A declaration is in scope in all declarations of the same list.
+// Modules without parameters are flattened into their list. An instance has a copy of every name of its module.
 #pragma once
 
 #include <deque>
@@ -98,7 +98,7 @@ private:
     // names
     struct Lookup {
         Entry entry;
-        std::string hint;  // why an existing name is not in scope
+        std::string hint;  // the reason why an existing name is not in scope
     };
     [[nodiscard]] Lookup find(std::string_view name);
     [[nodiscard]] const Entry* find_plain(std::string_view name) const;

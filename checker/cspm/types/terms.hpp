@@ -39,7 +39,7 @@ struct Symbol {
 struct TypeVariable {
     std::string name;
     Constraints constraints = 0;
-    TypeId type = no_type;  ///< its rigid variable while the declaration is checked
+    TypeId type = no_type;  ///< its rigid variable during the check of the declaration
 };
 
 /// A resolved type from an annotation.
@@ -109,7 +109,7 @@ struct ConstructorTerm {
 struct Copy {
     Symbol* original = nullptr;
     Symbol* copy = nullptr;
-    bool checked = true;  ///< whether its fields must be known here (not inside a module with parameters)
+    bool checked = true;  ///< whether the types of its fields must be known (not inside a module with parameters)
 };
 
 /// A declaration of a list. Functions include all clauses; modules without parameters are flattened into their list.

@@ -57,7 +57,7 @@ struct TypeNode {
     Constraints constraints = 0;  ///< variables
     bool rigid = false;           ///< variables of annotations, which are never bound
     bool closed = false;          ///< contains no variables
-    bool plain = false;           ///< closed, and contains no dotted types: nothing to evaluate
+    bool plain = false;           ///< closed and without dotted types, so nothing must be evaluated
     std::uint32_t level = 0;      ///< variables: the group of declarations to which they belong; generalised when the
                                   ///< group is closed
     TypeId link = no_type;        ///< variables: their binding

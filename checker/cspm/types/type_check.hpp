@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The static types of CSPM scripts by FDR's rules (FDR manual, chapter CSPM, "Type system"): Hindley-Milner with
-// constraints, dotted types that channels and constructors extend to, and modules. Evaluating a well-typed script
-// causes no dynamic type errors.
+// constraints, dotted types for channels and constructors, and modules. Evaluating a well-typed script causes no
+// dynamic type errors.
 #pragma once
 
 #include <cstddef>
@@ -41,9 +41,9 @@ struct NameTable {
 };
 
 /// Checks names and types of a whole script (files with their includes in place, `read_file`); findings are CSPM-T
-/// rules. Returns the types of its names in the order of declaration; names of ill-typed declarations have none. Never
-/// throws for wrong input; too deep or too large types are findings too. `table`, if not null, is filled with all names
-/// by place.
+/// rules. Returns the types of its names in the order of declaration. Names of ill-typed declarations have no type.
+/// Wrong input causes findings and never exceptions. Types that are too deep or too large are findings too. `table`, if
+/// not null, is filled with all names by place.
 std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostics& diagnostics,
                                    NameTable* table = nullptr);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unification of types. The rules of dotted types are FDR's: a dotted value takes as many arguments as its head can
-// take ("longest match") if a value is expected, and as few as possible if something extendable is.
+// Unification of types. The rules of dotted types are those of FDR. If a value is expected, a dotted value takes as
+// many arguments as its head can take ("longest match"). If an extendable is expected, it takes as few as possible.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ public:
 
     /// Makes both types equal and returns the result. Throws TypeFault.
     TypeId unify(TypeId expected, TypeId actual);
-    /// The same for patterns and arguments, where a dotted value must not be split.
+    /// Unifies the types of patterns and arguments, in which a dotted value must not be split.
     TypeId unify_one_way(TypeId expected, TypeId actual);
     /// Makes a type satisfy a constraint. Throws TypeFault.
     void constrain(Constraint constraint, TypeId type);

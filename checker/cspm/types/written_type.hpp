@@ -10,8 +10,8 @@
 
 namespace robochart::cspm::types {
 
-/// A type with its names as text. Kind `variable` is any name; extendable: variable, then result; function: the result
-/// is last.
+/// A type with its names as text. The kind `variable` stands for any name. The parts of an extendable are the variable
+/// and then the result. The last part of a function is the result.
 struct WrittenType {
     TypeKind kind = TypeKind::variable;
     std::string name;

@@ -51,8 +51,8 @@ DiskRowStore::~DiskRowStore() {
     if (bounds_.report) bounds_.report(figures_);
 }
 
-/// For the open level the number is only a lower bound, because a row that was found again after it had been written is
-/// in several runs.
+/// For the open level the number is only a lower bound, because several runs contain a row that was found again after
+/// it had been written.
 std::uint64_t DiskRowStore::rows(Level level) const {
     return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest_run());
 }
@@ -132,9 +132,8 @@ void DiskRowStore::add_to_filter(std::span<const Word> rows) {
         });
 }
 
-/// Fills the filter with the rows of the levels and the rows put aside. Without the latter, a filter of another size
-/// might reject them, but a row that was once unsure must stay unsure until it is settled. Most of these rows are
-/// duplicates anyway.
+/// Fills the filter with the rows of the levels and the rows put aside. A filter of another size might reject rows put
+/// aside if it did not contain them, but an unsure row must stay unsure until it is settled.
 void DiskRowStore::fill_filter() {
     filter_.reset(kept_.files().rows());
     if (filter_.capacity() == 0) return;
@@ -231,8 +230,8 @@ private:
 
 }  // namespace
 
-/// Removes the rows that this level contains, if it is their own level or an earlier one. Blocks that cannot contain
-/// any of them are not read.
+/// Removes the rows that this level contains, if it is the level of the row or an earlier one. Blocks that cannot
+/// contain such rows are not read.
 void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
     Sought sought(rows, width());
     const auto wants = [&](StateView first, StateView next) {
@@ -257,8 +256,8 @@ void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& 
 }
 
 /// Handles rows that no level contains: they join the open level, or are late. Returns whether some have joined. Only
-/// late rows of the least level are kept, because the search rolls back to that level and finds the others again. If
-/// the search does not continue, the open level is left out.
+/// late rows of the least level are stored, because the search rolls back to that level and finds the other rows again.
+/// If the search does not continue, rows of the open level are dropped.
 bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     bool joined = false;
     for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
@@ -328,7 +327,8 @@ void DiskRowStore::roll_back_to(Level level) {
     late_level_ = no_level;
 }
 
-/// Passes the rows put aside and the rows missing in closed levels. Another run treats all of them as unsure.
+/// Passes the rows put aside, and the rows that are missing in closed levels. A run that continues from the checkpoint
+/// treats all of them as unsure.
 void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     aside_.each_piece([&](const std::vector<Word>& rows) { take(rows); });
     std::vector<Word> rows;
@@ -340,9 +340,9 @@ void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     take(rows);
 }
 
-/// Removes the runs, because they belong to the open level, which is left out, and their disk space may be needed. If
-/// there is no space for the rows put aside either, they are settled first. If that does not suffice, levels are
-/// dropped.
+/// Removes the runs, because the checkpoint does not contain the open level, to which they belong, and their disk space
+/// may be needed. If there is no space for the rows put aside, they are settled first. If there is still too little
+/// space, levels are dropped.
 void DiskRowStore::checkpoint() {
     const auto unsure = [this](const storage::TakeRows& take) { give_unsure(take); };
     empty_open();

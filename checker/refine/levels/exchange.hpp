@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Communication between the ranks of a search, each of which owns a part of the rows. All calls are collective: every
-// rank makes the same calls in the same order.
+// Communication between the ranks of a search. Every rank owns a part of the rows. All calls are collective: every rank
+// makes the same calls in the same order.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ using Words = std::vector<lts::Word>;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
 }
 
-/// One message to, or from, each rank, all in one block of memory.
+/// The messages to all ranks, or from all ranks, in one block of memory.
 struct Messages {
     explicit Messages(unsigned ranks) : begins(ranks), sizes(ranks) {}
     [[nodiscard]] lts::StateView message_of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of row stores that use files: the levels of one rank in files, the time and the contents of
-// checkpoints, and continuing a search from a checkpoint written by any number of ranks.
+// The common part of row stores that use files. It writes the levels of one rank to files, decides when to write
+// checkpoints, and continues searches from a checkpoint that any number of ranks have written.
 #pragma once
 
 #include <chrono>
@@ -52,8 +52,8 @@ public:
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
     [[nodiscard]] const storage::LevelFiles& files() const { return files_; }
     [[nodiscard]] bool checkpoint_due() const;
-    /// Writes a checkpoint. `unsure` passes rows followed by their levels; rows of levels that are not closed are left
-    /// out. Throws storage::CannotWrite.
+    /// Writes a checkpoint. `unsure` passes rows followed by their levels; rows of levels that are not closed are
+    /// omitted. Throws storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     /// After CannotWrite: writes a checkpoint of as many levels as there is space for. The other levels are dropped, so
     /// the search is over. Throws storage::CannotWrite if no level remains that is not in the previous checkpoint.

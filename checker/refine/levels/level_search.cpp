@@ -100,7 +100,7 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
 }
 
 /// Writes a checkpoint when all ranks leave the search together; otherwise only for this rank. If no level is closed,
-/// there is nothing to continue from.
+/// no checkpoint is written.
 void LevelSearch::write_last_checkpoint() {
     if (!exchange_.left_together()) {
         if (store_.levels() > 0) store_.checkpoint();
@@ -122,7 +122,7 @@ void LevelSearch::checkpoint(SharedWork& work) {
     work.sum({});
 }
 
-/// Only the first rank knows how a run is killed.
+/// Holds Limits::undisturbed at the first rank, because only its program is killed if it continues after a limit.
 std::shared_ptr<void> LevelSearch::hold_undisturbed() const {
     const auto& hold = budget_.limits().undisturbed;
     return hold && exchange_.rank() == 0 ? hold() : nullptr;
@@ -277,8 +277,8 @@ void LevelSearch::distribute_rows() {
     expansion_.clear(store_.width());
 }
 
-/// A tau leads back if its target is a row of the same level or an earlier one. Every cycle of taus contains such a
-/// tau.
+/// Marks targets of taus that lead back, that is, to a row of the same level or an earlier one. Every cycle of taus
+/// contains such a tau.
 void LevelSearch::enter_row(StateView row, std::uint64_t hash, bool by_tau) {
     assert(row.size() == no_rows_.width());
     const RowStore::Found found = store_.enter_row(row, hash);
@@ -391,7 +391,7 @@ LevelFinding LevelSearch::finding_of(const Fault& fault, Level level) {
     return finding;
 }
 
-/// Every rank can compute the step. If there are several steps, the one to the least state is taken.
+/// Every rank can compute the step. If several steps are possible, the step to the least state is used.
 void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
     std::optional<RunStep> least;
     for (RunStep& step : steps_from(system_, state(fault.row)))
@@ -505,7 +505,7 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
 }
 
 std::optional<LevelFinding> LevelSearch::first_divergence() {
-    checkpoint(work_);  // a limit reached after this leaves the ranks no time for it
+    checkpoint(work_);  // written now, because after a limit the ranks may have no time for it
     TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
     const std::optional<TauCycle> cycle = elimination.least_cycle();
     if (!cycle) return std::nullopt;

@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // Statistics of this rank. For each level, the processor time of expanding it and of entering the rows found.
+    // Statistics of this rank. The processor time for each level: to expand it, and to enter the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
     /// Number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }
@@ -124,7 +124,7 @@ private:
     std::optional<Expander> expander_;
     Expansion expansion_;
     std::vector<lts::Word> block_;    // rows read from the store
-    std::vector<std::uint32_t> own_;  // those of the expansion's rows that belong to this rank
+    std::vector<std::uint32_t> own_;  // rows of the expansion that belong to this rank
     bool taus_alone_ = false;
     LevelFigures figures_;  // statistics of the level that is being expanded
     LevelFigures before_;   // statistics of the levels before it

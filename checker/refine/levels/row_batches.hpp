@@ -41,7 +41,7 @@ public:
     }
     /// The number of rows in all messages so far.
     [[nodiscard]] std::uint64_t rows() const { return rows_ + waiting_; }
-    /// Sends all messages, and receives those of the others.
+    /// Sends all messages, and receives those of the other ranks.
     void exchange(Exchange& with);
     /// Passes the received rows one by one with their hashes to `enter(row, hash, by_tau)`. Calls `prefetch(hash)` for
     /// several rows before the first of them is passed.
@@ -62,8 +62,8 @@ public:
     }
 
 private:
-    /// The use of the space of one rank. Its beginning contains the number, which is not known yet, and the rows that
-    /// are not targets of taus. The targets of taus are at its end.
+    /// The use of the space for one rank's message. It begins with a word for the number of rows that are not targets
+    /// of taus, which is written later, and with these rows. The targets of taus are at the end of the space.
     struct Message {
         std::size_t front = 1;
         std::size_t back = 0;

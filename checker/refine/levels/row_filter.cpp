@@ -67,8 +67,8 @@ double RowFilter::errors_with(unsigned bits, std::uint64_t buckets) {
     return static_cast<double>(buckets) * places * compared / std::exp2(bits);
 }
 
-/// In each examined bucket a row is compared with those of one part; buckets are examined up to the first that is not
-/// full.
+/// The probability that the filter accepts a row that was not added. A look-up examines buckets up to the first that is
+/// not full, and compares the row with the rows of one part of each.
 double RowFilter::error() const {
     if (full_ == buckets_) return 1;
     const double compared = static_cast<double>(size_) / (static_cast<double>(buckets_ - full_) * parts_);

@@ -32,8 +32,8 @@ struct RowKeeping {
     unsigned reads_a_step = DiskRowStore::Bounds{}.reads_a_step;
 };
 
-/// The file that shows a rank that it sees the folder of the first rank. While a rank uses the folder it has a shared
-/// lock on it (flock), so that no other run begins before an earlier one has ended.
+/// A rank that sees this file sees the folder of the first rank. While a rank uses the folder, it holds a shared lock
+/// on the file (flock), so that no other run begins before an earlier one has ended.
 inline constexpr const char* const run_name = "run";
 
 /// The store for the rows of this rank, with `width` words each. `poll` is called during long work, and may throw;

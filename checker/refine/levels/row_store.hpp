@@ -24,7 +24,7 @@ struct LevelFigures {
 /// The data of a search in addition to rows. It is part of every checkpoint.
 struct SearchRecord {
     explicit SearchRecord(std::size_t width) : marks(width) {}
-    std::vector<LevelFigures> expanded;  ///< by level: those expanded by this rank so far
+    std::vector<LevelFigures> expanded;  ///< by level: figures of the rows that this rank has expanded so far
     /// Rows of this rank, including at least those to which a tau leads from a row of the same level or a later one.
     lts::StateStore marks;
 };
@@ -54,7 +54,7 @@ public:
     /// The number of closed levels. If it is not 0 at the beginning, the store continues an earlier run, in which the
     /// last closed level has not been expanded.
     [[nodiscard]] virtual Level levels() const = 0;
-    /// The number of rows in a closed level, or in the open one so far.
+    /// The number of rows in a closed level, or the number of rows in the open level so far.
     [[nodiscard]] virtual std::uint64_t rows(Level level) const = 0;
     /// The number of rows in all levels.
     [[nodiscard]] virtual std::uint64_t size() const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs work that all ranks leave together if one of them cannot do its part.
+// Runs collective work. If one rank cannot do its part, all ranks leave the work together.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ public:
     [[nodiscard]] bool has_failed() const { return failure_ != nullptr; }
     /// Adds values as Exchange::sum does. If a rank has failed, all ranks throw. That rank throws its stored exception.
     /// The others throw LimitReached with its message for a limit or a lack of memory, storage::BadFile with its
-    /// message for a bad file, and RankFailed otherwise. If several ranks have failed, the worst failure counts: an
-    /// error is worse than a bad file, and a bad file is worse than a limit.
+    /// message for a bad file, and RankFailed otherwise. If several ranks have failed, the worst failure is reported:
+    /// an error is worse than a bad file, and a bad file is worse than a limit.
     void sum(std::span<std::uint64_t> values);
 
 private:

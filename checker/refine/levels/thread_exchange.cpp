@@ -60,8 +60,9 @@ private:
     std::vector<const Messages*> out_;
     std::vector<const Words*> words_;
     std::vector<std::vector<std::uint64_t>> sums_;
-    // Written by thread 0 between barriers; read by all threads. A message to another program contains, for each of its
-    // threads, the number of words that each thread here sends to it; then these words, in the same order.
+    // Written by thread 0 between barriers; read by all threads. A message to another program first contains the number
+    // of words from each thread of this program to each thread of the other program. Then it contains these words in
+    // the same order.
     Messages to_programs_, from_programs_;
     std::vector<std::uint64_t> sum_;
     std::vector<Words> all_words_;
@@ -196,7 +197,7 @@ void Meeting::leave_meeting() {
     all_here_.notify_all();
 }
 
-/// Collects the data for each of the other programs, and receives theirs.
+/// Collects and sends the data for the other programs, and receives their data.
 void Meeting::exchange_rows() {
     const unsigned programs = programs_.ranks();
     if (programs == 1) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads of a program as ranks, alone or together with those of other programs.
+// Uses the threads of a program as ranks, alone or together with the threads of other programs.
 #pragma once
 
 #include <functional>
@@ -21,12 +21,12 @@ public:
 /// stay in its memory; all messages to another program are combined into one. Only the caller's thread calls
 /// `programs`.
 ///
-/// Throws the exception of the first of the program's threads that has failed itself; otherwise of the first that has
-/// learned of another's failure (RankFailed); otherwise of the first that has lost another one. `programs` have left
-/// together if all these threads have. Throws LimitReached if a thread cannot be started; then all programs have left
-/// together.
+/// If threads of the program have failed, throws an exception of the first of these kinds: that of a thread that failed
+/// itself, that of a thread that learned of another rank's failure (RankFailed), or that of a thread that lost another
+/// rank (RankLost). `programs` have left the work together if all these threads have. Throws LimitReached if a thread
+/// cannot be started; then all programs have left together.
 void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work);
-/// The same for a single program.
+/// Runs the threads of a single program as ranks.
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work);
 
 }  // namespace robochart::refine

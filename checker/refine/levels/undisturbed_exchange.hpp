@@ -9,9 +9,9 @@
 
 namespace robochart::refine {
 
-/// Forwards everything to another exchange. While it waits there, it holds the object that Limits::undisturbed returns.
-/// If a limit has been reached meanwhile, it holds the object for the rest of its lifetime: until all ranks have
-/// learned of the limit and written their results.
+/// Forwards all calls to another exchange. During the calls it holds the object that Limits::undisturbed returns. If a
+/// limit has been reached meanwhile, it holds the object for the rest of its lifetime: until all ranks have learned of
+/// the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:
     /// `over`: whether a limit is reached. `real` must outlive the object.

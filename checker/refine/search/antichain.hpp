@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds pairs that need not be searched, because a pair with the same state and fewer specification states has been
-// searched. The smaller set of specification states allows and forbids everything that the larger set allows or
-// forbids. So every violation of a run of the larger pair is a violation of a run of the smaller one that is not
+// Finds pairs that need not be searched, because a pair with the same state and a subset of the specification states
+// has been searched. The smaller set of specification states allows and forbids everything that the larger set allows
+// or forbids. So every violation of a run of the larger pair is a violation of a run of the smaller one that is not
 // longer.
 //
 // Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for refinement checking" (LMCS 17(1),

@@ -28,7 +28,7 @@ public:
     }
     /// Checks the limits of the run at once. Throws LimitReached.
     void check() { run_.check(); }
-    /// Checks at once whether a limit of the run is reached, or the run is interrupted.
+    /// Whether a limit of the run is reached, or the run is interrupted. Checked without delay.
     [[nodiscard]] bool limit_reached() { return !run_.reached_limit().empty(); }
     /// Sets the number of stored states. Throws LimitReached.
     void states(std::uint64_t count) const;

@@ -103,7 +103,7 @@ void Expander::add(Event event, lts::StateView target, Event /*revealed*/) {
         offer_.tau = true;
         return add_row(node_, target, true);
     }
-    if (!nodes_) {  // the event itself does not matter
+    if (!nodes_) {  // only the fact is used, not the event
         if (offer_.events.empty()) offer_.events.push_back(event);
         if (!taus_alone_) add_row(node_, target, false);
         return;

@@ -29,14 +29,15 @@ struct Progress {
     double seconds = 0;                ///< since the phase began
 };
 
-/// Limits of one check: those of the run, and its own. If a limit is reached, the result is Outcome::inconclusive,
-/// never a wrong answer.
+/// Limits of one check: those of the run, and additional ones. If a limit is reached, the result is
+/// Outcome::inconclusive, never a wrong answer.
 struct Limits : diagnostics::Limits {
     std::uint64_t max_states = 500'000'000;
     unsigned threads = 0;  ///< maximal number for wide state spaces; 0: one for each core. Verdicts do not depend on it
     std::size_t wide_level =
         2048;  ///< levels with fewer states are processed by one thread, because waking others takes longer
-    /// Whether states from which confluent taus lead on are left out (docs/search.md). Verdicts do not depend on it.
+    /// Whether the search follows confluent taus and skips the states that they leave (docs/search.md). Verdicts do not
+    /// depend on it.
     bool reduction = false;
     /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
     /// depend on it.
@@ -59,7 +60,7 @@ struct Statistics {
     bool divergence_open = false;  ///< with searched_steps: these runs were not examined for divergence
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
-    std::uint64_t chased = 0;    ///< number of left-out states: a step of a transition led to each, and a confluent tau
+    std::uint64_t chased = 0;    ///< number of skipped states, from which a confluent tau was followed
                                  ///< led on
     std::uint64_t replicas = 0;  ///< greatest number of equal components whose exchange leads to no further state; 0:
                                  ///< none

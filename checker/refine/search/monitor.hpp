@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a check observes along the runs of a system.
+// The interface by which a check observes the runs of a system.
 #pragma once
 
 #include <memory>
@@ -28,9 +28,9 @@ public:
     /// Returns the fault of a run that ends in this node and can continue with this offer. The events of an unstable
     /// state are unsorted. A monitor that observes only states gets one event that represents all events.
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
-    /// Whether there is only one node, which every event keeps. Such a monitor observes states and not runs.
+    /// Whether there is only one node, which no event changes. Such a monitor observes states and not runs.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }
-    /// Whether every violation after `larger` is also one after `smaller`, by the same run or a shorter one.
+    /// Whether every violation after `larger` is also a violation after `smaller`, with the same run or a shorter one.
     [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
     /// Returns a monitor with the same answers for use in another thread. Null if this is not possible.
     [[nodiscard]] virtual std::unique_ptr<Monitor> clone_for_thread() { return nullptr; }

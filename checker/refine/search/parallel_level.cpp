@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_parts = 128;
 static_assert(most_parts * ProvisionalStates::most == lts::StateStore::most_claims);
-/// A call does not pay off if there is less space for new states than this.
+/// The least space for new states with which a parallel call pays off.
 constexpr std::uint64_t min_space = 4096;
 /// The maximal time between checks of the limits.
 constexpr std::chrono::milliseconds longest{20};

@@ -30,7 +30,7 @@ public:
     enum class Work {
         enter,            ///< enters targets
         enter_note_taus,  ///< also records targets of taus that do not lead forward
-        examine           ///< the first forbidden event is known: only pairs themselves are still examined
+        examine           ///< the first forbidden event is known; only the states of pairs are examined for faults
     };
     /// Processes some pairs from `first` on, before `end`, and returns where it has stopped. It stops at or shortly
     /// before a pair with a fault, an error or a forbidden event, when space runs out, or when there has been enough

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The new states of one block of a wide level (parallel_level.hpp), in the order of discovery. Their addresses are
-// stable while more are added, so that other threads can compare with them.
+// The new states of one block of a wide level (parallel_level.hpp), in the order of discovery. Adding states does not
+// change the addresses of earlier ones, so that other threads can compare with them.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ public:
     struct Claim {
         lts::IndexTable::Slot slot;
         std::uint32_t pair = 0;  ///< the pair that found it, counted from the block's first
-        bool lost = false;       ///< a lower claim has replaced it
+        bool lost = false;       ///< a smaller claim has replaced this one
     };
     static constexpr std::uint32_t most = std::uint32_t{1} << 20U;
 

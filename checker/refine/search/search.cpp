@@ -78,7 +78,8 @@ std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
     return std::nullopt;
 }
 
-/// Skips pairs that another pair of this level or before covers; but the first pair of each state adds its tau edges.
+/// Skips pairs that another pair of this level or an earlier level covers. The first pair of each state still adds its
+/// tau edges.
 std::optional<Finding> Search::search_antichain_level(StateIndex first, StateIndex end) {
     std::vector<bool> needed;
     for (StateIndex pair = first; pair != end; ++pair) {

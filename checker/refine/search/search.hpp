@@ -94,7 +94,7 @@ private:
 
     Expander expander_;
     Expansion expansion_;
-    std::unique_ptr<Antichain> antichain_;  // if there is one, vertices of the tau graph are its states
+    std::unique_ptr<Antichain> antichain_;  // with an antichain, the vertices of the tau graph are states
     std::unique_ptr<ParallelLevel> wide_;
     bool one_thread_ = false;
     bool taus_alone_ = false;

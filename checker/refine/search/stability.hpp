@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The refusals of a state. Termination is autonomous in FDR's models (UCS 6.3, 9.2: P [] SKIP = P [> SKIP): a state is
-// stable if it has no tau and no tick. For refusals, a state with tick behaves as if it could move to SKIP,
-// independently of its other offers, and so has the acceptance {✓}. After tick nothing is possible: Ω has the empty
+// stable if it has no tau and no tick. For refusals, a state with tick behaves as if a tau led from it to SKIP,
+// independently of its other offers. So it has the acceptance {✓}. After tick nothing is possible: Ω has the empty
 // acceptance.
 #pragma once
 

@@ -13,7 +13,7 @@ using lts::StateIndex;
 namespace {
 
 /// Follows edges from the entrances and returns the entrances to which a visited edge leads back. A cycle contains such
-/// an edge, and all its vertices are visited. So entrances that are left out are not on a cycle.
+/// an edge, and all its vertices are visited. So entrances that are not returned are not on a cycle.
 std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     std::vector<bool> met(graph.size, false);
     std::vector<StateIndex> waiting;
@@ -38,7 +38,7 @@ std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<
     return again.list();
 }
 
-/// The least vertex of a component with a cycle, among those that the entrances reach.
+/// The least vertex of a cyclic component among the vertices that the entrances reach.
 std::optional<StateIndex> least_in_cyclic_component(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     StateIndex least = no_state;
     lts::strong_components(graph, entrances, [&](std::span<const StateIndex> members, bool cyclic) {
@@ -61,7 +61,8 @@ std::vector<StateIndex> BackTargets::list() const {
     return list;
 }
 
-/// Eliminates entrances first while this pays off. For most systems without divergence no entrance remains.
+/// Before the search, entrances are eliminated in rounds as long as this pays off. For most systems without divergence
+/// no entrance remains.
 std::optional<StateIndex> least_on_cycle(const GraphView& graph, std::vector<StateIndex> entrances) {
     for (std::size_t before = 0; !entrances.empty();) {
         before = entrances.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads that repeatedly execute one piece of work together. Between two pieces they first poll for a moment, because
-// waking a thread takes longer, and then sleep.
+// A team of threads that repeatedly execute a task together. Between two tasks the threads first poll for a moment,
+// because waking a thread takes longer, and then sleep.
 #pragma once
 
 #include <atomic>
@@ -20,8 +20,9 @@ public:
     ThreadTeam& operator=(const ThreadTeam&) = delete;
 
     [[nodiscard]] unsigned size() const { return helpers_.size(); }
-    /// Calls `work` with the number of every member; the caller itself is number 0. Returns when all have returned. All
-    /// members then see the earlier writes of the others. Throws the exception of the first member that throws.
+    /// Calls `work` with the number of every member; the caller itself is number 0. Returns when all members have
+    /// returned. All members then see the earlier writes of the other members. Throws the exception of the first member
+    /// that throws.
     void run(const std::function<void(unsigned member)>& work);
 
 private:

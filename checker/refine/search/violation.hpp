@@ -11,7 +11,7 @@ enum class ViolationKind {
     divergence,      ///< the state reached can perform taus forever (loop), and the specification must not diverge
     deadlock,        ///< nothing is possible in the state reached
     nondeterminism,  ///< after the trace, `event` may be both accepted and refused
-    no_return,       ///< from the state reached, none of the given events can happen any more
+    no_return,       ///< none of the given events can ever happen after the state reached
     no_trace,        ///< has trace: the process cannot perform it; steps contain the longest possible prefix
 };
 

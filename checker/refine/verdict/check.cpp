@@ -132,8 +132,8 @@ std::optional<Finding> first_fault(Search& search, const Violation* known, bool 
     }
 }
 
-/// Every process refines one that diverges at once. Only the first step of the implementation is computed, which
-/// detects evaluation errors.
+/// Every process refines a process that diverges at once. Only the first step of the implementation is computed, in
+/// order to detect evaluation errors.
 std::optional<Violation> refined_by(lts::TransitionSystem& implementation, Budget& budget) {
     (void)steps_from(implementation, initial_of(implementation), budget);
     return std::nullopt;

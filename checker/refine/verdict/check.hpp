@@ -11,9 +11,9 @@
 
 namespace robochart::refine {
 
-/// The findings of an earlier search of the same systems. A value replaces the search: its violation is confirmed and
-/// reported as if it had been found now. No value: receives the findings of this search when it is complete. Null:
-/// neither.
+/// The findings of an earlier search of the same systems. If there is a value, it replaces the search: its violation is
+/// confirmed and reported like that of a search. If there is no value, it receives the findings of this search when the
+/// search is complete. Null if neither is wanted.
 using Earlier = std::optional<Findings>*;
 
 /// specification [M= implementation. Both systems must share one EventTable.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a search before it is confirmed and reported. It can be encoded as bytes, so that another run can use
-// it.
+// The result of a search before its confirmation. It can be encoded as bytes, so that another run can use it.
 #pragma once
 
 #include <optional>

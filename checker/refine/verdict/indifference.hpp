@@ -16,10 +16,10 @@ public:
     Indifference(lts::TransitionSystem& specification, Model model, Budget& budget)
         : specification_(specification), model_(model), budget_(budget) {}
 
-    /// Whether two conditions hold for exchanged events. They lead from each node of the normal form to the same node.
-    /// Except in the traces model, the image of each acceptance of a node is also an acceptance of the node. Then a
-    /// state of an implementation violates a node if and only if its images do. Returns false if there are more than
-    /// 10,000 nodes, or after an evaluation error, which the search may never reach.
+    /// Whether two conditions hold for exchanged events. The events and their images lead from each node of the normal
+    /// form to the same node. Except in the traces model, the image of each acceptance of a node is also an acceptance
+    /// of the node. Then a state of an implementation violates a node if and only if its images do. Returns false if
+    /// there are more than 10,000 nodes, or after an evaluation error, which the search may never reach.
     bool holds_for(const lts::EventPermutation& exchange);
 
 private:

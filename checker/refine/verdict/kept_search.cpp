@@ -97,7 +97,7 @@ KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(
     answers_.emplace(path("answers"), settings_.program, std::uint64_t{512} << 20U);
 }
 
-/// No file is created in a folder that this run must not use.
+/// Locks the folder. No file is created in a folder that this run must not use.
 void KeptSearch::lock_folder() {
     std::error_code made, ignored;
     if (!settings_.resume) fs::create_directories(settings_.folder, made);
@@ -139,10 +139,10 @@ void KeptSearch::remove_folder() {
     fs::remove(path(questions_name), ignored);
     fs::remove(path(lock_name), ignored);
     lock_ = diagnostics::Descriptor();
-    fs::remove(settings_.folder, ignored);  // if it is empty
+    fs::remove(settings_.folder, ignored);  // removes the folder if it is empty
 }
 
-/// Files are kept if they are needed to continue, unless no assertion was ever begun.
+/// The files stay if they are needed to continue, unless no assertion was ever begun.
 KeptSearch::~KeptSearch() {
     if (!asked_.empty() || !earlier_.empty() || !answers_) return;
     remove_folder();

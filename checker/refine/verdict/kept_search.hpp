@@ -41,9 +41,9 @@ struct KeptSettings {
 /// Manages the folder at the first rank. Another strategy executes the searches. All its ranks see the folder.
 class KeptSearch final : public LevelStrategy {
 public:
-    /// `ranks` executes the searches and must outlive the object. Throws storage::BadFile if the folder is not empty
-    /// and `resume` is not set; if `resume` is set and this program cannot continue from its contents; or if the
-    /// program has no identity. Throws storage::CannotWrite.
+    /// `ranks` executes the searches and must outlive the object. Throws storage::BadFile in three cases: the folder is
+    /// not empty and `resume` is not set; `resume` is set but this program cannot continue from the folder's contents;
+    /// or the program has no identity. Throws storage::CannotWrite if the folder cannot be written.
     KeptSearch(KeptSettings settings, LevelStrategy& ranks);
     ~KeptSearch() override;
 
@@ -79,8 +79,8 @@ private:
     LevelStrategy& ranks_;
     diagnostics::Descriptor lock_;  ///< lock of the folder
     std::optional<diagnostics::Cache> answers_;
-    std::vector<Asked> earlier_;                   ///< those for which the folder was written
-    std::vector<Asked> asked_;                     ///< by this run
+    std::vector<Asked> earlier_;                   ///< assertions for which the folder was written
+    std::vector<Asked> asked_;                     ///< assertions of this run
     std::optional<diagnostics::Digest> question_;  ///< the current assertion
     std::uint64_t searches_ = 0;                   ///< number of its searches
     std::vector<std::string> folders_;             ///< their folders

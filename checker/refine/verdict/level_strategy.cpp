@@ -112,7 +112,7 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     if (question.rows.folder.empty()) return search_with_store(system, question, exchange, budget, statistics, none);
     const auto& undisturbed = budget.limits().undisturbed;
     if (exchange.rank() != 0 || !undisturbed) return search_with_files(system, question, exchange, budget, statistics);
-    // Only the first rank knows how a run is killed.
+    // Only the program of the first rank is killed if it continues after a limit.
     UndisturbedExchange waiting(exchange, undisturbed, [&budget] { return budget.limit_reached(); });
     return search_with_files(system, question, waiting, budget, statistics);
 }

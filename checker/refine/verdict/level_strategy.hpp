@@ -19,10 +19,10 @@ namespace robochart::refine {
 /// The target of a search, and where it stores its rows.
 struct LevelQuestion {
     enum class Kind : std::uint8_t { states, deadlock, choice, refinement };
-    Kind kind = Kind::states;                          ///< states: there is no target, and every state is visited
+    Kind kind = Kind::states;                          ///< `states`: the search has no target and visits every state
     Model model = Model::traces;                       ///< for a refinement
     std::shared_ptr<const NormalTable> specification;  ///< for a refinement; otherwise null
-    bool divergence = false;                           ///< then, if nothing is found, a cycle of taus
+    bool divergence = false;  ///< if there is no such violation, the search looks for a cycle of taus
     std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max();  ///< LevelSearch::first_violation
     RowKeeping rows = {};
 
@@ -64,7 +64,7 @@ public:
     virtual void identify_question(const std::optional<diagnostics::Digest>& /*digest*/) {}
     /// `decided`: whether the assertion has an answer.
     virtual void end_question(bool /*decided*/) {}
-    /// Called after the last assertion if none was left out.
+    /// Called after the last assertion, unless some assertion was omitted.
     virtual void all_asked() {}
     /// The cache for answers of searches of this kind, whose statistics differ from those of other searches. Null if
     /// there is none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the models by faults of single runs: UCS 10 (T), 11 (F), 12 (FD).
+// Defines refinement in each model by faults of single runs: UCS 10 (T), 11 (F), 12 (FD).
 #include "checker/refine/verdict/monitors.hpp"
 
 #include <algorithm>

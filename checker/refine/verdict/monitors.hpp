@@ -38,7 +38,7 @@ private:
 
     NormalForm& specification_;
     Model model_;
-    std::shared_ptr<std::mutex> turn_;  // its owner may use the specification
+    std::shared_ptr<std::mutex> turn_;  // the owner of this lock may use the specification
     std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 

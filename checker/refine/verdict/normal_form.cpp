@@ -122,7 +122,8 @@ NormalForm::Node NormalForm::initial() {
 NormalForm::Node NormalForm::node_of(Members seeds) {
     close_under_tau(seeds);
     if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
-    // Throws before the node is entered, because another thread would take its number for a node.
+    // The limit is checked before the node is entered, because another thread could otherwise use the number of a node
+    // that does not exist.
     budget_.states(nodes_.size());
     if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
         throw SpecificationGrows("the specification's normal form is larger than the specification");

@@ -108,7 +108,7 @@ private:
     std::vector<std::uint32_t> mark_;  // by state: the closure to which it was last added
     std::uint32_t closure_ = 0;
     bool may_grow_ = true;
-    std::vector<std::uint8_t> divergence_;  // by state: see state_diverges
+    std::vector<std::uint8_t> divergence_;  // by state: the answer of state_diverges, if known
 };
 
 }  // namespace robochart::refine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common frame of all checks: a budget, a clock, and limits that are reported as an inconclusive verdict.
+// The common code of all checks: a budget, a clock, and limits that cause an inconclusive verdict.
 #pragma once
 
 #include <functional>

@@ -12,9 +12,9 @@ namespace robochart::refine {
 /// This state is a nearest one among the searched states.
 ///
 /// The algorithm explores all states, marks those in which an event of the goal is possible, and then marks backwards
-/// those that lead to marked states. It is linear in states and transitions. With reduction, states from which
-/// confluent taus lead on are left out, and replicas are folded if every exchange maps the goal to itself. Both
-/// preserve the answer: a state and its representative are branching bisimilar, or images of each other
+/// those that lead to marked states. Its time is linear in the number of states and transitions. With reduction, states
+/// from which confluent taus lead on are left out, and replicas are folded if every exchange maps the goal to itself.
+/// Both preserve the answer: a state and its representative are branching bisimilar, or images of each other
 /// (docs/search.md), so they have runs to the same events, or to their images.
 ///
 /// About fairness: consider a Markov chain on the same finite set of states in which each transition has positive

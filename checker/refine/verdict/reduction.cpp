@@ -14,7 +14,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Returns limits for the search for a shortest run. They leave time to report the known result.
+/// Returns limits for the search for a shortest run, which reserve time to report the known result.
 Limits leaving_time(Limits limits) {
     const auto now = std::chrono::steady_clock::now();
     if (limits.deadline) *limits.deadline = now + (std::max(*limits.deadline, now) - now) / 2;
@@ -56,7 +56,7 @@ private:
         statistics.distinguished = distinguished_;
     }
 
-    /// Searches the reduced form, if it is given, and leaves out symmetric states.
+    /// Searches the reduced form if it is given, and only one of several symmetric states.
     std::optional<Violation> search(const std::shared_ptr<lts::ReducedSystem>& reduced, Budget& budget,
                                     Statistics& statistics, const Violation* known) {
         const PollGuard taus_guard({reduced.get()}, budget);

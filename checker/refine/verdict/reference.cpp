@@ -113,7 +113,7 @@ void append(Run& run, const Run& more) {
     run.steps.insert(run.steps.end(), more.steps.begin(), more.steps.end());
 }
 
-/// Taus that lead into a loop of taus.
+/// A sequence of taus that leads into a loop of taus.
 struct Lasso {
     Run stem;
     Run loop;
@@ -159,7 +159,7 @@ std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state,
     return std::nullopt;
 }
 
-/// Whether a state of the reference has the same fault as the one at the end of the violation.
+/// A predicate that is true for states of the reference with the same fault as the last state of the violation.
 std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem& system,
                                                           lts::TransitionSystem& reference, const Violation& violation,
                                                           Budget& budget) {

@@ -77,7 +77,7 @@ Conduct conduct_of(lts::TransitionSystem& system, const State& state, Budget& bu
 /// All states in which a system can be after a trace.
 class Powerset {
 public:
-    /// There are more states than the limit.
+    /// Thrown if there are more states than the limit.
     struct TooLarge {};
 
     Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most = std::numeric_limits<std::size_t>::max())
@@ -218,8 +218,8 @@ void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Even
     const std::vector<Event> prefix = run.trace();
     require_claim(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
                   "the run is not a beginning of the trace");
-    // A single run cannot show that no run continues. If there are too many runs, the search is trusted, as it is if a
-    // refinement holds.
+    // A single run cannot show that no other run continues. If there are too many runs to check, the result of the
+    // search is not confirmed, as for a refinement that holds.
     constexpr std::size_t most_states = 20'000;
     try {
         Powerset states(system, budget, most_states);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counterexamples are reported only after a replay. The replay repeats the run step by step and checks the violation
-// against a plain powerset of the specification along its trace. It is slow, close to the definitions, and independent
-// of the search, whose data it does not use. A mismatch is an internal error and throws std::logic_error.
+// against a plain powerset of the specification along its trace. The replay is slow and close to the definitions. It
+// does not use data of the search. A mismatch is an internal error and throws std::logic_error.
 #pragma once
 
 #include "checker/refine/search/budget.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides `has trace` by searches along one trace. They use the reduced form if it is given, like the equivalent
-// refinement: `not P :[has trace [T]]: t` is a refinement of P by all traces except t.
+// Decides `has trace` by searches along one trace. The searches use the reduced form if it is given. `not P :[has trace
+// [T]]: t` is equivalent to a refinement: P refines the process with all traces except t.
 #include <algorithm>
 #include <string>
 
@@ -100,9 +100,9 @@ Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& tra
     return doubts;
 }
 
-/// FDR's manual does not define what the failures models add to `has trace`. They add nothing if the system neither
-/// refuses nor diverges along the trace. They do not matter if the system cannot perform the trace. Otherwise the
-/// answer is undefined, and the verdict is inconclusive.
+/// FDR's manual does not define `has trace` in the failures models. If the system cannot perform the trace, or if it
+/// neither refuses nor diverges along the trace, the answer is that of the traces model. Otherwise the answer is
+/// undefined, and the verdict is inconclusive.
 void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
                  Verdict& verdict) {
     const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";

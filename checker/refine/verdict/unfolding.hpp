@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts runs of a system's reduced forms to runs of the system: with the confluent taus that were followed, and with
-// every replica in its own place again (docs/search.md, "Confluent taus", "Symmetry").
+// Converts runs of a system's reduced forms to runs of the system. It inserts the confluent taus that were followed,
+// and moves every replica back to its place (docs/search.md, "Confluent taus", "Symmetry").
 #pragma once
 
 #include "checker/lts/symmetry.hpp"
@@ -10,7 +10,8 @@
 
 namespace robochart::refine {
 
-/// How a system was reduced; null members were not applied. Taus are followed before states are folded.
+/// The reductions of a system; a null member means that the reduction was not applied. Taus are followed before states
+/// are replaced by their symmetric representatives.
 struct Reduction {
     lts::ReducedSystem* taus = nullptr;
     lts::Symmetry* symmetry = nullptr;

@@ -49,7 +49,8 @@ struct Counterexample {
     /// Whether the run was replayed by the operational semantics of terms. Otherwise it was replayed only by the
     /// compiled rules, because there were too many terms or none.
     bool replayed_by_terms = false;
-    /// Whether no run is shorter. False if a limit has ended the search for it (docs/search.md, "Confluent taus").
+    /// Whether the run is known to be a shortest one. False if a limit ended the search for a shorter run
+    /// (docs/search.md, "Confluent taus").
     bool shortest = true;
 };
 
@@ -60,7 +61,7 @@ struct Verdict {
     std::optional<Counterexample> counterexample;  ///< present iff the assertion fails (for has trace: iff the trace is
                                                    ///< impossible)
     Statistics statistics;
-    bool known = false;  ///< an earlier search of the same systems gave the answer; the statistics are its own
+    bool known = false;  ///< the answer and the statistics are those of an earlier search of the same systems
 };
 
 }  // namespace robochart::refine
