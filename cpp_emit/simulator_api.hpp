@@ -13,7 +13,7 @@
 
 namespace robochart::cpp_emit {
 
-/// How a value is passed through the interface: member `real` or `whole` of rc_value.
+/// The kind of a value in the interface, which decides between the members `real` and `whole` of rc_value.
 enum class Carried { boolean, whole, real, enumeration };
 
 /// An input or output of the controller, as in the tables of the interface.

@@ -94,7 +94,7 @@ private:
         }
     }
 
-    /// Called last, so that these methods do not take the names of other members.
+    /// Adds the methods for events. Called last, so that other members get their names first.
     void event_methods() {
         const auto name = [&](ApiClass& part) {
             for (ApiEvent& event : part.events)
@@ -112,7 +112,7 @@ private:
                         {&stored, unique_member(stored.variable->name, "_variable"), copy_paths(stored)});
     }
 
-    /// The members in which the other machines store their copies of the variable.
+    /// The members of the other machines that store copies of the variable.
     [[nodiscard]] std::vector<std::string> copy_paths(const StoredVariable& first) const {
         std::vector<std::string> paths;
         for (const StoredVariable& stored : component_.variables)

@@ -19,16 +19,17 @@ struct ApiOperation {
     const ir::OperationSignature* signature = nullptr;
     std::string method;       ///< name in the class
     std::string core_method;  ///< name in the core's platform
-    bool modelled = false;    ///< the model defines it; overriding is optional
+    bool modelled = false;    ///< true if the model defines the operation; overriding it is optional
 };
 
-/// A received or sent event: a flag, and a value if it carries one.
+/// A received or sent event: a flag, and a value if the event has one.
 struct ApiEvent {
     const EventPort* port = nullptr;
     std::string flag;
     std::string value;
     bool sent = false;
-    std::string method;  ///< of a received event: raises the event; of a sent one: called when the event is sent
+    /// Method that raises a received event; for a sent event, method that is called when it is sent.
+    std::string method;
 };
 
 struct ApiVariable {
@@ -78,7 +79,7 @@ struct ClassApi {
     std::vector<ApiFunction> functions;
 };
 
-/// Calls `visit` with the public parts of the class: those of all interfaces, then its own.
+/// Calls `visit` with the public parts of all interfaces of the class, and then with the parts of the class itself.
 template <class Visit>
 void each_class(const ClassApi& api, const Visit& visit) {
     for (const ApiClass& base : api.bases) visit(base);

@@ -21,14 +21,14 @@ std::string typed_parameters(const Generation& generation, const Core& core, con
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The parameters of a definition that does not use them. Their names may equal those of members of the class.
+/// Parameter names for a definition that does not use its parameters. They may be equal to names of members.
 std::vector<std::string> unused_names(const std::vector<std::string>& model_names) {
     std::vector<std::string> names = parameter_identifiers(model_names);
     for (std::string& name : names) name = "/*" + name + "*/";
     return names;
 }
 
-/// The parameters of a definition that passes them on. Their names differ from those of all members of the class.
+/// Parameter names for a definition that passes its parameters on. They differ from the names of all members.
 std::vector<std::string> passed_names(std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
@@ -195,7 +195,7 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     out.close("};");
 }
 
-/// In the classes, variables that others write are members; a log contains those that have changed.
+/// In the classes, variables that others write are members. A log contains those members whose values have changed.
 void write_outside_writes(const Core& core, const ClassApi& api, CodeWriter& out) {
     std::vector<const ApiVariable*> written;
     each_class(api, [&](const ApiClass& part) {

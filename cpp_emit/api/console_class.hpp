@@ -10,8 +10,8 @@
 
 namespace robochart::cpp_emit {
 
-/// Whether the controller of the console class leaves choices open. The class then has a member
-/// robochart::ConsoleChoices, `console_choices`.
+/// Whether the controller of the console class asks for decisions of choices. The class then has a member
+/// `console_choices` of type robochart::ConsoleChoices.
 [[nodiscard]] bool console_asks(const Generation&);
 /// The command for a choice: "pick", or another word if an input has this name.
 [[nodiscard]] std::string pick_word(const ClassApi&);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The control points of a machine: the names of its nodes and transitions in the code, and which of them have separate
-// code (semantics 3.3, 3.4).
+// The control points of a machine: the names of its nodes and transitions in the code, and the decision which of them
+// need separate code (semantics 3.3, 3.4).
 #pragma once
 
 #include <cassert>
@@ -23,17 +23,17 @@ public:
         return machine().nodes[id.index];
     }
 
-    /// The label of a node: the place where control rests (states and final nodes) or chooses (initial nodes and
-    /// junctions).
+    /// The label of a node. It is the place at which control rests (states and final nodes) or chooses a transition
+    /// (initial nodes and junctions).
     [[nodiscard]] const std::string& label_of(ir::NodeId id) const { return labels_[id.index]; }
     [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
     [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
     [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
     /// Whether entering the node requires an action before control reaches this label.
     [[nodiscard]] bool needs_entry(ir::NodeId) const;
-    /// Whether control enters the node, up to the end of the node's own program, without waiting. The entry is then a
-    /// function. Otherwise the program has places where it may wait, or the junction is part of a loop, which takes one
-    /// step in each round.
+    /// Whether control enters the node and reaches the end of the node's program without waiting. The entry is then a
+    /// function. It is not if the program may wait, or if the junction is part of a loop, which takes one step in each
+    /// round.
     [[nodiscard]] bool is_straight(ir::NodeId id) const { return straight_[id.index]; }
     /// Whether no exit action of the state or of its inner states ever waits.
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }

@@ -12,8 +12,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The sender of a connection from which the event is received. With Fault::wrong_sender, another sender of the same
-/// type.
+/// The sender from which the event of a connection is received. With Fault::wrong_sender, it is another sender of the
+/// same type.
 const EventUse& choose_sender(const Generation& generation, const EventUse& sender) {
     for (const Part& part : generation.component.parts) {
         for (const EventUse& use : part.events) {
@@ -108,8 +108,8 @@ private:
         out_.close();
     }
 
-    /// For an event that is not connected: it happens spontaneously as soon as it is possible, with an arbitrary value
-    /// (semantics 3.9).
+    /// Takes an event that is not connected. It happens spontaneously as soon as it is possible, with an arbitrary
+    /// value (semantics 3.9).
     bool take_spontaneous() {
         const CppExpr guard = full_condition("");
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";

@@ -69,7 +69,7 @@ void ProgramWriter::resume_at(const std::string& label, const diagnostics::Forei
     begin_place(label, comment);
 }
 
-/// A place at which the program can resume: the current place if it is still empty, otherwise a new one.
+/// A place at which the program can resume. It is the current place if that is still empty, otherwise a new place.
 std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
     if (current_code().empty()) return thread_.places.back().label;
     std::string label = fresh_label(stem);
@@ -82,7 +82,8 @@ std::string ProgramWriter::fresh_label(const std::string& stem) {
     return thread_.labels->numbered_name(stem);
 }
 
-/// Writes the precondition in `pre & statement` (semantics 3.5): if it does not hold, the thread is blocked.
+/// Writes the test of the precondition in `pre & statement` (semantics 3.5). If it does not hold, the thread is
+/// blocked.
 void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     CppExpr conditions;
@@ -345,8 +346,8 @@ void ProgramWriter::write_call(const ir::Stmt& stmt, const std::string& stem) {
     }
 }
 
-/// If the thread continues with this call, other machines may have to wait for it before they write (semantics 3.7).
-/// The call is then one of the thread's prompt steps, too, and ends its place.
+/// If the thread resumes at this call, writes of other machines may have to wait for the call (semantics 3.7). The call
+/// is then also one of the thread's prompt steps, and it ends its place.
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
     std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
@@ -396,7 +397,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     current_code().line(place + " = {};");
 }
 
-/// If a precondition of an operation is false, nothing that follows the call happens, as in the model.
+/// Writes the test of an operation's preconditions. If one is false, nothing after the call happens, as in the model.
 void ProgramWriter::require_preconditions(const ir::Stmt& call, const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
@@ -423,7 +424,7 @@ std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& opera
     return label;
 }
 
-/// The platform may perform an operation itself; the model's definition then counts as finished.
+/// Offers the operation to the platform. If the platform performs it, the model's definition counts as finished.
 void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
     const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
     std::vector<std::string> texts;
@@ -468,7 +469,8 @@ void ProgramWriter::write_deadline(const ir::Stmt& stmt, const std::string& stem
     resumed_ = std::move(resumed);
 }
 
-/// Starts to hold up writes. Earlier writes are no longer being propagated, unless another thread holds them up.
+/// Writes the code with which a thread starts to hold up writes. No earlier write waits at this point, unless another
+/// thread holds it up, so the counter is reset.
 void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
     const Part& part = generation_.component.part_of(unit_);
     for (const StoredVariable& variable : generation_.component.variables)

@@ -40,8 +40,8 @@ struct SendSite {
     std::string value;   ///< "" if the event carries no value
 };
 
-/// A step of a thread that precedes writes by others: a call of the platform at which the thread resumes, or the
-/// arrival at a communication with a deadline.
+/// A prompt step of a thread: the thread executes it before other machines write. It is a call of the platform at which
+/// the thread resumes, or the arrival at a communication with a deadline.
 struct PromptStep {
     std::string there;               ///< the condition that the thread is before the step: "f.at == At::S1_1 && f.wait
                                      ///< == 0"
@@ -59,10 +59,10 @@ struct Thread {
     std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
     std::vector<SendSite> sites;
-    std::vector<ViolationPlace> violations;  ///< where it stays after a false precondition of an operation
+    std::vector<ViolationPlace> violations;  ///< places at which it stays after a false precondition of an operation
     std::vector<PromptStep> prompt_steps;
     std::vector<std::string> holding;            ///< labels of waits with a deadline for a communication
-    std::vector<std::string> held_up;            ///< labels where it has to write before time passes
+    std::vector<std::string> held_up;            ///< labels of places at which it must write before time passes
     std::vector<std::string> deadlines;          ///< members of the frame: remaining time plus one, 0 when no deadline
                                                  ///< runs
     CodeWriter helpers{1};                       ///< functions that its places call
@@ -131,7 +131,7 @@ private:
     const Unit& unit_;
     Thread& thread_;
     ir::NodeId state_;
-    std::string waiting_;                ///< label of the place where the last communication waits; "" if it does not
+    std::string waiting_;  ///< label of the place at which the last communication waits; "" if it does not wait
     std::optional<PromptStep> resumed_;  ///< the place where the thread resumes contains only these lines
 };
 

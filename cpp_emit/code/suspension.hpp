@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides where a program may have to wait. Its code must be able to stop there and resume later.
+// Finds the places at which a program may have to wait. The code must be able to stop at these places and resume later.
 #pragma once
 
 #include <vector>
@@ -21,13 +21,14 @@ namespace robochart::cpp_emit {
 [[nodiscard]] bool guards_deadlines(const ir::Machine&);
 
 /// The expressions that the statement evaluates before any effect, in the order in which the semantics checks
-/// preconditions. An input statement has none, because it checks them with its value, which has not arrived yet.
+/// preconditions. The list is empty for an input statement, because its preconditions are checked with the received
+/// value.
 [[nodiscard]] std::vector<const ir::Expr*> evaluated_first(const ir::Stmt&);
 
-/// Whether a thread of the unit may hold up writes of others while it is before a call of the platform. Writes are not
-/// propagated to a machine while one of its threads is there, and a variable accepts no other write before the last one
-/// has reached all machines that require it (semantics 3.7). True if others write a variable that the unit's machine
-/// requires at least twice.
+/// Whether a thread of the unit that is before a call of the platform may hold up writes of others. While the thread is
+/// there, writes are not propagated to its machine, and a variable accepts a write only when the previous one has
+/// reached all machines that require the variable (semantics 3.7). True if others write a variable that the unit's
+/// machine requires at least twice.
 [[nodiscard]] bool calls_hold_up_writes(const Generation&, const Unit&);
 
 /// Whether an argument of the call depends on a variable. Others may write the variable before it is read.

@@ -18,7 +18,7 @@ constexpr std::size_t line_width = 120;
 
 namespace {
 
-/// A last check: callers have already converted names to identifiers and foreign text to literals.
+/// A last check of the text. Callers have already converted names to identifiers and foreign text to literals.
 void require_code(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= 0x20 && c < 0x7F; });
     if (!printable)
@@ -68,7 +68,7 @@ void CodeWriter::write_if(const CppExpr& condition, const std::function<void()>&
 }
 
 void CodeWriter::close(std::string_view text) {
-    assert(depth_ > outermost_);  // it closes only what it has opened
+    assert(depth_ > outermost_);  // the body closes only blocks that it has opened
     if (depth_ > 0) --depth_;
     line(text);
 }

@@ -11,9 +11,9 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes lines of C++. They consist of the project's own text, identifiers (names.hpp) and literals
-/// (base/diagnostics/escape.hpp), which contain no control character and no character beyond ASCII. A line with such a
-/// character is an internal error. Comments accept any text.
+/// Writes lines of C++. A line consists of the project's own text, identifiers (names.hpp) and literals
+/// (base/diagnostics/escape.hpp). A control character or non-ASCII character in a line is an internal error. Comments
+/// may contain any text.
 class CodeWriter {
 public:
     explicit CodeWriter(std::size_t depth = 0) : depth_(depth), outermost_(depth) {}
@@ -24,7 +24,7 @@ public:
     void open(std::string_view text);
     /// Opens a function or type after an empty line, with its comment. `head` ends in a brace, which `close` closes.
     void open_declaration(const diagnostics::ForeignText& comment, std::string_view head);
-    /// Writes the lines that `body` writes; if there is a condition, inside an `if`.
+    /// Calls `body` to write lines. If there is a condition, the lines are inside an `if`.
     void write_if(const CppExpr& condition, const std::function<void()>& body);
     /// Ends a block: writes "}", "};", "} else {" one level less deep.
     void close(std::string_view text = "}");
@@ -52,7 +52,7 @@ private:
 
     std::string text_;
     std::size_t depth_ = 0;
-    [[maybe_unused]] std::size_t outermost_ = 0;  ///< the depth at which it began, for assertions
+    [[maybe_unused]] std::size_t outermost_ = 0;  ///< the depth at the beginning, for assertions
     bool fresh_ = true;                           ///< at the beginning of a file or block
 };
 

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::string as_operand(Binding least = Binding::primary) const {
         return binding_ < least ? "(" + text_ + ")" : text_;
     }
-    /// The same expression in parentheses.
+    /// The expression in parentheses.
     [[nodiscard]] CppExpr in_parentheses() const;
 
     /// The conjunction; either condition may be empty. Operands with lower precedence than `least` get parentheses.

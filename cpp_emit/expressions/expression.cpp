@@ -236,7 +236,8 @@ std::string ExpressionWriter::item_index(const ir::Expr& index) const {
     return fmt::format("place_of({})", write(index));
 }
 
-/// Indices of sequences and vectors. For a matrix, the first index is the row, the second the position in the row.
+/// Writes an index of a sequence or vector. For a matrix, the first index is the row, and the second is the position in
+/// the row.
 std::string ExpressionWriter::write_index(const ir::Expr& expr) const {
     std::string text = write_operand(*expr.args[0]);
     for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at({})", item_index(*expr.args[i]));
@@ -268,8 +269,8 @@ std::string ExpressionWriter::write_let(const ir::Expr& expr) const {
     return bound_by_let(expr, expr.bound_names.size(), write_as(*expr.args.back(), expr.type));
 }
 
-/// Each name becomes the parameter of a lambda that is called at once, because the value may use another variable with
-/// that name.
+/// Writes `let`. The bound names become parameters of a lambda that is called at once, because a value may use another
+/// variable with the same name.
 std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t count, std::string text) const {
     assert(count <= expr.bound_names.size() && count < expr.args.size());
     for (std::size_t i = count; i-- > 0;)

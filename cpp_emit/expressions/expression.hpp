@@ -16,13 +16,12 @@ namespace robochart::cpp_emit {
 /// The struct member for the number in ExprKind::member: the index of a field, or a position counted from 1.
 [[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
-/// The parameters of a unit's functions: its own frame, f, and the frames of the operations that lend it variables or
-/// clocks.
+/// The parameters of a unit's functions: its frame f, and the frames of units whose variables or clocks it uses.
 [[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
 /// The arguments in calls between the unit's functions: "f", "f, TurnFrame_f".
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
-/// The arguments with which a function of the unit's caller calls a function of the unit. In the caller, the unit's
-/// frame is `frame`.
+/// The arguments of a call of the unit's functions in a function of the unit's caller, in which the unit's frame is
+/// `frame`.
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
 /// The name of the parameter for the frame of an operation that lends variables or clocks.
 [[nodiscard]] std::string lent_frame(const Unit& owner);

@@ -15,8 +15,8 @@ namespace robochart::cpp_emit {
 using ir::ExprKind;
 using ir::TypeKind;
 
-/// Calls `visit` for the values of the bound variables from index `from` on, until it returns true: any_Nat([&](Nat
-/// bound_x) { ... }).
+/// Writes calls of `visit` for the values of the bound variables from index `from` on, until it returns true:
+/// any_Nat([&](Nat bound_x) { ... }).
 std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
     assert(from <= expr.bound_names.size() && expr.bound_types.size() >= expr.bound_names.size());
     if (from == expr.bound_names.size()) return visit;
@@ -28,7 +28,7 @@ std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, 
                        bound_identifier(expr.bound_names[from]), body);
 }
 
-/// Whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
+/// The test whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
 CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
     assert(expr.args.size() >= 2);
     const std::string predicate = write_operand(*expr.args[0]);
@@ -168,7 +168,7 @@ std::string ExpressionWriter::write_range(const ir::Expr& expr) const {
         open_low ? "<" : "<=", open_high ? "<" : "<=");
 }
 
-/// Whether a number belongs to another numeric type.
+/// The test whether a number is a value of another numeric type.
 std::string ExpressionWriter::is_type(const ir::Expr& expr) const {
     const ir::TypeId wanted = expr.bound_types.at(0);
     const bool natural = generation_.system.type(wanted).kind == TypeKind::nat;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Preconditions of the functions that an expression calls (semantics 3.5). The code tests the same preconditions as the
-// semantics, in the same order: inner calls first, since the condition of an outer one may need their values; under a
-// binder for every value for which the body is evaluated; in both operands of a logical operator, even if one decides
-// the result. Nothing is evaluated before its own preconditions hold.
+// semantics, in the same order. Preconditions of inner calls come first, because those of an outer call may need their
+// values. Under a binder they are tested for every value for which the body is evaluated. They are tested in both
+// operands of a logical operator, even if one operand decides the result. A call is evaluated only after its
+// preconditions have been found true.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -54,7 +54,7 @@ constexpr LineRule line_rules[] = {
     {Fault::pass_timeless, "pass", R"(if \(result == robochart::StepResult::quiescent\) advance\(f\);)", ""},
 };
 
-/// Faults of order: the middle of a line is a list of calls, joined by ` || `.
+/// Faults of order change lines whose middle is a list of calls, joined by ` || `.
 struct OrderRule {
     Fault fault;
     const char* function;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults in generated code: a line of the core is deleted, repeated or changed. The IR cannot express these
-// faults, for example a value that is not cleared, advanced, awaited or consumed.
+// faults. An example is a value that is not cleared, advanced, awaited or consumed.
 #pragma once
 
 #include <string>

@@ -28,8 +28,8 @@ public:
     ExpressionFaults(const ir::System& system, const ir::Instantiation& inst, Mutation& mutation)
         : system_(system), inst_(inst), mutation_(mutation) {}
 
-    /// The expression with the fault; operands are rewritten before operators. The same object if the fault is
-    /// elsewhere, null for null.
+    /// The expression with the fault; operands are rewritten before operators. Returns the same object if the fault is
+    /// elsewhere, and null for null.
     [[nodiscard]] ir::ExprPtr rewrite(const ir::ExprPtr&);
     /// Rewrites the index of an item in the same way. The fault index_off_by_one changes it, too.
     [[nodiscard]] ir::ExprPtr rewrite_place(const ir::ExprPtr&);

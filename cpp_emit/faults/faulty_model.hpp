@@ -14,7 +14,7 @@ namespace robochart::cpp_emit {
 
 /// The input of the emitters. Without a fault it is the model and its component. A fault changes the units' machines,
 /// initial values and the preconditions of functions. The rest of the plan (stored variables, the boundary, capacities)
-/// stays that of the model, so that code with a fault has the same interface.
+/// is that of the model, so that code with a fault has the same interface.
 class FaultyModel {
 public:
     /// All arguments must outlive the object.

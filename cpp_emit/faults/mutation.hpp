@@ -11,23 +11,23 @@
 namespace robochart::cpp_emit {
 
 /// Code that could contain a fault calls `hits` at every place to which the fault applies. The answer is true for at
-/// most one of them, and always false in production. The rewriting of the model asks first (faulty_model.hpp), then the
-/// emitters ask about faults that the IR cannot express.
+/// most one place, and always false in production. First the code that rewrites the model calls it (faulty_model.hpp),
+/// then the emitters, for faults that the IR cannot express.
 class Mutation {
 public:
     Mutation(Fault fault, std::uint32_t site) : fault_(fault), site_(site) {}
 
     /// Must be called once for each place to which `fault` applies, in textual order.
     [[nodiscard]] bool hits(Fault fault) { return is_seeded(fault) && sites_++ == site_; }
-    /// Does the same for a part of the model whose code is written more than once: the answer for a part is always the
-    /// same. A part has several uses if machines run in several places.
+    /// Like `hits`, for a part of the model whose code is written more than once because machines run in several
+    /// places. The answer for a part is always the same.
     [[nodiscard]] bool hits(Fault fault, const void* use, const void* part) {
         if (!is_seeded(fault)) return false;
         const auto [place, fresh] = known_.emplace(std::pair(use, part), sites_);
         if (fresh) ++sites_;
         return place->second == site_;
     }
-    /// Whether this run has the fault in some place.
+    /// Whether this run has the fault at some place.
     [[nodiscard]] bool is_seeded(Fault fault) const { return fault == fault_ && fault != Fault::none; }
     /// This run's kind of fault; `none` in production.
     [[nodiscard]] Fault fault() const { return fault_; }

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] ir::StmtPtr rewrite(const ir::StmtPtr&);
     /// Rewrites a trigger or the communication of an input statement.
     void rewrite_reception(ir::Communication&);
-    /// Rewrites the deadline of a statement or transition. The fault that ignores a deadline is not handled here.
+    /// Rewrites the deadline of a statement or transition. This function does not handle the fault that ignores a
+    /// deadline.
     [[nodiscard]] ir::ExprPtr rewrite_bound(const ir::ExprPtr& bound);
     /// A program that runs a second time, one time unit after it has ended.
     [[nodiscard]] ir::StmtPtr run_again(const ir::StmtPtr&) const;

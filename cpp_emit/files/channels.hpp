@@ -9,10 +9,10 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes `sites_C`, `offers_C`, `accept_C` for each channel C: where its sender may wait; whether it waits, and with
-/// which value; and how to advance it.
+/// Writes three functions for each channel C. `sites_C` contains the places at which the sender may wait, `offers_C`
+/// tells whether it waits and with which value, and `accept_C` advances it.
 void write_channels(const Generation&, const Core&, CodeWriter&);
-/// The members of State that belong to no single machine: buffers, and shared variables of several machines.
+/// The members of State that do not belong to one machine: buffers, and variables that several machines share.
 [[nodiscard]] std::vector<Field> common_fields(const Generation&);
 /// The layout of the State that contains the frames of several machines.
 [[nodiscard]] FrameLayout composed_layout(const Generation&, const Core&, std::vector<Field> more);

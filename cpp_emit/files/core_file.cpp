@@ -80,7 +80,8 @@ void write_maker(const Generation& generation, CodeWriter& out, const std::strin
     out.close();
 }
 
-/// Records and products have one maker; enumerations whose literals have arguments have one for each literal.
+/// Writes the maker functions of a type. A record or product has one; an enumeration whose literals have arguments has
+/// one for each literal.
 void write_makers(const Generation& generation, CodeWriter& out, const ir::Type& type) {
     const std::string name = declared_name(type);
     const std::vector<TypeMember> all = type_members(type);
@@ -301,8 +302,8 @@ void keep_input(CodeWriter& out, const EventPort& event) {
     out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.get();", event.input));
 }
 
-/// Writes the effect of external writes, which is immediate. With Fault::outside_write_late they are added to `late`,
-/// after the cycle.
+/// Writes the effect of external writes, which is immediate. With Fault::outside_write_late, the writes are added to
+/// `late` and take effect after the cycle.
 void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
                    std::vector<std::string>& late) {
     const std::string line =

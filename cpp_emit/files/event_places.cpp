@@ -68,9 +68,10 @@ private:
     /// The events that the transitions of a state and of its enclosing states await.
     struct Awaited {
         explicit Awaited(std::size_t events) : all(events), taken(events), level(events, EventPlace::no_level) {}
-        std::vector<bool> all;             ///< some transition awaits it
-        std::vector<bool> taken;           ///< some transition awaits it without a condition
-        std::vector<std::uint32_t> level;  ///< how many levels outside the state the innermost such transition is
+        std::vector<bool> all;    ///< some transition awaits it
+        std::vector<bool> taken;  ///< some transition awaits it without a condition
+        /// Number of levels between the state and the source of the innermost such transition.
+        std::vector<std::uint32_t> level;
         [[nodiscard]] std::vector<bool> conditional_events() const {
             std::vector<bool> result = all;
             for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && !taken[i];
@@ -131,7 +132,7 @@ std::vector<EventPlace> event_places(const Generation& generation, const Core& c
 }
 
 std::vector<bool> lost_in_actions(const Generation& generation, const Core& core) {
-    std::set<std::string> slow;  // the members that show the states of these machines
+    std::set<std::string> slow;  // names of the members that contain the states of these machines
     for (const Part& part : generation.component.parts)
         if (actions_take_time(generation, generation.component.units[part.root])) slow.insert(member_of(part));
     std::vector<bool> result(input_events(generation.component).size());

@@ -34,8 +34,8 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The places in which a machine is busy while its state awaits events, and the states in which every transition on an
 /// event has a condition.
 [[nodiscard]] std::vector<EventPlace> event_places(const Generation&, const Core&);
-/// For each event that the platform raises, in the order of Inputs: whether it can be lost while a machine is busy.
-/// That is possible if the machine awaits the event and has an action that may take time.
+/// For each event that the platform raises, in the order of Inputs: whether it can be lost while a machine is busy. It
+/// can be lost if the machine awaits it and has an action that may take time.
 [[nodiscard]] std::vector<bool> lost_in_actions(const Generation&, const Core&);
 
 /// The header for a traced controller. It lists the transitions by number and writes runs as logs (runtime/trace.hpp,

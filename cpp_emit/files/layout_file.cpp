@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes information about a generated controller for tools: the layout of its state as a table, the names of places,
-// and, for compilers that support concepts, the platform as a concept.
+// Writes information about a generated controller for tools: a table with the layout of its state, and the names of
+// places. For compilers that support concepts, also writes the platform as a concept.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -86,7 +86,7 @@ void wait_within(pid_t child, diagnostics::Budget& budget) {
     const auto running = [&] {
         return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
     };
-    // Most programs end soon; the pause grows for those that take longer.
+    // Most programs end soon, so the first pause is short. It grows for programs that take longer.
     auto pause = std::chrono::milliseconds(1);
     for (; running(); std::this_thread::sleep_for(pause)) {
         budget.check();

@@ -33,7 +33,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A loaded shared object. Its code runs in this process, so load only code that this toolkit or its tests wrote.
+/// A loaded shared object. Its code runs in this process, so only code that this toolkit or its tests wrote may be
+/// loaded.
 class SharedLibrary {
 public:
     /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and loads

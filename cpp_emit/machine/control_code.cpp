@@ -50,7 +50,8 @@ void ControlCode::write_choice(NodeId id) {
     program.write_line("break;");
 }
 
-/// Writes the place of a probabilistic junction: a nondeterministic choice in the semantics, drawn by the platform.
+/// Writes the place of a probabilistic junction. The junction is a nondeterministic choice in the semantics; the
+/// platform draws an alternative.
 void ControlCode::draw_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin_place(plan_.label_of(id), generation_.place_text(plan_.node(id).origin));

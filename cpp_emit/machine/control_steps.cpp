@@ -81,7 +81,8 @@ void ControlSteps::write_settling(NodeId id, CodeWriter& out, const char* end) {
     begin(plan_.node(id).initial, out);
 }
 
-/// Control enters an initial node and, if its transition has no condition, moves on to the target.
+/// Writes the code with which control enters an initial node and, if its transition has no condition, moves on to the
+/// target.
 void ControlSteps::begin(NodeId initial, CodeWriter& out) {
     assert(initial.index < unit_.machine->nodes.size());
     if (!plan_.is_passed_through(initial)) return out.line(arrive_statement(initial));
@@ -91,7 +92,8 @@ void ControlSteps::begin(NodeId initial, CodeWriter& out) {
     out.line(proceed_statement(plan_.machine().transitions[only.index]));
 }
 
-/// Marks the state as entered, and each composite state whose first child it is (semantics 3.3 a).
+/// Writes the code that marks a state as entered, and each composite state of which it is the first child (semantics
+/// 3.3 a).
 void ControlSteps::note_entry(NodeId id, CodeWriter& out) {
     if (plan_.notes_entry(id)) mark_entered(id, out);
     for (const NodeId outer : plan_.ancestors(id)) {
@@ -118,8 +120,8 @@ void ControlSteps::mark_entered(NodeId id, CodeWriter& out) {
     }
 }
 
-/// Takes the first transition whose guard holds. Returns true if there may be none, in which case control stays
-/// (semantics 3.3, 3.4).
+/// Writes the code that takes the first transition whose guard holds. Returns true if there may be none; control then
+/// stays (semantics 3.3, 3.4).
 bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
     if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
@@ -178,7 +180,7 @@ std::string ControlSteps::tell_taken(ir::TransitionId id) const {
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 
-/// With choices: the guard, and the condition that the platform has picked the transition.
+/// The guard; if the code has choices, also the condition that the platform has picked the transition.
 CppExpr ControlSteps::picked_guard(const CppExpr& guard) const {
     return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
 }

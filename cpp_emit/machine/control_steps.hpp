@@ -28,19 +28,21 @@ public:
     [[nodiscard]] const std::string& proceed_statement(const ir::Transition&);
     /// Writes the code after a node's entry action; `end` leaves the code that contains it.
     void write_settling(ir::NodeId, CodeWriter&, const char* end);
-    /// Control enters an initial node and, if its transition has no condition, moves on to the target.
+    /// Writes the code with which control enters an initial node and, if its transition has no condition, moves on to
+    /// the target.
     void begin(ir::NodeId initial, CodeWriter&);
-    /// Marks the state as entered, and each composite state whose first child it is (semantics 3.3 a).
+    /// Writes the code that marks a state as entered, and each composite state of which it is the first child
+    /// (semantics 3.3 a).
     void note_entry(ir::NodeId, CodeWriter&);
-    /// Takes the first transition whose guard holds. Returns true if there may be none, in which case control stays
-    /// (semantics 3.3, 3.4).
+    /// Writes the code that takes the first transition whose guard holds. Returns true if there may be none; control
+    /// then stays (semantics 3.3, 3.4).
     bool write_ways(ir::NodeId, CodeWriter&, const char* end);
     /// The guard preceded by its preconditions; `incoming` is the text of the incoming value. Empty if there is no
     /// guard.
     [[nodiscard]] CppExpr guard_condition(const ir::Transition&, const std::string& incoming) const;
     /// The call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
-    /// With choices: the guard, and the condition that the platform has picked the transition.
+    /// The guard; if the code has choices, also the condition that the platform has picked the transition.
     [[nodiscard]] CppExpr picked_guard(const CppExpr& guard) const;
     /// The statement that starts a deadline.
     [[nodiscard]] std::string start_of(const Watch&) const;

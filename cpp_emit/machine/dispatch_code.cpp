@@ -23,8 +23,8 @@ constexpr std::size_t leaves_for_table = 5;
 
 }  // namespace
 
-/// Every transition is one straight effect, so control rests only in states (or in a junction without an enabled
-/// transition).
+/// Whether every transition is one straight effect, so that control rests only in states (or in a junction without an
+/// enabled transition).
 bool DispatchCode::is_direct() const {
     const auto& nodes = plan_.machine().nodes;
     for (std::uint32_t index = 0; index < nodes.size(); ++index)
@@ -96,7 +96,7 @@ std::string DispatchCode::rest_result() const {
                                          "robochart::StepResult::quiescent;";
 }
 
-/// A transition from a leaf, taken on `port`'s event, or without an event if `port` is null.
+/// Writes the effect of a transition from a leaf, taken on the event of `port`, or without an event if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     assert(id.index < unit_.machine->transitions.size());
@@ -214,7 +214,7 @@ void DispatchCode::dispatch_function() {
         leaves += plan_.is_resting_place(row) ? 1U : 0U;
         quiet = quiet || (plan_.is_resting_place(row) && goes_on(row));
     }
-    // The row for the machine's beginning keeps its event.
+    // The beginning of the machine has a row that does not consume the event.
     const bool places = std::ranges::any_of(
         rows, [&](NodeId row) { return !plan_.is_resting_place(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
@@ -231,7 +231,7 @@ void DispatchCode::dispatch_function() {
     } else {
         dispatch_switch(rows, columns);
     }
-    // Without such places, only the beginning, which occurs once, is followed by another look.
+    // Without such places the loop repeats only after the beginning, which occurs once, so it needs no bound.
     if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
     out_.close();
     out_.close();
@@ -283,7 +283,7 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
     out_.close();
 }
 
-/// The event itself; with Fault::dispatch_shifted the next one, if it is another case.
+/// The event of the case. With Fault::dispatch_shifted, the next event if it belongs to another case.
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::ranges::find(columns, &port) - columns.begin());

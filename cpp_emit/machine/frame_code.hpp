@@ -15,7 +15,7 @@ public:
     [[nodiscard]] FrameLayout make_layout(const std::vector<Field>& more);
     /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
     [[nodiscard]] Enumeration control_points() const;
-    /// All enumerations of the frame; the first is that of the places.
+    /// All enumerations of the frame; the first contains the places.
     [[nodiscard]] std::vector<Enumeration> all_enumerations() const;
 
 private:

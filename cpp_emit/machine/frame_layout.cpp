@@ -10,7 +10,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The filler's size as C++ text, for members whose sizes are known when the code is compiled. The size is never zero,
+/// The size of a filler member as C++ text, for members whose sizes only the compiler knows. The size is never zero,
 /// because C++ has no empty arrays.
 std::string filler_text(const FrameLayout& layout) {
     std::string sum;

@@ -42,8 +42,8 @@ struct FrameLayout {
     std::size_t alignment = 1;
     bool varies = false;  ///< see Extent
     bool timed = false;   ///< whether some member changes with time
-    bool prompt = false;  ///< whether its threads, or those of operations in it, have prompt steps
-    bool holds = false;   ///< whether its threads, or those of operations in it, may hold up propagation to the machine
+    bool prompt = false;  ///< whether its threads, or those of called operations, have prompt steps
+    bool holds = false;  ///< whether its threads, or those of called operations, may hold up propagation to the machine
 };
 
 /// The layouts of frames by Unit::number.

@@ -143,7 +143,7 @@ void MachineWriter::during_functions() {
     out_.close();
 }
 
-/// Writes the function that begins the exits with that of the innermost active state.
+/// Writes the function that begins the exits with the exit of the innermost active state.
 void MachineWriter::begin_exits_function() {
     const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).is_composite(); };
     std::vector<NodeId> leaves;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data that the writers of one machine's code share: its plan, its threads, the text written so far.
+// The data that the writers of one machine's code share: the plan, the threads, and the text written so far.
 #pragma once
 
 #include <string>
@@ -39,7 +39,7 @@ struct MachineContext {
     [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
     /// The head of a function of the unit: `name(frames) noexcept {`.
     [[nodiscard]] std::string function_head(const std::string& name) const;
-    /// `name(f)`, with the states that the unit's functions take as arguments.
+    /// `name(f)`: a call with the frames that the unit's functions take as arguments.
     [[nodiscard]] std::string function_call(const std::string& name) const;
     /// The condition that the thread calls the operation: "f.at == At::S1_1 || f.at == At::S1_2".
     [[nodiscard]] static std::string in_call(const Thread&, const CallFrame&);
@@ -59,7 +59,7 @@ struct MachineContext {
     CodeWriter out{1};
 };
 
-/// Base class of the classes that write parts of the code; gives them short names for the context.
+/// Base class of the classes that write parts of the code. It gives them short names for the data of the context.
 class MachineCodePart {
 protected:
     explicit MachineCodePart(MachineContext& context)

@@ -34,7 +34,7 @@ bool OrderFaults::exits_first(NodeId id) {
            generation_.mutation.hits(Fault::exit_outer_first, &unit_, &node);
 }
 
-/// Fault::action_before_exit if the exit has a separate place.
+/// Fault::action_before_exit: the transition's action runs before the exit, if the exit has a separate place.
 bool OrderFaults::acts_first(const ir::Transition& transition) {
     const ir::Node& source = plan_.node(transition.source);
     return transition.action != nullptr && source.exit != nullptr &&

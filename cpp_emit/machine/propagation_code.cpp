@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both functions test the places of the threads. They test threads of operations inside the operations' calls.
+// The functions `prompt` and `holds_up` test the places of the threads. They test threads of an operation at the
+// operation's calls.
 #include "cpp_emit/machine/propagation_code.hpp"
 
 #include <fmt/format.h>

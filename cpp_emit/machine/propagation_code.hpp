@@ -12,13 +12,14 @@ class PropagationCode : private MachineCodePart {
 public:
     explicit PropagationCode(MachineContext& context) : MachineCodePart(context) {}
 
-    /// Whether threads may continue with a step that holds up writes of others, here or in called operations.
+    /// Whether threads of the unit or of called operations may resume with a step that holds up writes of others.
     [[nodiscard]] bool has_prompt_steps() const;
-    /// Writes `void prompt(f)`: the threads make their calls, and begin to wait.
+    /// Writes `void prompt(f)`, in which the threads execute their prompt steps: they make their calls, or begin to
+    /// wait.
     void prompt_function();
-    /// Whether threads may wait for communications with deadlines, here or in called operations.
+    /// Whether threads of the unit or of called operations may wait for communications with deadlines.
     [[nodiscard]] bool holds_writes() const;
-    /// Writes `bool holds_up(f)`: whether some thread waits in this way.
+    /// Writes `bool holds_up(f)`, which returns whether a thread waits for a communication with a deadline.
     void holds_up_function();
 
 private:

@@ -16,7 +16,7 @@
 
 namespace robochart::cpp_emit {
 
-/// An event at the component's boundary, raised by the platform or sent to it.
+/// An event at the component's boundary, which the platform raises or receives.
 struct EventPort {
     std::string outside;     ///< name at the boundary
     std::string model_name;  ///< name in the machine; with several machines: at the boundary
@@ -66,7 +66,7 @@ struct EventUse {
 
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
 
-/// A machine that may hold up writes to it: no write is propagated to it while one of its threads waits for a
+/// A machine that may hold up writes: no write is propagated to the machine while one of its threads waits for a
 /// communication with a deadline (semantics 3.7).
 struct PropagationHolder {
     std::size_t part = 0;
@@ -80,14 +80,14 @@ struct PropagationHolder {
 /// writes.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
-    std::size_t home = no_part;   ///< the part whose frame contains it; no_part: State
+    std::size_t home = no_part;   ///< the part whose frame contains it; no_part: it is a member of State
     const void* level = nullptr;  ///< shared: the controller instance or module that declares it; null: declared
                                   ///< outside
     bool shared = false;          ///< belongs to a required interface
     bool visible = false;         ///< whether writes are visible outside: set_x
     bool external = false;        ///< whether it may be written from outside: set_EXT_x
     bool read = false;            ///< whether some expression depends on it
-    bool copy = false;            ///< whether this is a copy of an earlier entry, which has the names at the boundary
+    bool copy = false;  ///< whether this is a copy of an earlier entry; the earlier entry has the names at the boundary
     ir::Value initial;
     std::string field;         ///< member of the frame
     std::string path;          ///< path in State: "x", "stm0.x"
@@ -100,7 +100,7 @@ struct StoredVariable {
     std::string held_up;    ///< method of Step, if there are holders: whether the next write has to wait
     std::string propagate;  ///< method of Step, if there are holders: the steps after a write
 
-    /// Whether the variable is a member of the state. A shared variable that is never read is none.
+    /// Whether the variable is a member of the state. A shared variable that is never read is not a member.
     [[nodiscard]] bool has_member() const { return read || !shared; }
 };
 
@@ -225,15 +225,14 @@ struct Component {
     [[nodiscard]] const PlatformCall& find_platform_call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
     [[nodiscard]] const CarrierUse& find_carrier(ir::TypeId) const;
-    /// The unit whose frame contains a clock, and the clock's number there.
+    /// The unit whose frame contains a clock, and the clock's number in that unit.
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock_owner(const Unit&, ir::ClockId) const;
 };
 
-/// Names that members of a state must not have: those of other members and of types, including the names that units
-/// already have.
+/// Names that members of a state must not have: names of other members, of types and of units.
 [[nodiscard]] std::set<std::string> never_members(const ir::System&, const Component&);
-/// A scope for the names of declarations that a core makes for its machines. They differ from the core's own names and
-/// from all members.
+/// A scope for the names of declarations that a core makes for its machines. The names differ from the core's own names
+/// and from all members.
 [[nodiscard]] NameScope core_type_scope(const Component&);
 
 }  // namespace robochart::cpp_emit

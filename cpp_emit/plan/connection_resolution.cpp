@@ -19,7 +19,7 @@ bool is_part(const ConnectionEnd& end, std::size_t part, const std::string& even
     return end.kind == EndKind::part && end.part == part && end.event == event;
 }
 
-/// Visits every connection from both ends. All of them have a direction, but an event may go either way.
+/// Visits every connection from both ends. Every connection has a direction, but an event may go either way.
 template <class Visit>
 void each_end(const std::vector<ir::Connection>& connections, const Visit& visit) {
     for (std::size_t index = 0; index < connections.size(); ++index) {

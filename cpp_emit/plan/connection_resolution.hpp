@@ -12,7 +12,7 @@ namespace robochart::cpp_emit {
 
 /// Collects the events that the units use and follows their connections. Fills Part::events, Component::events and
 /// Component::buffers. `contexts` contains the controller of each part, null for a single machine. Rejects connections
-/// that have no sensible translation.
+/// that the generator cannot translate.
 void wire_component(Component&, const ir::System&, const ir::Module*,
                     const std::vector<const ir::Controller*>& contexts, diagnostics::Diagnostics&);
 

@@ -55,7 +55,7 @@ std::vector<FunctionValue> values_of(const ir::System& system, const ir::Instant
             ir::Value result = ir::evaluate_expression(system, inst, nullptr, environment, call);
             if (result != otherwise) rows.push_back({environment.constants, std::move(result)});
         } catch (const ir::EvaluationFault&) {
-            continue;  // outside its precondition the function has no value, and the model stops
+            continue;  // outside its precondition the function has no value, and the model blocks
         }
         if (rows.size() > most_rows) throw std::length_error("a function of too many values to make a table");
     }

@@ -97,7 +97,8 @@ std::vector<std::string> parameter_identifiers(const std::vector<std::string>& n
     return result;
 }
 
-/// After a digit, encodes underscores that an identifier must not contain; no name begins with a digit.
+/// If the underscores of the name make it invalid as an identifier, they are encoded after the prefix "bound_0". This
+/// is unique, because no name begins with a digit.
 std::string bound_identifier(std::string_view name) {
     if (to_identifier(name) == name) return "bound_" + std::string(name);
     std::string result = "bound_0";

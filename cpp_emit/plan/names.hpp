@@ -9,13 +9,13 @@
 
 namespace robochart::cpp_emit {
 
-/// Whether names of the model must not have this form in generated code: keywords and alternative tokens of C++20, and
-/// macros of the headers of C, C++ and POSIX (reserved.hpp).
+/// Whether a name of the model must be changed in generated code, because it is a keyword or alternative token of
+/// C++20, or a macro in a header of C, C++ or POSIX (reserved.hpp).
 [[nodiscard]] bool reserved_in_cpp(std::string_view name);
 /// Whether a namespace with this name would hide names that the generated code inside it uses.
 [[nodiscard]] bool reserved_below_global_scope(std::string_view name);
-/// Whether a namespace at global scope with this name would do so, or would clash with a name that those headers
-/// declare there.
+/// Whether a namespace with this name at global scope would hide such names, or clash with a name that those headers
+/// declare at global scope.
 [[nodiscard]] bool reserved_at_global_scope(std::string_view name);
 
 /// Converts any text to an identifier: other characters become '_', doubled and leading underscores are removed.

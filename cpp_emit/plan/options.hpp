@@ -22,8 +22,8 @@ struct OutputFile {
     bool keep = false;  ///< the user may edit it, so an existing file is not overwritten
 };
 
-/// What is emitted: the classes and everything that the conformance check needs, or a complete project that can be
-/// built.
+/// The output of the generator: the classes with everything that the conformance check needs, or a complete project
+/// that can be built.
 enum class Target {
     sources,  ///< the classes, the exploration interface, a console driver
     library,  ///< a CMake library to install
@@ -33,7 +33,7 @@ enum class Target {
     argos,    ///< a controller of ARGoS
 };
 
-/// How `dispatch` finds the effect of an event, for a machine whose programs never wait.
+/// The code with which `dispatch` finds the effect of an event, for a machine whose programs never wait.
 enum class Strategy {
     automatic,      ///< chosen by the number of states in which it rests
     nested_switch,  ///< switch over the state, then over the event
@@ -79,7 +79,7 @@ struct EventPlace {
     static constexpr std::uint32_t no_level = UINT32_MAX;
 };
 
-/// What was generated for one component.
+/// The generated code of one component.
 struct Emission {
     std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
     std::string

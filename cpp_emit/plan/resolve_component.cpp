@@ -161,7 +161,7 @@ private:
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
 
-    /// The initial value of a variable: the one in this context, or the default of its type (semantics 3.6).
+    /// The initial value of a variable in this context, or the default of its type (semantics 3.6).
     ir::Value initial_value(const ir::Machine& machine, const std::vector<ir::Value>& constants, ir::TypeId type,
                             const ir::ExprPtr& initial) const {
         const ir::Value otherwise = ir::default_value(system_, inst_, type);
@@ -397,7 +397,7 @@ private:
             return nullptr;
         }
         entry.level = module_;
-        entry.memories = 2;  // the module's, then the controller's
+        entry.memories = 2;  // the memory of the module, then that of the controller
         const ir::Variable* at_platform = find_named(module_->platform.variables, name);
         if (at_platform == nullptr) return nullptr;
         entry.visible = at_platform->scope == ir::VariableScope::required;

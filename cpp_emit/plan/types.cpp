@@ -124,8 +124,8 @@ std::vector<TypeMember> type_members(const ir::Type& type) {
 
 namespace {
 
-/// Whether the name is like those of the core's functions for elements of the model. Such a function would hide the
-/// type.
+/// Whether the name has the form of the core's functions for elements of the model. A function with this name would
+/// hide the type.
 bool method_like(const std::string& name) {
     static constexpr const char* prefixes[] = {"accept_", "any_",  "await_", "cut_",   "during_",
                                                "enter_",  "exit_", "from_",  "leave_", "name_",

@@ -10,7 +10,8 @@
 
 namespace robochart::cpp_emit {
 
-/// How types are written at a place: the name of the policy, the namespace of the core's types, the names of numbers.
+/// The spelling of types at a place: the name of the policy, the namespace of the core's types, and the names of number
+/// types.
 struct Spelling {
     std::string types = "Types";
     std::string core;  ///< "core::" outside the core; "" inside

@@ -88,7 +88,7 @@ private:
         if (!is_supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
     }
 
-    /// A set needs a place for every possible element.
+    /// Checks the capacity of a set, which needs a place for every possible element.
     void check_size(const std::string& where, ir::TypeId id, Span span) {
         const ir::Type& type = system_.type(id);
         if (!(type.kind == ir::TypeKind::set || has_pairs(type)) || !is_supported(system_, id)) return;

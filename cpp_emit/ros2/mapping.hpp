@@ -58,7 +58,7 @@ struct Assignment {
     Source source;
 };
 
-/// How messages are delivered. Options that are not given have the default of their kind.
+/// The quality of service of messages. Options that are not given have the default of their kind.
 struct Delivery {
     std::optional<bool> reliable;
     std::optional<bool> latched;  ///< transient_local: late subscribers get the last messages

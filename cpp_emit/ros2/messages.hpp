@@ -35,7 +35,7 @@ struct FieldType {
 /// The names of the fields of a message in the table; `message` is like "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> fields_of(std::string_view message);
 
-/// The field at the end of a path. After a message that is not in the table, everything is unknown.
+/// The field at the end of a path. Fields of a message that is not in the table are unknown.
 struct FoundField {
     FieldType type;
     std::size_t missing = 0;  ///< index of the first word that names no field; the path's length if all do

@@ -36,8 +36,8 @@ struct FoundScalar {
 };
 [[nodiscard]] FoundScalar find_scalar(const ir::System&, const std::vector<ModelValue>&, const Path&);
 
-/// Whether every value fits: of the scalar into the field if it is published, of the field into the scalar if it is
-/// received.
+/// Whether every value fits. If the element is published, every value of the scalar must fit into the field; if it is
+/// received, every value of the field must fit into the scalar.
 [[nodiscard]] bool fits_field(const FieldType&, ScalarKind, bool published);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds constants whose values come from the generation's options and not from the model.
+// Finds constants whose values come from options of the generator and not from the model.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,8 +39,8 @@ std::string name_in(const Surroundings& around, const Unit& unit, const Part& pa
     return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
 }
 
-/// The name of the parameter: "SPEED" for "P::M::SPEED"; the whole path, with dots, if other constants have the same
-/// ending.
+/// The name of the parameter: "SPEED" for "P::M::SPEED". If other constants have the same last part, the whole path
+/// with dots.
 std::string parameter_of(const std::string& path, const std::map<std::string, int>& ends) {
     const std::string last = path.substr(path.rfind(':') + 1);
     if (ends.at(last) == 1) return "constants." + last;

@@ -61,7 +61,7 @@ struct Outgoing {
     std::size_t topic = 0;
     std::vector<Filled> fields;
     bool array = false;   ///< several numbers in the `data` of a Float64MultiArray
-    bool mapped = false;  ///< the mapping contains it; otherwise it has a separate topic
+    bool mapped = false;  ///< true if the mapping contains the element; otherwise it has a separate topic
 };
 
 struct Taken {
