@@ -67,8 +67,7 @@ std::vector<ExprPtr> outputs_of(const Provenance& provenance, const std::string&
         const std::size_t dot = own.find('.');
         const ExprPtr channel = b::name(prefix + own.substr(0, dot));
         if (dot == std::string::npos) result.push_back(channel);
-        // Hidden steps with these meanings (`step__.n`) are omitted: they stand for effects that the process does not
-        // show.
+        // Hidden steps with these meanings (`step__.n`) are omitted, because the process does not show their effects.
         if (own.ends_with(".out")) result.push_back(b::dot({channel, b::name("out")}));
     }
     return result;

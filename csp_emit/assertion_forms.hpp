@@ -45,8 +45,8 @@ struct WatchedCopy {
 /// the copy's names to the provenance of `emitted`.
 [[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& clock, const std::string& purpose);
-/// A copy that shows where the machine offers an event: in `state` or outside it (MachineContext::offered). A null
-/// `state` means everywhere except at the machine's end.
+/// A copy of a machine that shows whether it is in `state` when it offers an event (MachineContext::offered). If
+/// `state` is null, the copy counts as inside everywhere except at the machine's end.
 [[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& event, const ir::Node* state, const std::string& purpose);
 /// A process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy with these

@@ -43,8 +43,8 @@ std::string wording_of(const ir::Property& property) {
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
 }
 
-/// Text for a claim that fails without a counterexample, such as the negation of deadlock freedom: what is true
-/// instead.
+/// The text for a claim that fails without a counterexample, such as the negation of deadlock freedom. It states what
+/// is true instead.
 std::string opposite_claim(const ir::Property& property) {
     switch (property.kind) {
         case PropertyKind::deadlock_free:
@@ -107,7 +107,7 @@ private:
     const Project& project_;
     NameManager& names_;
     Emitted& emitted_;
-    std::map<std::string, std::string> own_;  // for constants of parts: the machine's own constant
+    std::map<std::string, std::string> own_;  // maps a constant of a part to the machine's own constant
 };
 
 const ComponentEmission* Asserter::find_component(const ir::ComponentRef& ref) const {
@@ -235,7 +235,7 @@ std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::Co
         wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path_of(other) + "::sem__events");
 }
 
-/// The events of both sides, without those of the subject that are renamed to events of the other side.
+/// The events of both sides, except events of the subject that are renamed to events of the other side.
 ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
     const ComponentEmission* from = find_component(property.subject);
     const ComponentEmission* to = find_component(property.other);
@@ -258,8 +258,8 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
     return name;
 }
 
-/// `X refines Y` is `Y [M= X`; `equals` is both directions, and its negation the failure of either. In the tick-tock
-/// model, traces are compared after model shifting.
+/// `X refines Y` is `Y [M= X`. `equals` is the refinement in both directions, and its negation means that one of them
+/// fails. In the tick-tock model, traces are compared after model shifting.
 void Asserter::add_refinement(const ir::Property& property, Obligation& out) {
     ExprPtr subject = renamed_to(property.subject, property.other, process_of(property.subject, property, "D__"));
     ExprPtr other = process_of(property.other, property, "D__");

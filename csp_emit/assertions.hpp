@@ -7,8 +7,8 @@
 
 namespace robochart::csp_emit {
 
-/// One obligation for each property that is decided in this semantics. Declarations that they add to the script get
-/// unique names, whose meaning is added to the provenance.
+/// One obligation for each property that is decided in this semantics. Obligations may add declarations with unique
+/// names to the script. The meanings of these names are added to the provenance.
 [[nodiscard]] std::vector<Obligation> make_obligations(const Project&, NameManager&, Emitted&);
 /// The component's process of this variant ("D__") with defaults for its parameters.
 [[nodiscard]] cspm::ExprPtr default_process(const Project&, const std::string& path, const ComponentEmission&,

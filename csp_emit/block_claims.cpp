@@ -186,7 +186,8 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
                 continue;
             }
             const auto decls = files.find(block.file);
-            if (decls == files.end() || (project.is_timed() && both)) continue;  // reported for the other semantics
+            // It is reported for the other semantics.
+            if (decls == files.end() || (project.is_timed() && both)) continue;
             Definitions& defined = definitions.try_emplace(block.file, decls->second, provenance).first->second;
             if (!defined.defines(block.name)) {
                 if (reported.insert(block.name).second)

@@ -21,9 +21,9 @@ using DeclsOfFiles = std::map<std::string, std::vector<cspm::DeclPtr>>;
 
 /// Reports three kinds of claims. (1) A claim about a block of the other semantics (RC-C14). (2) A claim about a block
 /// that defines no process with its own name (RC-C11). (3) A claim in a semantic model with refusals about a process
-/// that hides inputs of a component (RC-C12). The reason for the third: hidden events happen spontaneously and at once
-/// (Roscoe, Understanding Concurrent Systems, 5.1). A state with a hidden event is unstable and has no refusals, so
-/// such a claim requires nothing of the state.
+/// that hides inputs of a component (RC-C12). Claims (3) are reported because hidden events happen spontaneously and at
+/// once (Roscoe, Understanding Concurrent Systems, 5.1). A state with a hidden event is unstable and has no refusals,
+/// so the claim says nothing about this state.
 void check_block_claims(const Project&, const DeclsOfFiles&, const Provenance&);
 
 }  // namespace robochart::csp_emit

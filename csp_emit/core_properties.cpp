@@ -98,8 +98,8 @@ private:
                 if (node.kind == ir::NodeKind::state) add_state(path, node, visible);
         });
     }
-    /// Adds the question which transitions fire. VS__ compresses no part, so each of its states determines the states
-    /// of the machines.
+    /// Adds the question which transitions fire. It uses VS__, in which no part is compressed, so a state determines
+    /// the states of the machines.
     void add_transitions() {
         FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {

@@ -198,8 +198,8 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
     return result;
 }
 
-/// Adds the generated instantiations of all names that the user's blocks do not define. Collects these names, and among
-/// them the functions whose values the finite instantiation chooses.
+/// Adds the generated instantiations of all names that the user's blocks do not define. Collects these names, and
+/// separately the names of functions whose values the finite instantiation chooses.
 void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
                         std::set<std::string>& bounded, std::vector<std::string>& left_out) {
     for (const DeclPtr& decl : instantiation_definitions(project)) {
@@ -316,7 +316,8 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
     if (project.is_timed()) {
         emitted.provenance.events["tock"] = tock;
-        emitted.provenance.events[new_name(new_names, "tock'")] = tock;  // the copy that deadlock checks leave visible
+        // The copy of tock that deadlock checks do not hide.
+        emitted.provenance.events[new_name(new_names, "tock'")] = tock;
     }
     emitted.provenance.events[terminated] = {MeaningKind::terminate, "it has terminated", {}, {}};
     std::vector<DeclPtr>& definitions = result.definitions.decls;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps old names in CSP blocks to the names of today's script, which are taken from RoboTool's scripts of 2024 and 2026
+// Maps old names in CSP blocks to current names, which are those of RoboTool's scripts of 2024 and 2026
 // (docs/semantics.md). Generators of 2021 and 2022 had no modules. For `P::S::e`, `P::S::O__` and `P::S::moveCall` they
 // wrote `S_e`, `S_O` and `S_moveCall`; they also had an event `moveRet` at the end of a call of `move`, and
 // `enteredV.SID_s` for the entry of a state. A later generation had modules for components, but none for packages.
@@ -41,7 +41,7 @@ bool is_any(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// A name of an older generator: today's name, or the reason why there is none.
+/// A name of an older generator: the current name, or the reason why there is none.
 struct OldName {
     std::string now;
     std::string instead;
@@ -93,7 +93,7 @@ private:
         for_each_part(each, [&](const cspm::Expr& part) { check_expression(part); });
     }
 
-    /// Whether the prefix is like `S::moveRet -> P`, which today is written as P.
+    /// Whether the prefix has the form `S::moveRet -> P`, which current scripts write as P.
     bool left_out(const cspm::Expr& prefix) {
         const cspm::Expr& event = *prefix.args.at(0);
         if (event.kind != cspm::ExprKind::name || !prefix.fields.empty()) return false;

@@ -17,7 +17,7 @@ namespace robochart::csp_emit {
 void check_robotool_names(const Project&, const std::map<std::string, ComponentEmission>& components,
                           const std::vector<cspm::DeclPtr>& definitions, const std::vector<cspm::DeclPtr>& decls);
 
-/// Today's name for the carrier of a basic type such as `nat`; "" for other names.
+/// The current name for the carrier of a basic type such as `nat`; "" for other names.
 [[nodiscard]] std::string name_of_carrier(const std::string& name);
 
 }  // namespace robochart::csp_emit

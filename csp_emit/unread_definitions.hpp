@@ -14,8 +14,8 @@ namespace robochart::csp_emit {
 
 /// Warns (RC-C13) of a definition in a block Instantiations if its name is neither generated nor mentioned by another
 /// definition. The name must have the form of a carrier's or constant's name, or resemble a name that the block does
-/// not define. `known` contains all generated names. `left_out` contains those of them that are instantiations and that
-/// no block defines.
+/// not define. `known` contains all generated names. `left_out` contains the instantiations among these names that no
+/// block defines.
 void check_instantiations_read(const Project&, const std::map<std::string, std::vector<BlockDefinition>>&,
                                const std::set<std::string>& known, const std::vector<std::string>& left_out);
 

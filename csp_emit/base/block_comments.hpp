@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the comments of CSP blocks for scripts that are printed: they are attached to the syntax tree, which ignores
-// them during evaluation.
+// Attaches the comments of CSP blocks to the syntax tree, so that printed scripts contain them. The evaluation ignores
+// them.
 #pragma once
 
 #include <string_view>

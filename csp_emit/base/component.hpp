@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the emitted forms of machines, controllers and modules have in common: a CSPM module and the parameters of its
-// process variants (semantics 3.12).
+// The common part of emitted machines, controllers and modules: a CSPM module and the parameters of its process
+// variants (semantics 3.12).
 #pragma once
 
 #include <map>
@@ -39,7 +39,7 @@ struct ComponentEmission {
     std::size_t reads_of_watched = 0;                  ///< number of guards that read MachineContext::watched
     const ir::Machine* machine = nullptr;              ///< machines and operations
     std::map<std::string, ir::MachineId> definitions;  ///< machines: the definitions of the operations that they call
-    bool large = false;                                ///< it may have too many states to be compressed on its own
+    bool large = false;                                ///< it may have too many states to be compressed separately
 };
 
 /// Records the meaning of an event of a component; `event` is its qualified CSPM name.
@@ -72,7 +72,7 @@ private:
     std::vector<cspm::DeclPtr>& decls_;
 };
 
-/// A machine as it was emitted in one place, and the meaning of its names there.
+/// A machine that was emitted in one place, and the meaning of its names in this place.
 struct EmittedMachine {
     std::string path;  ///< the qualified CSPM name of the place
     ComponentEmission emission;

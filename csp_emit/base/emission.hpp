@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of the emission: the script, the checks to make with it, and what its names mean in the model.
+// The result of the emission: the script, the checks to make with it, and the meaning of its names in the model.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ enum class MeaningKind {
     external_write,
     terminate,
     step,
-    memory,  ///< a value is read from or stored in the process that holds its variable; it belongs to the step before
+    memory,  ///< a read or write of a memory process; it belongs to the step before
     tock,
     refusal,  ///< tick-tock: its argument is the refused event
 };
@@ -75,14 +75,14 @@ struct DefinitionMeaning {
                                           ///< clocks as "since(T)"
     std::vector<ir::TypeId> types;        ///< type of each parameter; invalid for clocks and counters
     ir::Origin origin;
-    std::vector<ir::Origin> deadlines = {};  ///< for each parameter: the deadline that it counts down; without a place
-                                             ///< if there is none
+    std::vector<ir::Origin> deadlines = {};  ///< for each parameter: the deadline that it counts down; the place is
+                                             ///< unknown if there is none
     std::vector<ParameterKind> kinds = {};   ///< kind of each parameter
     std::string component = {};              ///< the component that the definition belongs to: "P::C::stm_ref0"
     bool memory = false;                     ///< it holds a variable of a machine whose control state is in another
                                              ///< process
-    /// Among the variables held by separate processes: those whose current value will still be read. The processes of
-    /// the other variables may hold outdated values, since a value that will not be read is not stored.
+    /// The variables in memory processes whose current values may still be read. The memories of the other variables
+    /// may contain outdated values, since a value that will not be read is not stored.
     std::vector<std::string> remembered = {};
     std::string machine = {};  ///< the machine that runs in the component, qualified by its package: "P::S"
     /// The active states, outermost first. States of called operations follow those of their callers.
@@ -114,8 +114,8 @@ struct TransitionInside {
     ir::Origin origin;
 };
 
-/// Asks which transitions of a component can fire. Assertions would need an event for each transition, so the search
-/// visits all states of the process instead.
+/// Asks which transitions of a component can fire. Assertions would need an event for each transition, so a search of
+/// all states answers this instead.
 struct FiringQuestion {
     cspm::ExprPtr process;
     std::vector<TransitionInside> transitions;
@@ -161,11 +161,11 @@ struct Obligation {
     std::shared_ptr<const Premise> premise;        ///< premise of the answer "holds"; null if there is none. Several
                                                    ///< claims may share one
     bool one_suffices = false;  ///< the claim holds if one of the assertions holds; otherwise all must hold
-    std::string reason;         ///< why there is no check; or what is true if the check fails without a single run as
-                                ///< evidence
+    std::string reason;  ///< the reason why there is no check; or the true statement if the check fails without a
+                         ///< single run as evidence
 };
 
-/// A component's processes with the constants that an assertion uses if it does not set them (semantics 3.12).
+/// The processes of a component, with the values of constants that an assertion does not set (semantics 3.12).
 struct ComponentProcesses {
     std::string path;          ///< "P::C::stm_ref0"
     cspm::ExprPtr process;     ///< its D__
@@ -185,7 +185,7 @@ struct Emission {
                                      ///< script is wrong
 };
 
-/// How the script is written, and whether assertions are added to those of the model.
+/// Options for the form of the script and for additional assertions.
 struct Options {
     bool core_properties = false;  ///< add core properties of each component (core_properties.hpp)
     /// If a machine may have more states than this, estimated from the sizes of its carriers, its largest variables are

@@ -13,7 +13,7 @@ namespace robochart::csp_emit {
 
 /// The library for untimed or timed scripts as CSPM text, in our own wording.
 [[nodiscard]] std::string library_text(Time);
-/// The same library with those further definitions of RoboTool's library that CSP blocks and assertions of the system
+/// The library with the additional definitions of RoboTool's library that CSP blocks and assertions of the system
 /// mention.
 [[nodiscard]] std::string library_text(const ir::System&, Time);
 

@@ -36,8 +36,8 @@ private:
 [[nodiscard]] std::string module_name(const ir::Machine&);
 /// Whether CSPM can write the name: a letter, then letters, digits and underscores.
 [[nodiscard]] bool is_identifier(const std::string& name);
-/// Whether an element at the top of the script must not have this name: a keyword of CSPM, a predefined name, a name of
-/// our library, or a text that is not an identifier.
+/// Whether an element at the top of the script must not have this name, because it is a keyword of CSPM, a predefined
+/// name, a name of our library, or not an identifier.
 [[nodiscard]] bool is_reserved(const std::string& name);
 /// Whether the name is reserved and has a meaning inside the modules of components.
 [[nodiscard]] bool is_reserved_inside(const std::string& name);

@@ -35,7 +35,7 @@ struct Project {
     /// The number of times that the applicable CSP blocks mention the name: a qualified or plain name, or its last part
     /// after `::`.
     [[nodiscard]] std::size_t count_in_blocks(const std::string& name) const;
-    /// Whether they mention it.
+    /// Whether the applicable CSP blocks mention the name.
     [[nodiscard]] bool blocks_mention(const std::string& name) const;
     /// Whether an applicable CSP block or assertion mentions the component with this qualified CSPM name.
     [[nodiscard]] bool mentions_component(const std::string& path) const;

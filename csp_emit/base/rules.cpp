@@ -36,7 +36,7 @@ const Rule one_name_for_two{
     "A component is a module of the script under its package's and its own name, `::` of a package's name being `_`; "
     "a constant is called after everything around it. Two elements of one name there would be taken for each other. "
     "Rename one of them, or check the files apart if they do not belong together."};
-// RC-C05 is retired: exits that race with the store of a trigger's value now run in parallel with the store.
+// RC-C05 is no longer used: exits that race with the store of a trigger's value now run in parallel with the store.
 const Rule too_many_points{
     "RC-C06", Severity::error, "{} has more than {}",
     "During actions of nested states run concurrently, and each combination of their positions is a point of the "

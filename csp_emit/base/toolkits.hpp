@@ -6,7 +6,7 @@
 
 namespace robochart::csp_emit {
 
-/// Every function of the toolkits, as CSPM text.
+/// The CSPM text of all functions of the toolkits.
 [[nodiscard]] std::string toolkit_text();
 
 }  // namespace robochart::csp_emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks CSP blocks as `check` reads them, without a search: syntax, names and types in the emitted script.
+// Checks the syntax, names and types of CSP blocks in the emitted script, without a search.
 #pragma once
 
 #include <optional>

@@ -96,7 +96,7 @@ std::vector<std::string> ScriptNames::suggest_names(std::string_view written) co
         const std::string text = qualify_name(name.qualifier, name.name) + (name.directed ? ".in" : "");
         if (result.size() < most && std::ranges::find(result, text) == result.end()) result.push_back(text);
     };
-    // The same name in other modules; modules of the model, which are outermost in a script, come first.
+    // Entries with the same name in other modules. Modules of the model, which are outermost in a script, come first.
     std::vector<const ScriptName*> same;
     for (const ScriptName& name : names_)
         if (name.name == last && name.qualifier != qualifier && name.qualifier.find("__") == std::string::npos)

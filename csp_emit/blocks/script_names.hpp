@@ -27,7 +27,7 @@ public:
     /// The names that can follow `QUALIFIER::`, in the order of the script.
     [[nodiscard]] std::vector<const ScriptName*> names_after(std::string_view qualifier) const;
     /// Suggestions for a name that a block uses and that is not in scope: the same name in a component, or names with
-    /// similar spelling. At most three, best first.
+    /// similar spelling. There are at most three suggestions, the best first.
     [[nodiscard]] std::vector<std::string> suggest_names(std::string_view written) const;
 
 private:

@@ -131,8 +131,8 @@ ExprPtr Definer::parts_process(const std::string& variant) const {
     return joined.empty() ? result : b::hide(result, b::productions(joined));
 }
 
-/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, the last one followed by Memory.
-/// A write of x is passed on to all parts that have x, one after the other, including the writer.
+/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, and the last relay continues as
+/// Memory. A write of x is passed on to all parts that have x, one after the other, including the writer.
 void Definer::define_propagation(const SharedVariable& variable) {
     std::vector<std::size_t> readers;
     for (std::size_t i = 0; i < c_.parts.size(); ++i)
@@ -156,8 +156,8 @@ ExprPtr Definer::first_propagation(const SharedVariable& variable, const ExprPtr
     return b::call("Memory", {b::name("id__")});
 }
 
-/// Semantics 3.7: `Memory = [] x @ set_x?v -> Relay_x_0(v)`. One process for all variables, so that the next write
-/// waits until the last one has been propagated to every part.
+/// Semantics 3.7: `Memory = [] x @ set_x?v -> Relay_x_0(v)`. There is one process for all variables, so that the next
+/// write waits until the last one has been propagated to every part.
 void Definer::define_memory() {
     if (c_.variables.empty()) return;
     b::Exprs branches;
@@ -288,9 +288,9 @@ void Definer::define_all() {
     const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
     define("D__", variant_process(is_large(c_) ? "O__" : "D__", Writes::provided));
     define("VS__", variant_process("VS__", Writes::provided));
-    // A large controller on its own is not compressed, because its environment may write at any time. A large module is
-    // compressed: its other controllers restrict the writes, and the environment of a claim multiplies the remaining
-    // states.
+    // A large controller is not compressed if it is checked separately, because its environment may write at any time.
+    // A large module is compressed, because its other controllers restrict the writes, and because the process of a
+    // claim multiplies the remaining states.
     define("O__",
            compress_process(*c_.project, variant_process("O__", optimised), is_large(c_) && !c_.hides_termination));
     for (const char* name : {"FVS__", "FVS_C__"})

@@ -31,7 +31,7 @@ struct SharedVariable {
     cspm::ExprPtr pushed;   ///< initial value that is propagated to the parts at the start
 };
 
-/// An asynchronous connection between parts: a buffer with one place, whose value the newest one replaces.
+/// An asynchronous connection between parts. It is a buffer with one place, in which a new value replaces the old one.
 struct Buffer {
     std::size_t from = 0, to = 0;
     std::string from_event, to_event;
@@ -56,10 +56,10 @@ struct Composition {
     std::vector<std::tuple<std::size_t, std::size_t, std::string>> joined;
 };
 
-/// Records a connection. Each end consists of a part and an event; no part means the composition itself.
+/// Records a connection. An end consists of a part and an event; without a part it is an end of the composition itself.
 void connect_ends(Composition&, std::optional<std::size_t> from, const std::string& from_event,
                   std::optional<std::size_t> to, const std::string& to_event);
-/// Whether some part is too large to be compressed on its own. The composition then counts as large, too.
+/// Whether some part is too large to be compressed separately. The composition is then large too.
 [[nodiscard]] bool is_large(const Composition&);
 /// Defines memory, buffers and the process variants.
 void define_composition(const Composition&, std::vector<cspm::DeclPtr>& decls);

@@ -97,7 +97,7 @@ std::string ControllerEmitter::part_of(const std::string& instance, const ir::Ma
 
 /// The controller's parameter for a machine's constant; added if it does not exist yet.
 std::string ControllerEmitter::constant_argument(const std::string& part, const ConstantParameter& constant) {
-    // if the controller is checked alone, its own parameters replace constants of the platform
+    // if the controller is checked separately, its own parameters replace constants of the platform
     const ir::Machine& owner = *constant.owner;
     const auto source =
         ir::constant_source(project().system, nullptr, &controller(), part_of(part, owner), owner, constant.id);

@@ -105,7 +105,8 @@ private:
     static bool calls_function(const ir::Expr& part) {
         return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
     }
-    /// Leaves results of functions for the script to compute, because the user may define the functions there.
+    /// The value of a constant. The script computes results of functions, because the user may define the functions
+    /// there.
     ExprPtr computed_value(const ir::Constant& constant, const ir::Machine* machine) const {
         Scope scope;
         scope.constant = [machine](ir::ConstantId id) {

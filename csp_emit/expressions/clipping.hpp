@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explains where the finite instantiation changes values. Arithmetic clips results outside their type, and a function
-// without a body returns a chosen value (semantics 3.13). While the checker explores processes, it records the calls of
-// these functions that it evaluates. This file describes the recorded calls in terms of the model.
+// without a body returns a chosen value (semantics 3.13). During the exploration of processes, the checker records the
+// calls of these functions. This file describes the recorded calls in terms of the model.
 #pragma once
 
 #include <optional>

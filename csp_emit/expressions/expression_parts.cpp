@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values with parts: vectors and matrices as tuples (of rows), selection and replacement of components, conversions
-// between types that CSPM represents differently (semantics 3.13).
+// Translates values with parts. Vectors and matrices are tuples (of rows). The functions select and replace components,
+// and convert values between types that CSPM represents differently (semantics 3.13).
 #include <algorithm>
 
 #include "csp_emit/base/types.hpp"

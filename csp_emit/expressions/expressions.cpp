@@ -91,7 +91,8 @@ const char* clipping_function(ExprKind kind, bool scaled_real) {
 }  // namespace
 
 ExprPtr Translator::clipped_operation(ExprKind kind, b::Exprs operands, ir::TypeId type) const {
-    // -3 is a literal, not an operation: RoboTool's carriers contain every literal of the model with its sign.
+    // -3 is a literal and not an operation, because RoboTool's carriers contain every literal of the model with its
+    // sign.
     if (kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
     operands.push_back(type_set(project_, type));
     return b::call(clipping_function(kind, is_real(type) && scale() != 1), operands);
@@ -258,8 +259,8 @@ ExprPtr Translator::translate_lambda(const ir::Expr& expr) const {
     return b::set_comprehension({b::tuple({bound_tuple(expr), translate_operand(expr, 1)})}, clauses);
 }
 
-/// Wraps the first `count` bindings around a body. CSPM's own `let` is recursive; here each value sees only the
-/// bindings before it.
+/// Wraps the first `count` bindings around a body. In CSPM a `let` is recursive, but in RoboChart the value of a
+/// binding can use only the bindings before it.
 ExprPtr Translator::bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const {
     for (std::size_t i = count; i-- > 0;)
         body =

@@ -31,7 +31,7 @@ struct Scope {
                                         ir::TypeId variable, diagnostics::Span reception);
 /// Preconditions of all functions that the expression calls, for `pre &` (semantics 3.5); empty if there are none.
 [[nodiscard]] std::vector<cspm::ExprPtr> translate_preconditions(const Project&, const Scope&, const ir::Expr&);
-/// Returns the value `whole` with `value` in place of one part. `path` leads to the part. Its elements are positions of
+/// Returns the value `whole` with `value` in place of one part. `path` selects the part. Its elements are positions of
 /// fields (numbers from 0) and of tuple parts, the index of a sequence or vector, and two indices of a matrix.
 [[nodiscard]] cspm::ExprPtr replace_component(const Project&, ir::TypeId type, const cspm::ExprPtr& whole,
                                               const std::vector<cspm::ExprPtr>& path, const cspm::ExprPtr& value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emits a machine. A machine may run on its own, in a controller, and in that controller within a module. If its
-// operations have the same definitions in these places, its module is emitted once and renamed for the others; if not,
-// it is emitted again.
+// Emits a machine. A machine may run separately, in a controller, and in that controller within a module. If its
+// operations have the same definitions in these places, its module is emitted once and renamed for the other places.
+// Otherwise it is emitted again.
 #include "csp_emit/machine/machine.hpp"
 
 #include "csp_emit/machine/machine_module.hpp"

@@ -2,16 +2,17 @@
 // One machine as one sequential process: mutually recursive functions, one for each reachable configuration, whose
 // parameters are the machine's constants, variables, clocks and counters (semantics 3.3 to 3.8, 3.10, 3.11).
 //
-// Ownership: MachineTables (tables/machine_tables.hpp) holds all data about the machine during the emission, in one
-// class for each kind of data. Each class depends only on those before it: CallGraph has the operations reached by
-// calls and the constants, ParameterTable the cells, DefaultValues and ClockLimits small definitions, ActivationRecords
-// the cell of every variable, clock and counter of the machine and of each called operation, HiddenEvents the numbers
-// of steps, ClockWatch the first reset of a watched clock, PointTable the reachable configurations, CallSharing the
-// return points of shared calls. The rules (rules/) are functions without data: they read the tables and return the
-// next events and configurations as data (Next, Branch). Processes applies the rules from the initial configuration and
-// makes a function for every point. When all points are known, choose_memories removes large variables from their
-// parameters, DefinitionMeanings records what each point means in the model, and ModuleDeclarations adds RoboTool's
-// channels, sets and process variants. machine_module.cpp performs these steps in turn.
+// During the emission, MachineTables (tables/machine_tables.hpp) owns all data about the machine, in one class for each
+// kind of data. A class depends only on the classes that this list names before it. CallGraph contains the called
+// operations and the constants. ParameterTable contains the cells. DefaultValues and ClockLimits contain small
+// definitions. ActivationRecords contains the cell of every variable, clock and counter of the machine and of each
+// called operation. HiddenEvents contains the numbers of steps. ClockWatch records the first reset of a watched clock.
+// PointTable contains the reachable configurations. CallSharing contains the return points of shared calls. The rules
+// (rules/) are functions without data: they read the tables and return the next events and configurations as data
+// (Next, Branch). Processes applies the rules from the initial configuration and makes a function for every point. When
+// all points are known, choose_memories removes large variables from their parameters, DefinitionMeanings records what
+// each point means in the model, and ModuleDeclarations adds RoboTool's channels, sets and process variants.
+// machine_module.cpp performs these steps in turn.
 #pragma once
 
 #include "csp_emit/base/component.hpp"

@@ -33,8 +33,8 @@ void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& 
     }
 }
 
-/// For each point, the parameters that it must keep because a machine or operation is at a probabilistic junction
-/// there.
+/// For each point, the parameters that it must have because a machine or operation is at a probabilistic junction in
+/// this point.
 std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) {
     std::vector<std::vector<std::string>> result;
     for (const Point& point : tables.points.all()) {
@@ -73,7 +73,7 @@ std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
         result[constant.inside] = default_literal(tables.project(), constant.type);
     for (const Cell& cell : tables.cells.all()) {
         if (cell.kind == CellKind::clock)  // a clock at its limit no longer changes; a limit that depends on constants
-                                           // may be unknown here
+                                           // may be unknown at this point
             result[cell.name] = cell.limit->kind == cspm::ExprKind::integer ? cell.limit : b::number(0);
         else if (cell.kind == CellKind::variable && cell.type.is_valid())
             result[cell.name] = tables.defaults.value_of(cell.type);
@@ -84,7 +84,7 @@ std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
     return result;
 }
 
-/// The initial process has values for everything except constants and an operation's parameters.
+/// Checks that the initial process has values for everything except constants and an operation's parameters.
 void check_initial(const std::vector<std::string>& needed, const std::vector<std::string>& known) {
     for (const std::string& name : needed)
         if (std::ranges::find(known, name) == known.end())
@@ -100,8 +100,8 @@ Parameters parameters_of(const std::vector<Function>& functions) {
     return result;
 }
 
-/// The definitions of the points and of what they use: memories, return points, sets of events. `needed` lists for each
-/// function what it reads or passes on, as a parameter or through a memory.
+/// The definitions of the points and of the memories, return points and sets of events that they use. `needed`
+/// contains, for each function, the variables that it reads or passes on, as a parameter or through a memory.
 std::vector<cspm::DeclPtr> make_definitions(MachineTables& tables, std::vector<Function>& functions,
                                             const std::vector<Remembered>& remembered, const Parameters& needed) {
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered, tables.timed());
@@ -125,8 +125,8 @@ std::vector<cspm::DeclPtr> make_definitions(MachineTables& tables, std::vector<F
     return result;
 }
 
-/// The parameters of an operation that is checked on its own. Assertions name them like constants, with another prefix
-/// (ir::Property::constants).
+/// The parameters of an operation that is checked separately. Assertions name them in the same way as constants, with
+/// another prefix (ir::Property::constants).
 std::vector<ArgumentParameter> arguments_of(const ir::Machine& machine) {
     std::vector<ArgumentParameter> result;
     for (const ir::Variable& variable : machine.variables) {

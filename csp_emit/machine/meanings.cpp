@@ -68,8 +68,8 @@ void DefinitionMeanings::add_parameters(const Function& function, DefinitionMean
     }
 }
 
-/// States that have been entered and not left yet, in the order of the calls; the parents of an active state are
-/// active.
+/// The active states: states that have been entered and not left yet, and their parents. They are in the order of the
+/// calls.
 std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const {
     std::vector<ir::Origin> result;
     for (const RunningMachine& running : now.machines) {

@@ -15,7 +15,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// The number of values that a cell may have; an unknown type counts as small.
+/// The number of values that a cell may have. If the type is unknown, a small number is assumed.
 double values_of(const MachineTables& tables, const Cell& cell) {
     const Project& project = tables.project();
     constexpr std::size_t many = 1'000;
@@ -110,8 +110,8 @@ std::vector<Remembered> choose_memories(MachineTables& tables, const std::vector
         return options.whole_states ||
                estimate_states(functions, evaluations, sizes, first) <= options.states_of_a_process;
     };
-    // The estimate is monotone: another variable in a memory no longer counts, or counts as before in functions that
-    // hold it, and the sets of variables held because of it shrink. This allows a binary search.
+    // The estimate decreases with every variable that is moved to a memory: the variable counts only in functions that
+    // hold it, and the sets of variables that are held because of it become smaller. This allows a binary search.
     std::size_t least = 0;
     std::size_t most = candidates.size();
     while (least < most) {

@@ -29,7 +29,8 @@ ExprPtr without_body(const MachineTables& tables) {
     return tables.machine().terminates ? skip : b::internal_choice({skip, stop});
 }
 
-/// Initial values; parameters of a standalone operation keep the values that the caller passes.
+/// The initial values. The parameters of an operation that is checked separately have the values that the caller
+/// passes.
 Values initial_values(MachineTables& tables) {
     Values result;
     const Frame& root = tables.frames.root_frame();
@@ -172,8 +173,8 @@ void Processes::add_branches(const std::vector<Branch>& branches, std::vector<Ex
 }
 
 /// The external choice of its branches. If the copy observes when an event is offered (MachineContext::offered), the
-/// point first performs an event that says whether the machine is in the state; its parameter records that it has done
-/// so. The other branches follow only then.
+/// point first performs an event that shows whether the machine is in the state, and a parameter records this. The
+/// other branches are offered only after this event.
 ExprPtr Processes::choice_of_branches(const Activation& config) {
     const b::Exprs all = make_branches(config);
     if (!passed_) return b::choice(all);

@@ -44,7 +44,7 @@ private:
     std::size_t run_ = 0;           ///< number of statements executed since the last function began
     std::size_t branching_ = 0;     ///< number of enclosing conditionals
     bool after_tock_ = false;       ///< the branch of a tock is being emitted
-    std::optional<CellId> passed_;  ///< MachineContext::offered: 1 if the point has said whether it is in the state
+    std::optional<CellId> passed_;  ///< MachineContext::offered: 1 if the point has shown whether it is in the state
     bool passing_ = false;          ///< the call after that event is being emitted
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Merges branches of a choice that differ only in their events, such as external writes whose values are never read, or
-// the passing of time if nothing counts it. `a?x -> P [] b?x -> P [] tock -> P` becomes `[] e__ : {| a, b, tock |} @
-// e__ -> P`, which is the same process in less text.
+// Merges branches of a choice that differ only in their events, for example external writes whose values are never
+// read, or the passing of time if no parameter counts it. `a?x -> P [] b?x -> P [] tock -> P` becomes `[] e__ : {| a,
+// b, tock |} @ e__ -> P`, which is the same process in less text.
 #pragma once
 
 #include <string>

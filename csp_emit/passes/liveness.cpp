@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A parameter is live if its name occurs in the body outside calls within the family, or in an argument for a live
 // parameter; a parameter that a call does not mention keeps its value. A backward analysis along the calls finds the
-// least such set. A function that several calls share has the parameters needed by all of them: a call passes on only
-// what the function itself reads, or what is read after this particular call; the values of other parameters do not
-// matter.
+// least such set. A shared function has the parameters that any of its calls need. A call passes on only the parameters
+// that the function itself reads or that are read after this call; the values of other parameters are arbitrary.
 #include "csp_emit/passes/liveness.hpp"
 
 #include <optional>
@@ -113,7 +112,7 @@ void Family::survey_expression(std::size_t caller, const Expr& expr) {
     for_each_part(expr, [&](const Expr& part) { survey_expression(caller, part); });
 }
 
-/// For a value of the stack, the functions that continue after the calls whose return addresses the value contains.
+/// For a value of the stack: the functions that continue at the return addresses in the value.
 std::vector<std::size_t> Family::continuations_after(const Expr& value) const {
     std::vector<std::size_t> result;
     for (auto found = candidates_.entries.find(&value); found != candidates_.entries.end();
@@ -163,7 +162,7 @@ void Family::spread_liveness() {
     while (!work_.empty()) {
         const auto [function, parameter] = work_.back();
         work_.pop_back();
-        if (function == calls_to_.size()) continue;  // the initial process is never called
+        if (function == calls_to_.size()) continue;  // no function calls the initial process
         for (const std::size_t call : calls_to_[function]) spread_liveness(calls_[call], parameter);
         for (const std::size_t call : calls_over_[function]) spread_liveness(calls_[call], parameter);
     }

@@ -92,10 +92,10 @@ private:
 struct Candidates {
     std::vector<std::string> names;                ///< in the order in which they become parameters
     std::map<std::string, cspm::ExprPtr> ticking;  ///< the value after a tock of each parameter that counts time
-    std::vector<std::string> kept;                 ///< parameters of every function, even if it does not read them
-    std::vector<std::vector<std::string>> read;    ///< by function: parameters that it needs although its body does not
-                                                   ///< read them; may be shorter than the family
-    std::string returns;                           ///< the parameter that holds return addresses; may be empty
+    std::vector<std::string> kept;  ///< parameters that every function has, even if the function does not read them
+    std::vector<std::vector<std::string>> read;  ///< by function: parameters that it needs although its body does not
+                                                 ///< read them; may be shorter than the family
+    std::string returns;                         ///< the parameter that holds return addresses; may be empty
     /// For a value of that parameter: the function that continues after the call, and the previous value.
     struct Entry {
         std::string behind;
@@ -105,7 +105,7 @@ struct Candidates {
 };
 
 /// Gives every function its live parameters, and every call of `calls`, including those in `initial`, arguments for
-/// them. A live parameter without a value in `initial` remains as a free name in it; returns these names.
+/// them. If a live parameter has no value in `initial`, its name remains free there. Returns these names.
 [[nodiscard]] std::vector<std::string> find_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial,
                                                        const FamilyCalls& calls, const Candidates&);
 /// Replaces the unneeded arguments of all calls by arbitrary values, given for each parameter.

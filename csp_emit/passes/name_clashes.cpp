@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See name_clashes.hpp. A name that both sides declare at the top and that cannot be renamed (a channel of RoboTool's
-// library or a component) stays; the type checker reports the second declaration.
+// See name_clashes.hpp. A name that both sides declare at the top is not renamed if it is a channel of RoboTool's
+// library or a component. The type checker then reports the second declaration.
 #include "csp_emit/passes/name_clashes.hpp"
 
 #include <map>

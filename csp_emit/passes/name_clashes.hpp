@@ -3,10 +3,10 @@
 // them gets a number: a generated parameter with the name of a channel or constructor would be a pattern that matches
 // only that value, and a function with the name of a library or predefined function would replace it.
 //
-// The rule that holds everywhere: no declaration of a block at the top of the script has a name that CSPM predefines or
-// that the library has. So the library and all generated code keep their meaning, independently of what a block
-// defines. A block's definition for the model (in its Instantiations) gets the name that the model's element has in the
-// script. Each .assertions file is a scope: RoboTool makes a script for each.
+// At the top of the script, no declaration of a block has a name that CSPM or the library defines. So the library and
+// all generated code keep their meaning, independently of what a block defines. A block's definition for the model (in
+// its Instantiations) gets the name that the model's element has in the script. Each .assertions file is a scope:
+// RoboTool makes a script for each.
 #pragma once
 
 #include "checker/cspm/syntax/rename.hpp"
@@ -26,7 +26,7 @@ struct FileBlocks {
 /// The definitions of the instantiations, by the names that the model's elements have in the script.
 [[nodiscard]] std::set<std::string> given_names(const std::vector<FileBlocks>& files, const NamesForBlocks& of_model);
 
-/// New names for generated code: its bound names that are also channels or constructors of the user.
+/// New names for generated code: for bound names that are also channels or constructors of the user.
 [[nodiscard]] cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<cspm::DeclPtr>& generated,
                                                NameManager& names);
 

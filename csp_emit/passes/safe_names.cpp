@@ -92,8 +92,8 @@ std::set<std::string> other_channels(const ir::System& system) {
     return result;
 }
 
-/// Old names to new ones: names of all kinds of elements, of states and parts, of operations; for types and functions
-/// the new name of each, "" if it keeps its name.
+/// Maps from old to new names, for all kinds of elements, for states and parts, and for operations. For types and
+/// functions, the new name of each; "" if the name does not change.
 struct NewNames {
     std::map<std::string, std::string> all, states, operations;
     std::vector<std::string> types, functions;
@@ -110,7 +110,8 @@ struct NewNames {
     }
 };
 
-/// The names of a type or function at the top of the script: first its own, then those derived from it.
+/// The names of a type or function at the top of the script: first its own name, then the names that are derived from
+/// it.
 std::vector<std::string> names_of(const ir::Type& type) {
     std::vector<std::string> result{type_name(type)};
     if (type.kind == ir::TypeKind::enumeration)
@@ -208,8 +209,8 @@ private:
         for (const std::string& name : names_of(data)) taken_.insert(name);
     }
 
-    /// The rule against this name for a type or function, which has another meaning in the script; null if there is
-    /// none.
+    /// The rule that forbids this name for a type or function, because the name has another meaning in the script; null
+    /// if the name is allowed.
     template <class Data>
     [[nodiscard]] const diagnostics::Rule* find_clash(const Data& data) const {
         const auto names = names_of(data);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See shared_modules.hpp. FDR's front end does not resolve names of an instance that is inside a parameterised module:
-// looking one up in the instances of that module fails. So a module that contains an instance is never shared, and
-// modules inside a shared module are written out there. Among nested modules, those that save the most text are shared.
+// See shared_modules.hpp. FDR's front end does not resolve names of an instance that is inside a parameterised module.
+// So a module that contains an instance is never shared, and the modules inside a shared module are written in full.
+// Among nested modules, those that save the most text are shared.
 #include "csp_emit/passes/shared_modules.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See variable_memory.hpp. A function holds a remembered variable if its body uses it other than to pass it on
-// unchanged. Variables that a called function holds and the caller does not are read immediately before the call.
+// See variable_memory.hpp. A function holds a remembered variable if its body does more with the variable than pass it
+// on unchanged. Variables that a called function holds and the caller does not are read immediately before the call.
 #include "csp_emit/passes/variable_memory.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class Memories {
 public:
     Memories(const std::vector<Function>& functions, const FamilyCalls& calls,
              const std::vector<Remembered>& variables);
-    /// The caller's context: the variables that it holds; at the start each memory has its initial value.
+    /// The context of a call: the variables that the caller holds. At the start, each memory has its initial value.
     struct Place {
         std::set<std::string> held;
         bool start = false;

@@ -5,8 +5,9 @@
 // writes to the memory with `set_x` if the variable is shared, and with the hidden `setL_x` if it belongs to the
 // machine.
 //
-// Why the meaning stays: a `get_x` is hidden, always possible and never offered together with anything else, and no
-// other write happens between it and the use, since the machine takes part in all writes. It is an inert step.
+// This preserves the meaning, because `get_x` is an inert step: it is hidden, always possible and never offered
+// together with another event. No other write happens between `get_x` and the use of the value, since the machine takes
+// part in all writes.
 #pragma once
 
 #include <map>
@@ -29,7 +30,7 @@ struct Remembered {
     std::string meaning;  ///< its name in the model
 };
 
-/// For the given parameters, the functions that evaluate them, directly or in arguments that they pass.
+/// Determines which functions evaluate the given parameters, directly or in arguments that they pass.
 class Evaluations {
 public:
     Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters);

@@ -147,7 +147,7 @@ private:
         own_.push_back(channel);
         return channel;
     }
-    /// The units of one degree in the only argument; 0 if the call has no such number.
+    /// The number that represents one degree in the only argument; 0 if the call does not have exactly one number.
     [[nodiscard]] std::int64_t scale_of(const Port& call) const {
         if (call.types.size() != 1) return 0;
         const ir::TypeKind kind = system_.type(call.types.front()).kind;
@@ -395,7 +395,7 @@ private:
                 "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
                 "member(i__,s__) |}}))",
                 events, each.channel);
-        // in the timed semantics these stay visible, because the observer of activity needs them
+        // in the timed semantics these events are not hidden, because the observer of activity needs them
         std::vector<std::string> own{"acts.i__"};
         for (const std::string& each : lazy_) own.push_back(each + ".i__");
         return fmt::format("Robot(i__) = dbisim((({}{}){}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
@@ -598,7 +598,7 @@ private:
         return text + fmt::format("AllPairs = {}\n", together);
     }
 
-    /// After each tock all robots move; nothing else happens meanwhile.
+    /// After each tock all robots move, and no other event happens in between.
     [[nodiscard]] std::string phases_text() const {
         const std::vector<std::string> channels = phase_channels();
         std::string text = "Still = tock -> Moving(0)";
@@ -715,10 +715,11 @@ std::string title_of(const Swarm& swarm, const SwarmClaim& claim) {
                        swarm.robots == 1 ? "" : "s", where);
 }
 
-/// From every reachable state of the swarm some run leads to a state in which time passes. Then every run can be
-/// extended to one in which time passes infinitely often, so claims about all states are claims about runs that exist
-/// (non-Zeno: Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for real-time systems, 1994). If the
-/// environment decides something, time must not depend on its decision: `waits` states that.
+/// The premise of claims about all states: from every reachable state of the swarm some run leads to a state in which
+/// time passes. Then every run can be extended to a run in which time passes infinitely often, so every state belongs
+/// to a run that is possible in reality (non-Zeno: Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for
+/// real-time systems, 1994). If the environment makes decisions, time must not depend on them, which is the claim
+/// `waits`.
 std::shared_ptr<const Premise> time_can_pass(std::vector<cspm::DeclPtr> waits) {
     const cspm::ExprPtr tock = cspm::build::productions({cspm::build::name("tock")});
     return std::make_shared<const Premise>(

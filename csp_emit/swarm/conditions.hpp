@@ -10,8 +10,8 @@
 
 namespace robochart::csp_emit {
 
-/// An event with the data that a condition depends on. It has a field for each different part of the condition: for
-/// `linked` and `apart` the set of pairs within the distance, for `away` whether robot 0 is away.
+/// An event with the data on which a condition depends. It has a field for each different part of the condition. For
+/// `linked` and `apart` the field is the set of pairs within the distance; for `away` it is whether robot 0 is away.
 class Observation {
 public:
     /// `channel`: the name of the event's channel.
@@ -27,7 +27,8 @@ public:
     [[nodiscard]] std::string seen_by_pair() const;
     /// The event while robot 0, which began at x, y, is at x__, y__.
     [[nodiscard]] std::string seen_on_way(std::int64_t x, std::int64_t y) const;
-    /// Definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events for which the condition holds, and the others.
+    /// Definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events for which the condition holds, and those for
+    /// which it fails.
     [[nodiscard]] std::string define_meaning() const;
 
 private:

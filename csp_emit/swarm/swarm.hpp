@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A swarm as data: copies of one component's semantics, on a grid or where any robots may be near each other, and the
-// claims about them. docs/emergence.md describes the notation; its words are those of scenarios if they have the same
-// meaning (docs/scenarios.md).
+// A swarm as data: copies of one component's semantics, on a grid or in a world where any robots may be near each
+// other, and the claims about them. docs/emergence.md describes the notation. Its words are those of scenarios if they
+// have the same meaning (docs/scenarios.md).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace robochart::csp_emit {
 
 /// A torus of cells: a robot that leaves it on one side enters it on the opposite side.
 struct SwarmGrid {
-    std::uint32_t width = 0;  ///< at least 2, like the height
+    std::uint32_t width = 0;  ///< width and height are at least 2
     std::uint32_t height = 0;
 };
 
@@ -26,7 +26,7 @@ struct SwarmPlace {
     std::optional<std::int64_t> degrees;  ///< no value: any heading
 };
 
-/// What a robot senses.
+/// The quantity that a robot senses.
 enum class SwarmReading {
     count,   ///< the number of other robots in range
     near,    ///< whether another robot is in range
@@ -50,7 +50,7 @@ struct SwarmDrive {
     SwarmMotion motion = SwarmMotion::stop;
 };
 
-/// A line `connect EVENT to EVENT within 1`: messages that a robot sends reach others.
+/// A line `connect EVENT to EVENT within 1`: messages of a robot reach other robots within this distance.
 struct SwarmConnection {
     frontend::Word from;
     frontend::Word to;

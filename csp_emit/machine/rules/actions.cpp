@@ -125,7 +125,8 @@ std::optional<Next> silent_statement(MachineTables& tables, const RunningThread&
     if (about_time && !tables.timed()) return perform_statement(tables, running, values);  // dropped: semantics 3.11
     if (changes && (running.during || !alone)) return std::nullopt;
     if (!is_stable(tables, running.frame(), stmt, alone)) return std::nullopt;
-    // A second conditional after a first one would double the text each time, so it gets its own function.
+    // Every further conditional would double the text, so a second conditional after a first one gets a separate
+    // function.
     const bool again = stmt.kind == StmtKind::if_then_else && branching;
     if (again || !reads_only_names(tables, running.frame(), stmt, values)) return at_point(config, values);
     return perform_statement(tables, running, values);
@@ -234,7 +235,7 @@ Branch receive_event(MachineTables& tables, const RunningThread& running, const 
             next_configuration(running.replace(push_item(store, running.tail())), {{cell, value}})};
 }
 
-/// Writes a variable: `set_x!v` if it is shared, a hidden step otherwise (semantics 3.7).
+/// Writes a variable, by `set_x!v` if the variable is shared, otherwise by a hidden step (semantics 3.7).
 Branch write_variable(MachineTables& tables, const RunningThread& running, CellId id, const ExprPtr& value) {
     const Cell& cell = tables.cells[id];
     Next next = finish_item(running, {{id, value}});

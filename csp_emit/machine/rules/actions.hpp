@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements (semantics 3.5). A statement that nothing can interfere with is executed at once. A statement that reads
-// or writes shared data is a separate step: RoboTool reads all variables of a statement at one moment and keeps the
-// values until the statement's event happens, so the values read are stored in separate cells ("frozen").
+// Rules for statements (semantics 3.5). A statement is executed at once if no other thread or component can interfere
+// with it. A statement that reads or writes shared data is a separate step: RoboTool reads all variables of a statement
+// at one moment and keeps the values until the statement's event happens, so the values read are stored in separate
+// cells ("frozen").
 #pragma once
 
 #include <optional>

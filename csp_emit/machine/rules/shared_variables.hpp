@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The machine's side of shared variables (semantics 3.7). A machine keeps its own copy of every required variable.
-// Others may write the copy at any moment by set_EXT_x, except while a platform operation is being called, while a
-// single event is under a deadline, or after a precondition has failed: RoboTool's processes for these (`opCall ->
-// SKIP`, `EDeadline`, `false & ...`) do not offer share__. The steps before these do offer it: reading their variables,
-// and leaving the nodes that a transition leaves (`share__choice(exit -> SKIP)`, `share__choice(exited -> SKIP)`).
+// Others may write the copy at any moment by set_EXT_x, with three exceptions: during the call of a platform operation,
+// while a single event is under a deadline, and after a precondition has failed. RoboTool's processes for these cases
+// (`opCall -> SKIP`, `EDeadline`, `false & ...`) do not offer share__. RoboTool offers share__ in the steps before
+// them, which read their variables and leave the nodes of a transition (`share__choice(exit -> SKIP)`,
+// `share__choice(exited -> SKIP)`).
 #pragma once
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace robochart::csp_emit {
 /// Whether the call reads variables in a separate step. Others may write until that step (`share__choice(get_v?v ->
 /// ...)`), but not during the call of the operation.
 [[nodiscard]] bool reads_in_turn(const MachineTables&, const RunningThread&, const ir::Stmt&);
-/// Adds the step that leaves `node` if it is observable. `next` is the action that follows; it may be null.
+/// Adds the step that leaves `node`, if this step is observable. `next` is the action that follows; it may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,
                  std::vector<Item>& items);
 /// The branch for the steps `exit` and `exited` of a node. They do not synchronise, but others may write until they

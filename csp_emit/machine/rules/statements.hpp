@@ -33,8 +33,8 @@ namespace robochart::csp_emit {
 
 /// A hidden step of a statement: `step__.n`.
 [[nodiscard]] cspm::ExprPtr hidden_step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
-/// The configuration with this thread blocked. The deadlines around the statement still expire (semantics 3.10: `S
-/// <{d}` is interrupted after d by a process in which time stops, independently of S).
+/// The configuration in which this thread is blocked. The deadlines around the statement still expire (semantics 3.10:
+/// after d, a process in which time stops interrupts `S <{d}`, independently of S).
 [[nodiscard]] Activation block_thread(const RunningThread&);
 
 }  // namespace robochart::csp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// States (semantics 3.3): entering runs the entry action, then the inner initial node, then `entered`, innermost
-// first; `entered` starts the during action and makes the state interruptible.
+// Rules for states (semantics 3.3). The entry of a state runs the entry action, then the inner initial node, then the
+// `entered` events, innermost first. `entered` starts the during action and makes the state interruptible.
 #pragma once
 
 #include "csp_emit/machine/rules/statements.hpp"

@@ -13,7 +13,7 @@ namespace robochart::csp_emit {
 
 /// Whether the thread's next event is hidden or urgent, so that it happens before time passes.
 [[nodiscard]] bool stops_time(const MachineTables&, const RunningThread&, bool alone);
-/// Whether something must happen before time can pass.
+/// Whether some event must happen before time can pass.
 [[nodiscard]] bool is_urgent(const MachineTables&, const View&);
 /// The deadlines of the current transitions: the counter and the transition's guard.
 [[nodiscard]] std::vector<std::pair<CellId, cspm::ExprPtr>> active_monitors(const MachineTables&, const View&,

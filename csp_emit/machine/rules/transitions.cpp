@@ -217,7 +217,7 @@ std::vector<ir::TransitionId> outgoing_transitions(const MachineTables& tables, 
     const ir::Machine& active = *tables.frames[activation.frame].machine;
     const ir::Node& node = active.nodes[activation.at.index];
     result = node.outgoing;
-    // While the active node is an initial node or a junction, nothing around it can be left (semantics 3.3).
+    // While the active node is an initial node or a junction, the enclosing states cannot be left (semantics 3.3).
     const bool transient = node.kind != NodeKind::state && node.kind != NodeKind::final;
     for (NodeId above = node.parent; !transient && above.is_valid(); above = active.nodes[above.index].parent)
         for (const ir::TransitionId id : active.nodes[above.index].outgoing) result.push_back(id);

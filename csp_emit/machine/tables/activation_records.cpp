@@ -23,7 +23,7 @@ std::optional<std::size_t> find_named(const std::vector<Element>& elements, cons
     return static_cast<std::size_t>(found - elements.begin());
 }
 
-/// The text of the caller's element with that name; "-" if the caller has none.
+/// A text for the caller's element with this name; "-" if the caller has none.
 template <class Element, class Meaning>
 std::string bound_to(const std::vector<Element>& elements, const std::string& name, const Meaning& meaning) {
     const auto found = find_named(elements, name);
@@ -118,7 +118,8 @@ void ActivationRecords::add_clocks(Frame& frame, bool root) {
     }
 }
 
-/// Adds a cell for the clock if a guard reads it. `outside`: an event reads it, because it is a clock of the caller.
+/// Adds a cell for the clock if a guard reads it. With `outside`, an event reads the clock, because it belongs to the
+/// caller.
 void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     const ir::Machine& opened = *frame.machine;
     const ir::Clock& clock = opened.clocks[id.index];
@@ -273,7 +274,8 @@ const ir::Stmt* ActivationRecords::reset_statement(std::uint32_t frame, ir::Tran
         found->second.clock = clock;
         found->second.origin = owner.transitions[id.index].origin;
         const auto clocks = static_cast<std::uint32_t>(owner.clocks.size());
-        found->second.point = owner.points + id.index * clocks + clock.index;  // not one of the machine's own
+        // The clock belongs to a called operation.
+        found->second.point = owner.points + id.index * clocks + clock.index;
     }
     return &found->second;
 }

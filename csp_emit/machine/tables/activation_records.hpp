@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For a machine and each called operation, the parameters that hold its variables, clocks and counters. An operation
-// works on its caller's variables, clocks and events of the same name (semantics 3.8).
+// The parameters that hold the variables, clocks and counters of a machine and of each called operation. An operation
+// uses the variables, clocks and events of its caller with the same names (semantics 3.8).
 #pragma once
 
 #include <map>

@@ -10,7 +10,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// For each operation of a context, the operations that it calls and the context defines.
+/// For each operation of a context, the called operations that the context defines.
 using Callees = std::map<const ir::Machine*, std::vector<const ir::Machine*>>;
 
 Callees find_callees(const std::vector<const ir::Machine*>& definitions) {

@@ -22,8 +22,8 @@ struct Continuation {
     std::string name;         ///< name of its function
 };
 
-/// Owns the continuations of shared calls and the values of the stack. A value may need a number, which is known only
-/// after all calls have been collected; until then its node is empty.
+/// Owns the continuations of shared calls and the values of the stack. The number of a call is known only after all
+/// calls have been collected; until then its node is empty.
 class CallSharing {
 public:
     CallSharing(ParameterTable& cells, PointTable& points, FamilyCalls& calls)

@@ -38,7 +38,7 @@ struct Item {
     std::string label;  ///< its place in the model, for names and reports: "entry action of S1"
 };
 
-/// A program: a list that shares its tails.
+/// A program. It is a linked list, and several programs may share the same tail.
 struct Link;
 using Program = std::shared_ptr<const Link>;
 struct Link {
@@ -89,7 +89,7 @@ struct RunningMachine {
 };
 /// A thread within a configuration.
 struct RunningThread {
-    std::shared_ptr<const RunningMachine> machine;  ///< the running machine that it belongs to
+    std::shared_ptr<const RunningMachine> machine;  ///< the running machine to which it belongs
     std::size_t number = 0;                         ///< 0: the control thread; i + 1: the thread of the i-th during
                                                     ///< action
     bool during = false;                            ///< in a during action, or in an operation called from one
@@ -112,7 +112,8 @@ struct View {
 /// `config` must outlive the view.
 [[nodiscard]] View view_of(const Activation& config);
 
-/// The first item of the innermost control thread, which names and describes the configuration; null if there is none.
+/// The first item of the innermost control thread; null if there is none. The configuration is named and described
+/// after it.
 [[nodiscard]] const Item* running_item(const Activation&);
 /// The machine or operation in which the control thread is.
 [[nodiscard]] const Activation& innermost_activation(const Activation&);

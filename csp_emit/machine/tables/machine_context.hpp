@@ -21,11 +21,11 @@ struct MachineContext {
     std::map<std::string, ir::MachineId> definitions;  ///< operations defined in this context
     NameManager names;                                 ///< names that are in use, not available for parameters and
                                                        ///< functions
-    /// A clock whose first reset matters. The machine records whether the clock has been reset. Before the reset it
+    /// A clock whose first reset is observed. The machine records whether the clock has been reset. Before the reset it
     /// offers `unset__` when a guard reads the clock; after the reset it always offers `reset__`.
     std::string watched = {};
-    /// An event whose offers are observed. Before the machine does anything else it performs `inside__` or `outside__`,
-    /// depending on whether it is in `within`, so that priority can find where the event is refused.
+    /// An event whose offers are observed. Before any other step, the machine performs `inside__` if it is in the state
+    /// `within`, and otherwise `outside__`. With these events, priority can detect where the event is refused.
     std::string offered = {};
     std::optional<ir::NodeId> within = {};  ///< a state; no value: everywhere except at the end
 

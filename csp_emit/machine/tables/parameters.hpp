@@ -30,7 +30,8 @@ struct Cell {
     std::string channel;     ///< variable: its name in set_x
     cspm::ExprPtr limit;     ///< clock: its maximal value
     ir::Origin deadline;     ///< deadline, monitor: the element whose deadline it counts down
-    std::string reading;     ///< clock of the caller of an operation on its own: the channel that reads it
+    /// For a clock of the caller, if the operation is checked separately: the channel that reads it.
+    std::string reading;
 };
 
 /// The values of cells; a cell without an entry has the value of its parameter.
@@ -57,7 +58,7 @@ public:
     [[nodiscard]] cspm::ExprPtr parameter_name(CellId) const;
     /// The current value of the cell.
     [[nodiscard]] cspm::ExprPtr current_value(CellId, const Values&) const;
-    /// The values as arguments, each with the name of its parameter.
+    /// Converts the values to arguments, with the names of their parameters.
     [[nodiscard]] Arguments to_arguments(const Values&) const;
 
 private:

@@ -10,8 +10,8 @@ namespace robochart::csp_emit {
 namespace {
 
 constexpr std::size_t max_points = 20'000;
-/// Limit on the arguments of all calls between points. Each is a small separate tree; this number takes about two
-/// gigabytes.
+/// Limit on the arguments of all calls between points. Each argument is a small separate tree; this number of arguments
+/// needs about two gigabytes.
 constexpr std::size_t max_passed = 4'000'000;
 
 }  // namespace

@@ -18,8 +18,9 @@ struct Point {
     bool returns = false;  ///< the end of an operation that several calls share
 };
 
-/// Owns the points, numbered in the order in which they are reached. Their number and the number of arguments passed
-/// between them are limited; exceeding a limit is reported once, and the rest of the script is kept short.
+/// Owns the points, numbered in the order in which they are reached. The number of points and the number of arguments
+/// of calls between them are limited. If a limit is exceeded, this is reported once, and the bodies of further points
+/// are not made.
 class PointTable {
 public:
     PointTable(MachineContext& context, const ActivationRecords& frames) : context_(context), frames_(frames) {}
