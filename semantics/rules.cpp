@@ -28,7 +28,7 @@ const Rule unresolved{
     "RC-S05", Severity::error, "{} does not lead to a declaration",
     "A name that name resolution should have followed was left open, so the element that uses it has no meaning. "
     "Fix the errors reported before this one."};
-// RC-S06 to RC-S08 are retired: name resolution finds the components of assertions (RC-Q01 to RC-Q05).
+// RC-S06 to RC-S08 are no longer used, because name resolution finds the components of assertions (RC-Q01 to RC-Q05).
 const Rule unknown_constant_option{
     "RC-S10", Severity::error, "--const {}: the model has no constant of this name{}",
     "Name a constant by its own name, which sets all constants of that name, or by its path: `--const stm::limit=3`."};

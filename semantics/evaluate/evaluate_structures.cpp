@@ -62,8 +62,9 @@ Value Evaluator::function_call(const Expr& expr) {
     return function_result(system_.functions.at(expr.function.index), arguments, expr);
 }
 
-/// A function without definition always has the default value of its result type: 0, true or the first literal
-/// (semantics 3.13). With postconditions, it has the first value that satisfies them; the default value is tried first.
+/// The value of a function without a definition is always the default value of its result type: 0, true or the first
+/// literal (semantics 3.13). With postconditions, it is the first value that satisfies them; the default value is tried
+/// first.
 Value Evaluator::function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
     const Value constant = default_value(system_, instantiation_, function.result);
     if (function.postconditions.empty()) return constant;

@@ -67,8 +67,8 @@ private:
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
     Value evaluate_access(const Expr& expr);
-    /// The values of the body (or the bound values, if there is no body) for all bound values that satisfy the
-    /// predicate, in order.
+    /// The values of the body for all bound values that satisfy the predicate, in order. Without a body, these bound
+    /// values.
     std::vector<Value> where_satisfied(const Expr& expr);
     static Value only_candidate(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);

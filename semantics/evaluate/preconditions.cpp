@@ -71,7 +71,7 @@ bool Evaluator::is_defined(const Expr& expr) {
            may_be_called(system_.functions.at(expr.function.index), evaluate_operands(expr), expr);
 }
 
-/// The predicate must be defined for all bound values, and the body for those that satisfy the predicate.
+/// Whether the predicate is defined for all bound values, and the body for those that satisfy the predicate.
 bool Evaluator::defined_for_all(const Expr& expr) {
     bool result = true;
     each_binding(expr, 0, [&] { result = result && (!expr.args.at(0) || is_defined(*expr.args[0])); });

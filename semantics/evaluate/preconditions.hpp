@@ -17,8 +17,8 @@ namespace robochart::ir {
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,
                                       const std::vector<Value>& arguments);
 
-/// True if the precondition of this call can be false. The function may be one of the model or of a toolkit, or a
-/// function used as a value, which has a pair for every argument that satisfies the precondition. False if the
+/// True if the precondition of this call can be false. The function may belong to the model or to a toolkit. It may
+/// also be used as a value, which has a pair for every argument that satisfies the precondition. False if the
 /// expression is not a call, or if constants (by ConstantId) and literals alone make the precondition true.
 [[nodiscard]] bool precondition_can_fail(const System&, const Instantiation&, const std::vector<Value>& constants,
                                          const Expr& call);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the toolkit functions. Sets and sequences are represented as in evaluate.hpp: sets ascending, functions and
-// relations as sets of pairs.
+// Computes the values of the toolkit functions. Sets and sequences are represented as in evaluate.hpp: sets are
+// ascending, and functions and relations are sets of pairs.
 #include "semantics/evaluate/toolkit.hpp"
 
 #include <algorithm>

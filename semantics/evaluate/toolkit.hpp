@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of the toolkit libraries: which exist, what they depend on, and their values. The libraries
-// (frontend/toolkits/library) specify them by contract, and csp_emit writes them in CSPM; this is the reference for
-// both.
+// The functions of the toolkit libraries: their names, the types on which they depend, and their values. The libraries
+// (frontend/toolkits/library) specify the functions by contract, and csp_emit writes them in CSPM. This file is the
+// reference for both.
 #pragma once
 
 #include <cstddef>

@@ -57,7 +57,7 @@ void Saturation::read_comparison(const Machine& machine, ClockId clock, const Ex
     }
 }
 
-/// Reads the machine's own comparisons, then those of operations that it calls and that share the caller's clock.
+/// Reads the machine's own comparisons, and then those of called operations that share the machine's clock.
 void Saturation::read_machine(const Machine& machine, ClockId clock) {
     if (!seen_.insert(machine.package + "::" + machine.path).second) return;
     visit_expressions(machine, [&](const Expr& root, ExprRole) {

@@ -187,8 +187,8 @@ const Values& KnownValues::values_of_constant(const std::string& name, int depth
     return constants_[name] = found;
 }
 
-/// All constants of one name are treated as one, because a required constant takes its value from another constant of
-/// this name.
+/// All constants with the same name are treated as one, because a required constant gets its value from another
+/// constant with this name.
 Values KnownValues::values_of(const std::string& name, int depth) const {
     Values values;
     for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);
@@ -225,8 +225,8 @@ public:
         : system_(system), known_(known), result_(result) {}
 
     void look_at(const Expr&, const Machine*);
-    /// If two variables are compared by order, their type must contain a number beyond each value that one of them may
-    /// have.
+    /// If two variables are compared by order, their type must contain a greater and a smaller number for each value
+    /// that one of them may have.
     void add_extremes(const Literals&);
     void add_between(const Literals&);
 
@@ -265,7 +265,7 @@ void Comparisons::look_at(const Expr& expr, const Machine* machine) {
     record_comparison(right, left, machine, ordered);
 }
 
-/// Records the values that `with` can have, if they are known and the subject can change.
+/// Records the possible values of `with`, if they are known and the subject can change.
 void Comparisons::record_comparison(const Expr& subject, const Expr& with, const Machine* machine, bool ordered) {
     const bool changes = known_.is_length(subject) || !known_.find_values(subject, machine);
     if (!changes) return;

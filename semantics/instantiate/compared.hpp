@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that values of a type are compared with (private to this component). RoboTool's carriers end at the
-// greatest literal. Here a carrier also contains, on both sides, one number beyond each number that values of the type
-// are compared with. Carriers of reals contain one number between each two neighbours. So every comparison is true for
-// some values and false for others. This does not apply if an option or a block Instantiations gives the carrier.
+// Collects the numbers with which values of a type are compared. Private to this component. RoboTool's carriers end at
+// the greatest literal. In this project a carrier also contains one number below and one above each number with which
+// values of the type are compared. Carriers of reals contain one number between each two neighbours. So every
+// comparison is true for some values and false for others. This does not apply if an option or a block Instantiations
+// gives the carrier.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +23,9 @@ struct Compared {
     std::vector<Decimal> between;  ///< one number between each two neighbours that reals are compared with by order
 };
 
-/// Collects the numbers from comparisons in guards, conditions and contracts. A constant counts with each value that
-/// the model, an option, an assertion or a csp block gives to a constant of its name. `chosen`: the values given by
-/// options, by the names in scripts. `longest`: the length of the longest sequences.
+/// Collects the numbers from comparisons in guards, conditions and contracts. A constant in a comparison stands for
+/// every value that the model, an option, an assertion or a CSP block gives to a constant with its name. `chosen`
+/// contains the values of options, by the names in scripts. `longest` is the length of the longest sequences.
 [[nodiscard]] Compared compared_values(const System&, const std::map<std::string, ExprPtr>& chosen, const Literals&,
                                        std::int64_t longest);
 

@@ -9,9 +9,9 @@
 
 namespace robochart::ir {
 
-/// Values of constants as in InstantiationOptions: "NAME", "P::S::NAME" or an end of it, such as "S::NAME", ->
-/// RoboChart literal. A name refers to every constant whose path equals it or ends with it. Two names of one source
-/// must not refer to the same constant (RC-S24).
+/// Values of constants as in InstantiationOptions. The key is "NAME", a path "P::S::NAME" or the end of a path such as
+/// "S::NAME"; the value is a RoboChart literal. A name refers to every constant whose path equals it or ends with it.
+/// Two names of one source must not refer to the same constant (RC-S24).
 using GivenConstants = std::map<std::string, std::string>;
 
 /// The names of `weaker` that `stronger` does not override; different spellings of a name are recognised. If `stronger`

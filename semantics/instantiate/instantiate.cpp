@@ -55,7 +55,8 @@ void include_value(Range& range, const Decimal& decimal) {
         range.high = std::max(range.high, round_to_whole(decimal, false));
 }
 
-/// Sizes that count from 0: lengths of sequences, times of clocks, elements of given types.
+/// Whether the name is that of a size, which starts at 0: lengths of sequences, times of clocks, elements of given
+/// types.
 bool is_size(const std::string& name) {
     return name == "Seq" || name == "clock" || name == "given";
 }
@@ -109,8 +110,8 @@ void widen_by_literals(const Literals& literals, Ranges& ranges, Diagnostics& di
             report_outside(real, Ranges::names[2], to_string(literal), {}, diagnostics);
 }
 
-/// If no option chose a range, extends it beyond the numbers that values are compared with. The range stays within the
-/// chosen ranges of wider types.
+/// If no option sets the range of a type, extends the range beyond the numbers with which values are compared. The
+/// range stays within the ranges that options set for wider types.
 void reach_beyond(const Compared& compared, Ranges& ranges) {
     const std::array<const std::set<std::int64_t>*, 3> numbers{&compared.nat, &compared.integer, &compared.real};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -193,7 +194,7 @@ std::vector<std::int64_t> real_numbers(const Range& range, const Literals& liter
     return {units.begin(), units.end()};
 }
 
-/// The value at which all clocks of the model may saturate without changing a comparison.
+/// The value at which all clocks of the model can saturate without a change of any comparison.
 std::int64_t clock_need(const System& system, const Instantiation& instantiation) {
     std::int64_t result = 0;
     for (const auto& machine : system.machines)

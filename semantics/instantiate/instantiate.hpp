@@ -24,8 +24,8 @@
 
 namespace robochart::ir {
 
-/// Applies RoboTool's defaults, widens them by the model's literals and constants, then applies the user's options. Bad
-/// options (unknown constant, empty range) are reported.
+/// Applies RoboTool's defaults, widens them by the model's literals and constants, and then applies the user's options.
+/// Invalid options (unknown constant, empty range) are reported.
 [[nodiscard]] Instantiation instantiate_system(const System&, const InstantiationOptions&, diagnostics::Diagnostics&);
 
 /// True if an option's name for a constant, "NAME" or the end of "P::S::NAME", refers to a constant of the system.
@@ -35,13 +35,13 @@ namespace robochart::ir {
 /// constant.
 [[nodiscard]] std::optional<Value> evaluate_constant(const System&, const Instantiation&, const Machine*, const Expr&);
 /// The values of a machine's constants by ConstantId. `part` names the machine in a controller of a module (see
-/// constant_source in query.hpp); null: the machine on its own. Constants of functions without definition have the
-/// default of their type.
+/// constant_source in query.hpp); if it is null, the machine is not in a controller. Constants of functions without
+/// definition have the default of their type.
 [[nodiscard]] std::vector<Value> constant_values(const System&, const Instantiation&, const Module*, const Controller*,
                                                  const std::string& part, const Machine&);
-/// The largest whole number that a clock is compared with, plus 1. Comparisons of the machine count, and those of
-/// operations that it may call and that share the clock. The clock may saturate at this value without changing any
-/// comparison. An expression that is not constant counts with the greatest value of its type.
+/// The largest whole number that a clock is compared with, plus 1. This includes comparisons of operations that the
+/// machine may call and that share the clock. The clock may saturate at this value without changing any comparison. An
+/// expression that is not constant counts with the greatest value of its type.
 [[nodiscard]] std::int64_t clock_saturation(const System&, const Instantiation&, const Machine&, ClockId);
 
 }  // namespace robochart::ir

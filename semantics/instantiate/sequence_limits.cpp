@@ -57,8 +57,8 @@ private:
         }
         return result;
     }
-    /// Lengths are between 0 and the longest. Computes the length that is needed so that the comparison can be true and
-    /// can be false.
+    /// Records the length of sequences that is necessary so that a comparison of a length can be both true and false.
+    /// Lengths are at least 0 and at most that of the longest sequence.
     void read_comparison(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||
                            expr.kind == (length_first ? ExprKind::less_equal : ExprKind::greater_equal);

@@ -23,7 +23,7 @@ struct SequenceLimit {
                               ///< window
 };
 
-/// The limits in the order of the model. Only literals are considered; computed numbers are not known here.
+/// The limits in the order of the model. Only literals are considered, because computed numbers are unknown.
 [[nodiscard]] std::vector<SequenceLimit> sequence_limits(const System&, const Instantiation&);
 
 }  // namespace robochart::ir

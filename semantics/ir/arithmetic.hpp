@@ -13,8 +13,8 @@ namespace robochart::ir {
 /// 10^exponent.
 [[nodiscard]] std::optional<std::int64_t> power_of_ten(std::uint32_t exponent);
 /// CSPM's `/`: the quotient rounded down (towards minus infinity). The FDR2 manual (appendix A.1.2) requires m =
-/// n*(m/n) + m%n, |m%n| < |n|, and m%n >= 0 for n > 0, which means rounding down. For n < 0 it leaves the choice open;
-/// this also rounds down. No value if the divisor is 0 or the quotient does not fit.
+/// n*(m/n) + m%n, |m%n| < |n|, and m%n >= 0 for n > 0, which means rounding down. For n < 0 it does not define the
+/// result; this function also rounds down. No value if the divisor is 0 or the quotient does not fit.
 [[nodiscard]] std::optional<std::int64_t> floor_divide(std::int64_t, std::int64_t);
 /// CSPM's `%`: the remainder of floor_divide, which has the divisor's sign. No value if the divisor is 0.
 [[nodiscard]] std::optional<std::int64_t> floor_modulus(std::int64_t, std::int64_t);

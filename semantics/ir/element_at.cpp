@@ -9,7 +9,7 @@ bool lies_inside(diagnostics::Span inner, diagnostics::Span outer) {
     return outer.is_known() && inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-/// Keeps the smallest element that contains a place.
+/// Finds the smallest element that contains a place.
 class Smallest {
 public:
     explicit Smallest(diagnostics::Span place) : place_(place) {}

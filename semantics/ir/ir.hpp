@@ -241,8 +241,9 @@ struct Variable {
 struct Constant {
     std::string name;
     TypeId type;
-    ExprPtr value;          ///< null: taken from the instantiation
-    bool required = false;  ///< declared by a required interface; takes its provider's value (semantics/ir/query.hpp)
+    ExprPtr value;  ///< null: taken from the instantiation
+    /// Declared by a required interface; its value is that of the provider (semantics/ir/query.hpp).
+    bool required = false;
     std::string interface;
     Origin origin;
 };
@@ -303,8 +304,9 @@ struct Transition {
     NodeId source, target;
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
-    ExprPtr guard;             ///< null: true. `condition else` is already the negation of the other conditions
-    bool guard_timed = false;  ///< mentions since/sinceEntry: the untimed semantics takes unknown parts as true
+    ExprPtr guard;  ///< null: true. `condition else` is already the negation of the other conditions
+    /// The guard contains since or sinceEntry; the untimed semantics takes these parts as true.
+    bool guard_timed = false;
     ExprPtr deadline;
     ExprPtr probability;
     StmtPtr action;  ///< null if none
@@ -314,12 +316,12 @@ struct Transition {
 /// A defined operation is a machine, too.
 enum class MachineKind { state_machine, operation };
 
-/// A state machine or a defined operation, independent of where it is contained or called.
+/// A state machine or a defined operation, independent of the places that contain or call it.
 struct Machine {
     MachineKind kind = MachineKind::state_machine;
     std::string name;
-    std::string package;              ///< "" if unnamed
-    std::string path;                 ///< names from the outside to it: "S", inline ones "C::S", "M::C::S"
+    std::string package;  ///< "" if unnamed
+    std::string path;     ///< path from the outside: "S"; if it is declared inside a controller, "C::S" or "M::C::S"
     std::vector<Variable> variables;  ///< operations: parameters first
     std::vector<Constant> constants;
     std::vector<Event> events;
@@ -368,7 +370,7 @@ struct Connection {
 struct Controller {
     std::string name;
     std::string package;
-    std::string path;                 ///< names from the outside to it: "C", inside a module "M::C"
+    std::string path;                 ///< path from the outside: "C"; if it is declared inside a module, "M::C"
     std::vector<Variable> variables;  ///< own variables (scope local) and required ones
     std::vector<Constant> constants;
     std::vector<Event> events;
@@ -411,9 +413,9 @@ struct Module {
     Origin origin;
 };
 
-/// A function that the model uses, specified only by contract. `parameter_names` are bound names in the conditions; so
-/// is `result` in the postconditions. Postconditions define the result: the default value of the result type if it
-/// satisfies them, otherwise the least value of its carrier that does (rule RC-S20).
+/// A function that the model uses and specifies only by contract. `parameter_names` are bound in the conditions, and
+/// `result` is bound in the postconditions. Postconditions define the result: the default value of the result type if
+/// it satisfies them, otherwise the least value of its carrier that does (rule RC-S20).
 struct Function {
     std::string name;
     std::string package;

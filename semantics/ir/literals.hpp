@@ -13,8 +13,8 @@
 namespace robochart::ir {
 
 /// Number literals by the type that they are used with. Literals that are only a wait duration, a deadline or an
-/// operand of a comparison with since() are numbers of time units and not values of variables: they count only for the
-/// scale. Numbers that only select an element or field do not count.
+/// operand of a comparison with since() are numbers of time units and not values of variables, so they are used only
+/// for the scale. Numbers that only select an element or field do not count.
 struct Literals {
     std::set<std::int64_t> nat, integer;
     std::vector<Decimal> real;                         ///< values
@@ -26,8 +26,8 @@ struct Literals {
 
 [[nodiscard]] Literals literals_of(const System&);
 /// The names of constants that are used only as a whole duration or in a comparison with since(), and at least once.
-/// Their values are numbers of time units, too. All constants of one name are treated as one, because a required
-/// constant takes its value from another constant of this name.
+/// Their values are numbers of time units, too. All constants with the same name are treated as one, because a required
+/// constant gets its value from another constant with this name.
 [[nodiscard]] std::set<std::string> constants_of_durations(const System&);
 /// Adds the literals of one expression; `time`: the whole expression is a duration.
 void add_literals(const System&, const Expr&, bool time, Literals&);

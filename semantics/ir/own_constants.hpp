@@ -10,8 +10,8 @@
 namespace robochart::ir {
 
 /// Maps each constant of a controller's component that is not provided (`const_P_C_ref_c`) to the machine's own
-/// constant (`const_P_S_c`). If no option gives it another value, it has the value of that constant: RoboTool binds the
-/// two in every assertion about a controller or a module.
+/// constant (`const_P_S_c`). Unless an option gives it another value, the controller's constant has the value of the
+/// machine's own constant, because RoboTool binds the two in every assertion about a controller or a module.
 [[nodiscard]] std::map<std::string, std::string> own_constants(const System&);
 
 }  // namespace robochart::ir

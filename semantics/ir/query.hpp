@@ -13,8 +13,8 @@ namespace robochart::ir {
 /// `package::path`, or only the path if the package has no name.
 [[nodiscard]] std::string qualified_name(const ComponentRef&);
 
-/// The definition that a call of this operation runs inside a controller: same name, same parameter types (semantics
-/// 3.8). Invalid: the call leaves the controller.
+/// The definition that a call of this operation runs inside a controller. It has the same name and the same parameter
+/// types (semantics 3.8). Invalid if the call leaves the controller.
 [[nodiscard]] MachineId definition_in(const System&, const Controller&, const OperationSignature&);
 
 /// The operations that a machine's own statements call, ascending, without duplicates.
@@ -33,11 +33,12 @@ namespace robochart::ir {
 /// MachineInstance, or of its entry in Controller::definition_names):
 /// * A required constant of an operation (semantics 3.7: process parameters, not memory) is the constant of that name
 ///   of the machine or operation that calls it.
-/// * Any other required constant is the controller's of that name. If the controller requires it, too, and runs in a
-///   module, it is the platform's.
-/// * All other constants, and required ones that are not provided, are the component's own: `const_P_C_part_c`.
-/// If `controller` is null, the machine is on its own: `const_P_S_c`. If `module` is null, the controller is on its
-/// own.
+/// * Any other required constant is the controller's constant with this name. If the controller requires it too and
+/// runs
+///   in a module, it is the platform's constant.
+/// * All other constants, and required ones that are not provided, are the component's own: `const_P_C_part_c`. If
+///   `controller` is null, the machine is not in a controller: `const_P_S_c`. If `module` is null, the controller is
+///   not in a module.
 struct ConstantSource {
     std::string name;                    ///< as in Instantiation::constants
     const Constant* constant = nullptr;  ///< the declaration whose `value` is used if the instantiation has none

@@ -6,8 +6,9 @@
 namespace robochart::ir {
 namespace {
 
-/// Bounds of a part without time. `upper` is true whenever the part is true for some values of the clocks; `lower` is
-/// true only when it is true for all of them. Null means true for `upper` and false for `lower`.
+/// Bounds of a part of a condition, without time. `upper` is true if the part is true for some values of the clocks.
+/// `lower` is true only if the part is true for all values of the clocks. Null means true for `upper` and false for
+/// `lower`.
 struct Bounds {
     ExprPtr upper, lower;
 };

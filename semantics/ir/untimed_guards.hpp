@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions without time: how the untimed semantics reads a condition that reads clocks.
+// Converts conditions that read clocks to conditions of the untimed semantics.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct UntimedGuard {
     std::vector<ExprPtr> left_open;  ///< the parts that read clocks, as written
 };
 
-/// Operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock are kept. Any other part that reads a clock may be
-/// true and may be false. So every transition that can fire at some time can fire without time.
+/// Operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock are kept. Any other part that reads a clock is taken
+/// as possibly true and possibly false. So every transition that can fire at some time can fire without time.
 [[nodiscard]] UntimedGuard untimed_guard(const ExprPtr& condition);
 
 }  // namespace robochart::ir

@@ -13,7 +13,8 @@ namespace {
 
 namespace ast = frontend;
 
-/// A component in its context: the declaration that connections name, and the definition that it refers to.
+/// A component in its context: the declaration that connections name, and the definition to which this declaration
+/// refers.
 struct Part {
     const ast::Declaration* place;
     const ast::Declaration* definition;  ///< null: unresolved reference
@@ -61,7 +62,8 @@ void mark_event(std::vector<Event>& events, const std::string& name, bool input,
     }
 }
 
-/// A connection that starts at the controller or platform brings the event in; one that ends there takes it out.
+/// Marks the directions of events. A connection that starts at the controller or platform makes the event an input of
+/// the component; a connection that ends there makes it an output.
 void mark_uses(std::vector<Event>& events, const std::vector<Connection>& connections) {
     for (const auto& connection : connections) {
         if (connection.from.kind == EndKind::self) mark_event(events, connection.from.event, true, connection.multiple);

@@ -157,8 +157,8 @@ void Collector::initial_values() {
                 lower_expression(lowering_, result_.names, *value, result_.variables[i].type);
 }
 
-/// Members are identified by their names, so duplicates are reported. The own variables of a machine are excepted,
-/// because only the machine has them.
+/// Members are identified by their names, so duplicates are reported. Variables that the machine itself declares are
+/// excepted, because no other component refers to them.
 template <class Item>
 void Collector::check_names(const std::vector<Item>& items, const std::string& kind) {
     std::map<std::string, diagnostics::Span> named;

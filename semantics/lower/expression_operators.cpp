@@ -95,7 +95,7 @@ ExprPtr Expressions::lower_binary(const ast::Expr& source, TypeId expected) {
                  lower_operand(source, 1, concat ? expected : TypeId{})};
     if (concat && expected.is_valid()) expr.type = expected;
     if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) {
-        // If the type of one side is open, as with `id()`, the other side determines it.
+        // If the type of one side is open, as that of `id()`, the other side determines the type.
         for (std::size_t i = 0; i < 2; ++i) {
             const TypeId other = expr.args[1 - i]->type;
             if (is_open(lowering_.system, expr.args[i]->type) && !is_open(lowering_.system, other))

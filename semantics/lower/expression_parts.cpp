@@ -52,8 +52,7 @@ ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
     return share_expression(std::move(result));
 }
 
-/// The types of the parts of a value: of the components of a tuple, of the elements of a collection, of the pairs of a
-/// function.
+/// The types of the parts of a value: components of a tuple, elements of a collection, or pairs of a function.
 std::vector<TypeId> part_types(const System& system, TypeId id) {
     const Type& type = system.type(id);
     if (type.kind == TypeKind::set) {

@@ -16,7 +16,7 @@ bool contains_variable(const frontend::TypePtr& type) {
     return type->form == frontend::TypeForm::variable || std::ranges::any_of(type->args, contains_variable);
 }
 
-/// True if typing has rejected the contract (RC-T36); the function then has none.
+/// True if typing has rejected the contract (RC-T36). The function then has no contract.
 bool contract_is_wrong(const frontend::Function& source) {
     const auto wrong = [](const auto& condition) { return !condition->type; };
     return std::ranges::any_of(source.preconditions, wrong) || std::ranges::any_of(source.postconditions, wrong);
@@ -124,7 +124,8 @@ FunctionId lower_function(Lowering& lowering, const frontend::Function& source, 
     return id;
 }
 
-/// One instance per choice of types: the first keeps the name, the others get a number after it.
+/// The instance of a generic function for these types. The first instance has the name of the function; the others get
+/// a number after it.
 FunctionId lower_instance(Lowering& lowering, const frontend::Function& source, const std::vector<TypeId>& parameters,
                           TypeId result, std::map<std::string, TypeId> variables, diagnostics::Span where) {
     constexpr std::size_t most = 64;  // a contract may call the function for larger and larger types

@@ -10,7 +10,7 @@
 namespace robochart::ir {
 
 /// Lowers a model that was resolved without errors. A construct that the IR cannot represent is reported by name (rule
-/// table semantics/rules.hpp) and left out. The sources provide paths and the wording of assertions.
+/// table semantics/rules.hpp) and omitted. The sources provide paths and the wording of assertions.
 [[nodiscard]] System lower(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::ir

@@ -58,7 +58,7 @@ PropertyModel model_of(const std::optional<ast::AssertionModel>& model) {
     return PropertyModel::failures_divergences;
 }
 
-/// The assertion as written. Its span may start after the word that says in which semantics it is decided.
+/// The assertion as written. Its span may start after the word `timed` or `untimed`.
 std::string wording_of(const diagnostics::SourceManager& sources, const ast::Assertion& source) {
     const auto text = sources.source_text(source.span.source);
     const std::string line =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of the toolkit libraries. The types of the function's type variables follow from the arguments and, if these
-// leave them open, from the expected type.
+// Calls of the toolkit libraries. The types of the function's type variables follow from the arguments or, if the
+// arguments do not determine them, from the expected type.
 #include <algorithm>
 #include <map>
 

@@ -20,8 +20,8 @@ void intern_core_types(Lowering&);
 [[nodiscard]] bool is_set_like(TypeKind);
 /// True if a part of the type is unknown, such as the element type of `{}`.
 [[nodiscard]] bool is_open(const System&, TypeId);
-/// The type in which values of both types are compared: the wider numbers, the known element types, a sequence as a set
-/// of pairs.
+/// The type in which values of both types are compared. It has the wider number type and the known element types, and a
+/// sequence is compared as a set of pairs.
 [[nodiscard]] TypeId common_type(Lowering&, TypeId, TypeId);
 
 }  // namespace robochart::ir
