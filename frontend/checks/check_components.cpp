@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about what components and interfaces may contain (language reference 2: STM1 to M, DT).
+// Rules about the permitted contents of components and interfaces (language reference 2: STM1 to M, DT).
 #include <fmt/format.h>
 
 #include "frontend/checks/checks.hpp"

@@ -84,8 +84,8 @@ void check_machine_end(TrafficReader& reader, const Connection& connection, cons
                {end.event.text(), end.node.text(), machine->name, found->second});
 }
 
-/// Connections inside a controller with one of the controller's own events: those that end at the event, those that
-/// begin at it, and bidirectional ones.
+/// The connections inside a controller with one of the controller's own events: whether some end at the event, begin at
+/// it, or are bidirectional.
 struct Inside {
     const Connection* from = nullptr;
     const Connection* to = nullptr;

@@ -90,7 +90,7 @@ private:
     const Names& names_;
     Diagnostics& out_;
     std::map<const Context*, std::set<std::string>> unknown_;  ///< for lookup only; the order of pointers is never used
-    std::set<std::pair<const Context*, const Context*>> reported_;  ///< for lookup only, as above
+    std::set<std::pair<const Context*, const Context*>> reported_;  ///< for lookup only; the order is never used
 };
 
 }  // namespace

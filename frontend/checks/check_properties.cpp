@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The form of a probabilistic property: a condition or a query. A number is not allowed, nor is a path formula without
-// a quantifier.
+// The form of a probabilistic property: a condition or a query. A number or a path formula without a quantifier is an
+// error.
 #include "frontend/checks/checks.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/lexer.hpp"

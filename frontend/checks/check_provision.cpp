@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about what components require and their context provides (language reference 2: C3, C4, M2, STM8 to STM10).
-// Variables match by name and compatible type.
+// Rules about the elements that components require and their contexts provide (language reference 2: C3, C4, M2, STM8
+// to STM10). Variables match by name and compatible type.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -152,7 +152,7 @@ struct Caller {
         return surroundings.offer.definitions.find_first(name);
     }
 
-    /// Adds a note with the reference that brings the machine here, if the machine is defined elsewhere.
+    /// If the machine is defined elsewhere, adds a note at the reference to it.
     void add_context(diagnostics::Diagnostic& finding) const {
         if (part.kind == DeclKind::reference)
             finding.notes.push_back(
@@ -168,7 +168,7 @@ bool event_fits(const Event& inner, const Event& outer) {
     return (outer.type_expr != nullptr) == typed && (!typed || is_compatible(inner.type, outer.type));
 }
 
-/// The members that an operation takes from its caller and that the caller does not have.
+/// The members that an operation requires from its caller and that the caller does not have.
 struct Lack {
     Missing variables;
     std::vector<const Event*> events;
@@ -218,8 +218,8 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     }
 }
 
-/// Checks an operation that is required but never called, like one that is called. A mistake is less severe here,
-/// because the operation is not used yet.
+/// Checks an operation that is required but never called. The check is that of a called operation, but a mistake is
+/// less severe, because the operation is not used yet.
 void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
                     Diagnostics& out) {
     const Lack lack = lack_of(caller, operation);
@@ -278,7 +278,7 @@ void check_operation(const Caller& caller, bool first, Diagnostics& out) {
 }
 
 void check_controller_provision(const Component& controller, Diagnostics& out) {
-    if (has_unknown_interface(controller)) return;  // its offers are unknown
+    if (has_unknown_interface(controller)) return;  // the offers of the controller are unknown
     const Surroundings surroundings(controller);
     std::set<const Machine*> seen;  // a machine has the same calls for every reference to it
     for (const Declaration* part : controller.order) {

@@ -24,7 +24,7 @@ void check_provision(const Component& component, Diagnostics& out);
 /// Checks rules Cn2 to Cn11 (without Cn10), C6 and M3: connections of a controller or module.
 void check_connections(const Component& component, Diagnostics& out);
 /// Checks rule Cn10: the component at a connection end has the event. A component that lacks a whole interface is
-/// reported once, and not at all if its own uses of the events have been reported.
+/// reported once. It is not reported if its own uses of the events have already been reported.
 void check_ends(const Model& model, const Names& names, Diagnostics& out);
 /// Checks rules Cn5 to Cn9: the direction of a connection agrees with what machines send and receive, and with what
 /// controllers pass on.

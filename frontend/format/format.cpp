@@ -24,7 +24,8 @@ struct Words {
     }
 };
 
-/// The tokens of a text. Mistakes are ignored: the text is known to have none, or they do not matter here.
+/// The tokens of a text. Syntax errors are ignored, because the text has been parsed before or because errors do not
+/// change the result.
 TokenStream words_of(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions) {
     diagnostics::Diagnostics ignored;
     return tokenize(sources, source, is_assertions, ignored);
@@ -97,7 +98,7 @@ bool same_tokens(const Words& words, const std::string& other, bool is_assertion
     return same_tokens(words, {sources.source_text(source), stream});
 }
 
-/// The spans of the parts of an assertion file that are kept as text; no value if there are syntax errors.
+/// The spans of the parts of an assertion file that are copied as text; no value if there are syntax errors.
 std::optional<std::vector<diagnostics::Span>> kept_parts(const diagnostics::SourceManager& sources,
                                                          diagnostics::SourceId source, bool is_assertions,
                                                          diagnostics::Diagnostics& out) {

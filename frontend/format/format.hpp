@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change. Tokens,
-// comments, CSP blocks and parts of other tools stay as they are.
+// comments, CSP blocks and parts for other tools are not changed.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertion files: one assertion a line. CSP blocks and parts of other tools are kept unchanged.
+// Formats assertion files, with one assertion per line. CSP blocks and parts for other tools are copied unchanged.
 #include "frontend/format/format_assertions.hpp"
 
 namespace robochart::frontend {
@@ -14,7 +14,7 @@ Doc AssertionLayout::format_member(Gap gap) {
     return at_probabilistic_part() ? probabilistic_part(gap) : format_token(gap);
 }
 
-/// A part of another tool, up to the last token that the parser assigned to it.
+/// A part for another tool, up to the last token that the parser assigned to it.
 Doc AssertionLayout::format_kept_part(Gap gap) {
     const Doc before = this->format_gap(gap);
     const diagnostics::Span span = kept_[kept_at_++];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of assertion files: one assertion a line. CSP blocks and parts of other tools are kept unchanged (private
-// to the formatter).
+// The layout of assertion files, with one assertion per line. CSP blocks and parts for other tools are copied
+// unchanged. Private to the formatter.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,7 @@ namespace robochart::frontend {
 /// Holds the spans of the parts of other tools that have not been written yet.
 class AssertionLayout final : public ExpressionLayout {
 public:
-    /// `kept`: the spans of the parts of other tools, in textual order.
+    /// `kept` contains the spans of the parts for other tools, in textual order.
     AssertionLayout(std::string_view text, const TokenStream& stream, std::vector<diagnostics::Span> kept)
         : ExpressionLayout(text, stream, true), kept_(std::move(kept)) {}
 
@@ -49,7 +49,7 @@ private:
     Doc format_updates(Gap gap);
 
     std::vector<diagnostics::Span> kept_;
-    std::size_t kept_at_ = 0;  ///< the next part of another tool
+    std::size_t kept_at_ = 0;  ///< index of the next part for another tool
 };
 
 }  // namespace robochart::frontend

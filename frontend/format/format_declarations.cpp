@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files, declarations, components and types: one declaration a line; bodies in braces are indented by one tab.
+// Formats files, declarations, components and types, with one declaration per line. Bodies in braces are indented by
+// one tab.
 #include <algorithm>
 #include <array>
 

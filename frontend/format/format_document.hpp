@@ -32,7 +32,7 @@ public:
     Doc plain_text(std::string_view text);
     /// A comment: written as a text, but the text before it does not reserve columns for it.
     Doc comment_text(std::string_view text);
-    /// `// …`: a group that contains it never fits on one line.
+    /// A line comment `// …`. A group that contains it never fits on one line.
     Doc line_comment(std::string_view text);
     [[nodiscard]] Doc blank() const { return blank_; }
     [[nodiscard]] Doc line() const { return line_; }              ///< a blank or a line end

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions. One that is too long breaks before its weakest operators first, then inside its operands.
+// Formats expressions. A long expression breaks first before its weakest operators, and then inside its operands.
 
 #include "frontend/format/format_expressions.hpp"
 #include "frontend/syntax/operators.hpp"
@@ -10,7 +10,8 @@ Doc ExpressionLayout::format_expression(Gap gap) {
     return format_operand(gap, 0);
 }
 
-/// The level of the operator here, including `as` and `is`, whose right side is a type; -1 if there is no operator.
+/// The level of the operator at the current token, including `as` and `is`, whose right side is a type; -1 if there is
+/// no operator.
 int ExpressionLayout::operator_level() const {
     if (probabilistic_ && at_word("Until")) return not_level;
     if (at("as") || at("is")) return cast_level;
@@ -196,7 +197,7 @@ Doc ExpressionLayout::atomic_type(Gap gap) {
     return doc_.cat(word, format_list(Gap::none, &ExpressionLayout::type_or_size));
 }
 
-/// An argument of `vector` or `matrix`: the first is a type, the others are sizes.
+/// An argument of `vector` or `matrix`. The first argument is a type; the others are sizes.
 Doc ExpressionLayout::type_or_size(Gap gap) {
     return gap == Gap::soft ? format_type(gap) : format_expression(gap);
 }

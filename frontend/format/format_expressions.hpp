@@ -18,15 +18,15 @@ protected:
         : WordLayout(text, stream), is_assertions_(is_assertions) {}
     ~ExpressionLayout() = default;
 
-    static constexpr int value_level = concat_level + 2;  ///< after `!` and `.`: tighter than every operator, so none
-                                                          ///< is read
+    /// After `!` and `.`: above the levels of all operators, so no operator is read.
+    static constexpr int value_level = concat_level + 2;
     Doc format_expression(Gap gap);
     /// Operators that bind at least as tightly as `level`, and their operands.
     Doc format_operand(Gap gap, int level);
     /// `if c then a else b end`, as a statement or an expression.
     Doc format_conditional(Gap gap, Part branch);
 
-    /// A bracketed list separated by `,` or `;`: on one line, or one element a line.
+    /// A bracketed list separated by `,` or `;`. It is on one line, or has one element per line.
     Doc format_list(Gap gap, Part element);
     /// `a : T`
     Doc format_typed(Gap gap);
@@ -34,7 +34,7 @@ protected:
     /// `(p : @x = e)`
     Doc format_update(Gap gap);
 
-    bool probabilistic_ = false;  ///< in a probabilistic assertion, where expressions have more forms
+    bool probabilistic_ = false;  ///< true in a probabilistic assertion, in which expressions have more forms
 
 private:
     Doc format_prefix(int level);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // See format_gaps.hpp. Writes the text between two tokens: a gap, and the comments in it. A comment after a token stays
-// on the token's line. A comment that begins a line still begins a line, indented as the next token.
+// on the token's line. A comment at the beginning of a line is again at the beginning of a line, indented as the next
+// token.
 #include <algorithm>
 #include <array>
 
@@ -134,7 +135,8 @@ Doc WordLayout::closing_comments() {
 
 // ---------------------------------------------------------------- the text of a comment
 
-/// A further line of a block comment: indented with its first line if `moved`, otherwise unchanged.
+/// A line of a block comment after its first line. If `moved` is true, it is indented with the first line; otherwise it
+/// is unchanged.
 Doc WordLayout::comment_line(std::string_view line, std::size_t margin, bool moved) {
     if (!moved) return doc_.cat(doc_.raw(), doc_.comment_text(line));
     line.remove_prefix(std::min(line.size(), margin));

@@ -25,7 +25,7 @@ enum class Gap : std::uint8_t {
     line,    ///< a blank, or a line end if the group breaks
     open,    ///< a blank, or a line end if the group breaks; after an opening brace
     first,   ///< a line end after an opening brace
-    member,  ///< a line end; an empty line is kept
+    member,  ///< a line end; an empty line in the source is preserved
     block,   ///< a line end and an empty line
     start,   ///< the beginning of the text
 };
@@ -58,12 +58,12 @@ protected:
     /// `import P::*`
     Doc format_import(Gap gap);
     Doc format_gap(Gap gap);
-    /// The comments before a closing brace or the end of the text, indented as the body that ends there.
+    /// The comments before a closing brace or the end of the text, with the indentation of the body that ends there.
     Doc closing_comments();
 
     Doc cat(Doc a, Doc b) { return doc_.cat(a, b); }
     Doc cat(std::initializer_list<Doc> docs) { return doc_.cat(docs); }
-    /// A group with its gap in front.
+    /// A group that is preceded by a gap.
     Doc group(Doc gap, Doc inner) { return doc_.cat(gap, doc_.group(inner)); }
 
     Document doc_;

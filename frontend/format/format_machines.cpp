@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// States, actions, transitions. A short body is written on the line of its head; a longer body has one part on each
-// line.
+// Formats states, actions and transitions. A short body is written on the line of its head; a longer body has one part
+// per line.
 #include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {
 
-/// `state S { entry e }`; a state with several parts has one a line.
+/// `state S { entry e }`; if a state has several parts, it has one part per line.
 Doc ModelLayout::format_state(Gap gap) {
     const Doc before = this->format_gap(gap);
     const Doc head = format_words(Gap::done, 2);
@@ -31,7 +31,7 @@ Doc ModelLayout::format_transition(Gap gap) {
     return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
 }
 
-/// The whole transition: `from A to B`, then one clause a line. Resets and a deadline stay on the line of the clause
+/// A transition: `from A to B`, and then one clause per line. Resets and a deadline are on the line of the clause
 /// before them.
 Doc ModelLayout::format_clauses(Gap gap) {
     Doc result = format_phrase(gap);

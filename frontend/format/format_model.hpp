@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The layout of model files: declarations, machines, statements (private to the formatter). The formatter reads the
-// tokens again after the parser has found no mistakes. Constructs that are missing here would be laid out badly, but
-// not lost.
+// tokens of a text in which the parser has found no errors. A construct that the formatter did not know would be laid
+// out badly, but not lost.
 #pragma once
 
 #include <string_view>

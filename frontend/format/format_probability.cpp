@@ -85,7 +85,7 @@ Doc AssertionLayout::format_definition(Gap gap) {
 
 // ---------------------------------------------------------------- definitions
 
-/// `q set to e, …, and t from set {…}`: all on one line, or one a line.
+/// `q set to e, …, and t from set {…}`: all on one line, or one per line.
 Doc AssertionLayout::format_constants(Gap first) {
     Doc result = constant_values(first);
     while (at(",") || at_word("and")) {
@@ -142,7 +142,7 @@ Doc AssertionLayout::format_modules() {
     return doc_.nest_indented(result);
 }
 
-/// `pmodule N { … }`: one member a line.
+/// `pmodule N { … }`, with one member per line.
 Doc AssertionLayout::format_module(Gap gap) {
     const Doc head = format_words(gap, 3);
     Doc members = 0;

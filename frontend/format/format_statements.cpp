@@ -9,7 +9,7 @@ Doc ModelLayout::format_statement(Gap gap) {
     return group(before, format_sequence(Gap::done));
 }
 
-/// `S; S`: on one line, or one statement a line. The caller makes the group.
+/// `S; S`: on one line, or one statement per line. The caller makes the group.
 Doc ModelLayout::format_sequence(Gap gap) {
     Doc result = timed_statement(gap);
     while (at(";")) result = cat({result, format_token(Gap::none), timed_statement(Gap::line)});

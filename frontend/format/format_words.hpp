@@ -14,7 +14,7 @@ namespace robochart::frontend {
 /// A comment, or the token after the comments.
 struct Piece {
     diagnostics::Span span;
-    std::size_t lines;      ///< line ends before it, at most 2
+    std::size_t lines;      ///< number of line ends before it, at most 2
     bool to_line_end;       ///< `// …`
     bool is_token = false;  ///< the token itself
 };
@@ -27,7 +27,7 @@ public:
     // The next tokens
     [[nodiscard]] Token peek(std::size_t ahead = 0) const;
     [[nodiscard]] bool at(std::string_view word) const { return peek().is_word(word); }
-    /// True if the next token is this word. The word may be a keyword here and a name elsewhere.
+    /// True if the next token is this word, as a keyword or as a name.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_name() const { return peek().kind == TokenKind::identifier; }
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] bool has_comment() const;
     /// True if neither a token nor a comment has been read.
     [[nodiscard]] bool is_untouched() const { return at_ == 0 && comment_ == 0; }
-    /// Line ends between the last piece read and the next token, at most 2.
+    /// The number of line ends between the last piece read and the next token, at most 2.
     [[nodiscard]] std::size_t lines_before() const { return line_ends(previous_end_, peek().span.begin); }
     /// The comments before the next token, and the token itself. Marks the comments as read.
     [[nodiscard]] std::vector<Piece> take_comments();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic that may leave its type: a divisor that can be 0, and a difference cast to nat that can be negative. The
-// analysis uses the guard of the transition, the conditions of enclosing `if`s and boolean operators, and
-// preconditions. A fact is dropped when a variable in it is assigned. RoboTool's arithmetic does not fail in these
-// cases (semantics 3.13): it silently continues with another value.
+// Lints arithmetic whose result may be outside of its type: a divisor that can be 0, and a difference cast to nat that
+// can be negative. The analysis uses the guard of the transition, the conditions of enclosing `if`s and boolean
+// operators, and preconditions. A fact is dropped when a variable in it is assigned. RoboTool's arithmetic does not
+// fail in these cases (semantics 3.13): it silently continues with another value.
 #include <fmt/format.h>
 
 #include "frontend/lint/lint_logic.hpp"
@@ -114,8 +114,8 @@ private:
         return reasoner.decide(logic::all_of(std::move(all)));
     }
 
-    /// True if the value can vary. Whoever instantiates the model chooses the values of open constants, and calls are
-    /// specified elsewhere; both are excluded.
+    /// True if the value can vary. Open constants are excluded, because the instantiation chooses their values, and
+    /// calls are excluded, because functions are specified elsewhere.
     static bool can_vary(const Expr& expr) {
         bool variable = false;
         bool unknown = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Events that are not connected beyond their component (semantics 3.9). An event without a connection is hidden: its
-// triggers fire by themselves and its outputs never wait. An event connected to a component that never takes part in it
+// triggers fire spontaneously and its outputs never wait. An event connected to a component that never takes part in it
 // can never happen.
 #include <fmt/format.h>
 

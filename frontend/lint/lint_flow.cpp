@@ -2,7 +2,8 @@
 // Variables that are read before they are set (semantics 3.6: until then they hold a default; a boolean holds `true`).
 // This is a forward analysis of the variables that are certainly set. It follows the order of semantics 3.4: trigger
 // value, guard, exit actions from inside out, action, entry actions from outside in. A during action may be interrupted
-// anywhere, so what it sets is not certain. A transition leaves a composite state from any settled node inside.
+// at any point, so it does not certainly set a variable. A transition leaves a composite state from any settled node
+// inside.
 #include <cstdint>
 #include <deque>
 
@@ -141,8 +142,8 @@ private:
         if (!composite) propagate_settled(node, entered, entered);
     }
 
-    /// The node is settled, and may be left, with at least these variables set. The effect is propagated to enclosing
-    /// states.
+    /// Records that the node can be settled, and then left, with at least these variables set. The effect is propagated
+    /// to enclosing states.
     void propagate_settled(const State& node, const Bits& settled, const Bits& inner_leave) {
         const State* at = &node;
         Bits now = settled;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RC-W21: variables that only grow. Every assignment adds to the variable (or subtracts from it, or multiplies it). At
-// least one of these assignments can happen repeatedly, and no condition reads the variable, so its growth has no
-// bound. The finite instantiation stops such a variable at its last value; generated code stops it at the end of its
+// RC-W21: finds variables that only grow. Every assignment adds to the variable (or subtracts from it, or multiplies
+// it). At least one of these assignments can happen repeatedly, and no condition reads the variable, so its growth has
+// no bound. The finite instantiation stops such a variable at its last value; generated code stops it at the end of its
 // type (semantics 3.13). Beyond that value the model and the robot differ.
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
@@ -52,7 +52,7 @@ std::optional<Direction> direction_of(const Expr& value, const Declaration& vari
 /// The analysis of one variable of the machine.
 struct Growth {
     bool bounded = false;                ///< a condition reads the variable, or something other than a step writes it
-    bool read = false;                   ///< something other than its own steps reads the variable
+    bool read = false;                   ///< the variable is read by something other than its own steps
     std::optional<Direction> direction;  ///< the common direction of its steps
     const Stmt* again = nullptr;         ///< the first step that can happen repeatedly
 };
@@ -131,7 +131,7 @@ private:
         });
     }
 
-    /// Notes which variables are read. In an assignment to a variable itself, a read by its own step does not count.
+    /// Notes which variables are read. In an assignment of a variable to itself, a read by its own step does not count.
     void note_reads(const Expr& expr, const Stmt& statement) {
         const Declaration* const own = statement.target ? assigned_root(*statement.target) : nullptr;
         walk_tree(expr, [&](const Expr& part) {

@@ -19,7 +19,7 @@ using logic::Formula;
 using logic::Reasoner;
 
 constexpr std::size_t max_ways = 32;        ///< nodes with more transitions are skipped
-constexpr unsigned max_junctions_back = 2;  ///< how many junctions before this one contribute facts
+constexpr unsigned max_junctions_back = 2;  ///< the number of junctions before a junction that contribute facts
 
 class GuardReader {
 public:

@@ -35,7 +35,7 @@ struct Finding {
     Answer answer = Answer::unknown;
     std::string example;
     /// False if the example depends on unknown terms (calls, quantifiers, …), or on several relations between terms (`t
-    /// >= m`, `t < n`), because the author may know how m and n relate.
+    /// >= m`, `t < n`), because the author may know a relation between m and n.
     bool trusted = true;
 };
 
@@ -49,7 +49,7 @@ enum class Relation { less, less_equal, equal };
 
 class Reasoner {
 public:
-    /// `fold`: constants are replaced by their values. Otherwise a constant may have any value.
+    /// With `fold`, constants are replaced by their values. Otherwise a constant may have any value.
     explicit Reasoner(bool fold) : fold_(fold) {}
 
     /// Reads a boolean expression.
@@ -77,7 +77,7 @@ private:
         std::vector<std::string> literals;  ///< enumeration
         std::map<std::string, double> form;
         bool integer = false;
-        std::vector<double> bounds;  ///< the numbers that it is compared with
+        std::vector<double> bounds;  ///< the numbers with which it is compared
     };
     /// A condition on one key.
     struct Atom {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that cannot be reached from the initial junction of their container. Enabled transitions are chosen freely
-// (semantics 3.4), so only a transition that can never be taken breaks a path.
+// Nodes that cannot be reached from the initial junction of their container. The choice between enabled transitions is
+// free (semantics 3.4), so a path exists unless one of its transitions can never be taken.
 #include <algorithm>
 #include <unordered_set>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Warnings about models that are well-formed but probably not intended (private to the front end). A warning is given
-// only if a reader who knows the semantics would agree with it (pages of the rules RC-W…); in doubt, no warning is
-// given. The cost is linear in the size of the project, apart from bounded searches over the guards of one node.
+// only if an expert in the semantics would agree with it (pages of the rules RC-W…); in doubt, no warning is given. The
+// cost is linear in the size of the project, apart from bounded searches over the guards of one node.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ using diagnostics::Diagnostics;
 /// need a project without errors.
 void lint_model(const Model& model, const Names& names, Diagnostics& out);
 
-// All warnings in two steps: first those of each file, then those of the project. `written_by` contains the variables
-// that the operations of a name write.
+// Gives all warnings in two steps: first those of each file, then those of the project. `written_by` maps the name of
+// an operation to the variables that it writes.
 using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
 [[nodiscard]] WrittenBy variables_written_by_operations(const Model& model);
 [[nodiscard]] bool may_lint(const File& file, const Diagnostics& out);
@@ -104,7 +104,7 @@ void lint_events(const Component& component, Diagnostics& out);
 /// Reports an operation that is declared to terminate but cannot end (RC-W19).
 void lint_termination(const Machine& operation, Diagnostics& out);
 /// Reports calls that never return (RC-W13). A machine to which several controllers refer is checked in each of them.
-/// `reported` holds the calls reported so far.
+/// `reported` contains the calls reported so far.
 using ReportedCalls = std::unordered_set<const Stmt*>;
 void lint_operations(const Component& controller, ReportedCalls& reported, Diagnostics& out);
 

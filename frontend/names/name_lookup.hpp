@@ -24,8 +24,8 @@ public:
     /// "there is no X `x` …".
     diagnostics::Diagnostic& report_unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                             const std::vector<std::string>& candidates);
-    /// Returns true at the first call for this component and interface; a missing member is reported only at that call.
-    /// If a component has no clause for an interface, it lacks all members of the interface, but this is one mistake.
+    /// Returns true at the first call for this component and interface. Only then a missing member is reported, because
+    /// a component without a clause for an interface lacks all members of the interface, but this is a single mistake.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }
@@ -50,8 +50,8 @@ private:
     const Names& names_;
     diagnostics::Diagnostics* out_;
     std::set<std::pair<diagnostics::SourceId, std::string>> reported_;  ///< unknown names reported: kind, name, place
-    std::set<std::pair<const Declaration*, const Context*>> missing_;   ///< for lookup only; the order of pointers is
-                                                                        ///< never used
+    /// For lookup only; the order of pointers is never used.
+    std::set<std::pair<const Declaration*, const Context*>> missing_;
     diagnostics::Diagnostic untold_;  ///< receives notes that belong to no reported finding
 };
 

@@ -58,8 +58,7 @@ Names::Names(const Model& model) {
     std::ranges::sort(packages_);
     for (const auto& [full, declarations] : by_name_) most_parts_ = std::max(most_parts_, parts_of(full));
     for (const std::string& package : packages_) most_parts_ = std::max(most_parts_, parts_of(package));
-    // A clause that could not be parsed may have named an interface, so the members of that interface count as lost,
-    // too.
+    // A clause that could not be parsed may name an interface, so the members of this interface also count as lost.
     const auto lost = lost_;
     for (const std::string& name : lost)
         if (const auto* interface = dynamic_cast<const Context*>(find_anywhere(name, {DeclKind::interface})))

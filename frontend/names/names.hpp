@@ -44,8 +44,8 @@ public:
 
     /// The declaration that a name refers to at a place. Searches the enclosing declarations, then the package, its
     /// imports and unnamed packages. Null if no declaration of these kinds is found. If several declarations have the
-    /// name, the one in the nearest file is taken (`file_nearness`), because neighbouring projects may use the same
-    /// names.
+    /// name, the result is the one in the nearest file (`file_nearness`), because neighbouring projects may use the
+    /// same names.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
     /// All declarations with a full name.
     [[nodiscard]] const std::vector<const Declaration*>& declarations_of(const std::string& full_name) const;
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] bool is_qualified_by(const QualifiedName& name, const Declaration& member) const;
     /// True if some file belongs to this package.
     [[nodiscard]] bool has_package(const std::string& name) const;
-    /// True if it is a package or the beginning of a package name (`A` of `A::B`).
+    /// True if the name is a package or the beginning of a package name (`A` of `A::B`).
     [[nodiscard]] bool leads_to_package(const std::string& name) const;
     /// The packages that have files, sorted; "" is the unnamed package.
     [[nodiscard]] const std::vector<std::string>& packages() const { return packages_; }

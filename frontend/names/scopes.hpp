@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The members that a component sees: its own and those of its interfaces (language reference 1.3).
+// The members that are visible in a component: its own and those of its interfaces (language reference 1.3).
 #pragma once
 
 #include <map>
@@ -11,7 +11,8 @@
 
 namespace robochart::frontend {
 
-/// The members visible in a context. If a name is declared twice, the first declaration wins; own members come first.
+/// The members visible in a context. If a name is declared twice, the first declaration hides the second; own members
+/// come first.
 struct Scope {
     std::map<std::string_view, const Variable*> variables;  ///< constants and parameters too
     std::map<std::string_view, const Event*> events;
@@ -24,7 +25,7 @@ struct Scope {
 
 /// The interface of a clause; null if it was not found.
 [[nodiscard]] const Context* interface_of(const InterfaceClause& clause);
-/// True if one of its clauses names an interface that was not found. It may then have members that are unknown.
+/// True if a clause of the context names an interface that was not found. The context may then have unknown members.
 [[nodiscard]] bool has_unknown_interface(const Context& context);
 /// The definition that a reference refers to, or null if it was not found. Other declarations are returned unchanged.
 [[nodiscard]] const Declaration* follow_reference(const Declaration* declaration);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See incremental.hpp. The results kept for a file are those that resolving it again would give. They depend on its own
-// text, on the parts of other files that it can see (`outside_of`), and on a few facts about the project. Each of these
-// is compared.
+// See incremental.hpp. The stored results of a file are reused if a new resolution would give the same results. The
+// results depend on the file's own text, on the parts of other files that are visible in it (`outside_of`), and on a
+// few facts about the project. All of these are compared.
 #include "frontend/project/incremental.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using diagnostics::Diagnostic;
 using diagnostics::SourceId;
 using Findings = std::vector<Diagnostic>;
 
-/// The results kept for a file.
+/// The stored results of a file.
 struct Known {
     std::string outside;               ///< the parts that other files see, as text; computed on first use
     Findings names;                    ///< findings about names and types
@@ -52,7 +52,8 @@ Lost lost_in(const Model& model) {
     return lost;
 }
 
-/// Appends one character for each declaration that other files see: whether it contains a syntax error.
+/// Appends one character for each declaration that is visible in other files. It shows whether the declaration contains
+/// a syntax error.
 void add_broken(const Declaration& declaration, std::string& out) {
     out += declaration.broken ? '!' : '.';
     const auto* component = dynamic_cast<const Component*>(&declaration);
@@ -104,7 +105,7 @@ void report_again(const Findings& findings, Diagnostics& out) {
     }
 }
 
-/// True if all findings were kept and no search for a fix was skipped.
+/// True if all findings were stored and no search for a fix was skipped.
 bool are_few(const Diagnostics& findings) {
     return findings.error_count() < Diagnostics::max_kept && findings.warning_count() < Diagnostics::max_kept;
 }
@@ -132,7 +133,7 @@ private:
     Lost lost_;
     WrittenBy written_by_;
     bool valid_ = false;           ///< the results of every file are those of the last `resolve`
-    bool many_ = false;            ///< the last `resolve` had too many findings to keep
+    bool many_ = false;            ///< the last `resolve` had too many findings to store
     bool broken_changed_ = false;  ///< since the last `resolve`, a declaration gained or lost its syntax errors
     std::size_t files_resolved_ = 0;
 };
@@ -155,7 +156,7 @@ void Resolution::State::replace(std::unique_ptr<File>& place, std::unique_ptr<Fi
     patch_file(*place, std::move(*fresh));
 }
 
-/// True if some file has no kept results, or if results are kept for a file that is not in the model.
+/// True if some file has no stored results, or if results are stored for a file that is not in the model.
 bool Resolution::State::must_begin_anew(const Model& model) const {
     return !valid_ || known_.size() != model.files.size() ||
            std::ranges::any_of(model.files, [&](const auto& file) { return !known_.contains(file->source); });
@@ -176,7 +177,7 @@ void Resolution::State::resolve(Model& model, Diagnostics& out) {
     many_ = !are_few(out);
 }
 
-/// False if the kept results are not sufficient.
+/// Returns false if the stored results are not sufficient.
 bool Resolution::State::run(Model& model, Diagnostics& out) {
     const bool anew = !valid_;
     Lost lost = lost_in(model);

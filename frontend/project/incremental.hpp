@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolution for editors. It follows a project whose files change one at a time, at a cost that depends on the change.
+// Resolution for editors, in which files change one at a time. The cost depends on the size of the change.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace robochart::frontend {
 
 /// Gives the same results as `resolve`. A change inside the nodes and transitions of machines affects no other file,
 /// except for assertions and rules about the whole project. In this case, the names, types and warnings of the other
-/// files are kept, and their trees are not changed. After any other change, or if there are hundreds of findings,
+/// files are reused, and their trees are not changed. After any other change, or if there are hundreds of findings,
 /// everything is resolved again.
 class Resolution {
 public:
@@ -20,8 +20,8 @@ public:
     Resolution(const Resolution&) = delete;
     Resolution& operator=(const Resolution&) = delete;
 
-    /// Replaces the tree of a file in the model by a new one. If possible, the old tree is kept and takes over the
-    /// contents of the new one, so that pointers into it stay valid.
+    /// Replaces the tree of a file in the model by a new one. If possible, the old tree remains and gets the contents
+    /// of the new tree, so that pointers into it stay valid.
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
     /// Must be called after files were added to the model or removed from it; the next `resolve` then resolves
     /// everything.

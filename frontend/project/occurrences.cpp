@@ -40,7 +40,7 @@ struct Part {
     std::string package;
 };
 
-/// Finds the declaration that each part of a qualified name refers to.
+/// Finds the declarations to which the parts of a qualified name refer.
 class Paths {
 public:
     explicit Paths(const Names& names) : names_(names) {}
@@ -169,7 +169,8 @@ public:
         place_.inside = nullptr;
         const std::vector<Part> parts = paths_.parts_of(place_, import.name);
         const bool declared = !parts.empty() && parts.back().target != nullptr;
-        declared ? add_path(import.name, parts.back().target) : add_package(import.name, false);  // it may not exist
+        // The declaration may not exist.
+        declared ? add_path(import.name, parts.back().target) : add_package(import.name, false);
     }
     void visit(const InterfaceClause& clause) { add_path(clause.name, clause.target); }
     void visit(const TypeExpr& type) {

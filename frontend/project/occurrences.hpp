@@ -9,7 +9,7 @@
 
 namespace robochart::frontend {
 
-/// What a name refers to, as far as it is known.
+/// The kind of the target of a name, as far as it is known.
 enum class NameKind {
     declaration,    ///< `target`
     package,        ///< a package or the first parts of its name; `text` is the name up to here, such as `A::B`
@@ -18,7 +18,7 @@ enum class NameKind {
     assertion,      ///< the name of an assertion: `text`
     process,        ///< a CSP process or block: `text`
     definition,     ///< a definition for probabilistic assertions; `text` is its keyword and name, `label l`
-    unknown,        ///< not found; a finding reports it
+    unknown,        ///< the target was not found; a finding reports this
 };
 
 /// The use of a variable, clock or event.

@@ -73,7 +73,7 @@ struct Neighbour {
 
 Neighbour survey_file(const fs::path& path) {
     SourceManager sources;
-    Diagnostics ignored;  // if the file is needed, it is read again and its findings are reported
+    Diagnostics ignored;  // findings of the first reading; a needed file is read again and its findings are reported
     Neighbour result;
     result.path = path;
     const auto file = read(sources, path, ignored);
@@ -191,7 +191,7 @@ std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagno
     return result;
 }
 
-/// The files of all inputs. A file that is named twice occurs once.
+/// The files of all inputs. A file that is named twice is included once.
 std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Diagnostics& out) {
     std::vector<fs::path> result;
     std::set<fs::path> seen;

@@ -16,8 +16,8 @@ namespace robochart::frontend {
 /// matter.
 void resolve(Model&, diagnostics::Diagnostics&);
 
-/// Sets the toolkits of the model to those that its files import. Call it before `resolve` if single files change
-/// (editors). Unchanged toolkits are not read again.
+/// Sets the toolkits of the model to those that its files import. Editors, in which single files change, must call it
+/// before `resolve`. Unchanged toolkits are not read again.
 void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnostics&);
 
 /// Model and assertion files of a folder, sorted by path, without hidden files. With `deep`, also those of its
@@ -41,8 +41,8 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
                                                 const std::vector<diagnostics::SourceId>& texts,
                                                 diagnostics::Diagnostics&);
 
-/// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution:
-/// targets and types shown).
+/// The model as indented text, with one node per line: for `--print ast` before resolution, and for `--print model`
+/// after resolution, with targets and types.
 [[nodiscard]] std::string dump_model(const Model&, const diagnostics::SourceManager&, bool resolved);
 
 }  // namespace robochart::frontend

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole resolution: names, then types, then rules. A declaration with a syntax error is not checked by the rules,
-// because a part that seems absent may be in the text that could not be parsed. While some file has syntax errors,
-// rules about several declarations are not checked at all.
+// The whole resolution: names, then types, then rules. Rules do not check a declaration with a syntax error, because a
+// part that seems absent may be in the text that could not be parsed. While some file has syntax errors, rules about
+// several declarations are not checked at all.
 #include <algorithm>
 
 #include "frontend/checks/checks.hpp"

@@ -97,7 +97,7 @@ bool same_parts(const Component& a, const Component& b) {
            std::equal(a.order.begin(), a.order.end(), b.order.begin(), b.order.end(), same_place);
 }
 
-/// If both have this class, compares them.
+/// If both declarations have this class, compares them.
 template <class Kind>
 std::pair<const Kind*, const Kind*> cast_both(const Declaration& a, const Declaration& b) {
     return {dynamic_cast<const Kind*>(&a), dynamic_cast<const Kind*>(&b)};
@@ -226,7 +226,7 @@ bool moved_as(Declaration& old, Declaration& fresh) {
 }
 
 void move_declaration(Declaration& old, Declaration& fresh) {
-    // The most derived class is tried first.
+    // The most derived class is tried before its base classes.
     if (moved_as<TypeDeclaration>(old, fresh) || moved_as<Function>(old, fresh) || moved_as<Machine>(old, fresh) ||
         moved_as<Component>(old, fresh))
         return;

@@ -10,8 +10,8 @@
 namespace robochart::frontend {
 
 /// The parts of a file that other files can see, as text: everything except nodes and transitions (which only
-/// assertions see), and the facts recorded about its syntax errors. Two trees with equal texts differ for other files
-/// only in the places of declarations.
+/// assertions see), and the facts recorded about its syntax errors. If the texts of two trees are equal, the trees
+/// differ for other files only in the places of declarations.
 [[nodiscard]] std::string outside_of(File& file);
 
 /// True if both trees have the same declarations in the same order.

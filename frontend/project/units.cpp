@@ -110,7 +110,7 @@ private:
         tied_.insert(b);
     }
 
-    /// Ties the files that are in one folder, and those whose folder contains the folder of another.
+    /// Ties files of the same package that are in one folder, or if the folder of one contains the folder of the other.
     void same_package(const std::vector<std::size_t>& files) {
         std::map<std::string, std::size_t, std::less<>> first;  // by folder
         for (const std::size_t file : files) first.emplace(model_.files[file]->folder, file);

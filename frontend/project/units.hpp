@@ -26,7 +26,7 @@ struct Unit {
 
 /// Divides the groups by their instantiations. If assertion files of a group have different blocks `Instantiations`,
 /// each of them forms a unit with the group's models. The assertion files without such a block form one unit with the
-/// generated instantiations. RoboTool, too, makes one script of each assertion file.
+/// generated instantiations. RoboTool also makes one script for each assertion file.
 [[nodiscard]] std::vector<Unit> split_into_units(const Model& model);
 
 /// True if the block replaces the generated instantiations. RoboTool's documents call it `Instantiations`, some models

@@ -34,8 +34,8 @@ const Context* platform_of(const Declaration* whole, const std::string& name) {
 
 namespace {
 
-/// The component of a module or controller with this name: its own name, or otherwise the name of the definition that a
-/// reference refers to, if that name is a simple one.
+/// The component of a module or controller with this name. The name is that of the component or, if none matches, the
+/// simple name of the definition to which a reference refers.
 const Declaration* part_of(const Declaration* whole, const std::string& name) {
     const auto* component = follow_to<Component>(whole);
     if (component == nullptr) return nullptr;

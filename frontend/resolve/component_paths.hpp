@@ -17,7 +17,7 @@ extern const Kinds component_kinds;
 struct Way {
     ComponentPath path;
     std::size_t used = 0;
-    std::size_t by_definition = 0;  ///< how many of these name the definition instead of the reference to it
+    std::size_t by_definition = 0;  ///< number of parts that name a definition instead of the reference to it
 
     [[nodiscard]] const Declaration* end() const { return path.steps.empty() ? nullptr : path.steps.back(); }
 };
@@ -33,10 +33,10 @@ struct Way {
 /// Extends a path along the parts of a name from index `at`, while they name components.
 [[nodiscard]] Way walk_components(Way from, const QualifiedName& name, std::size_t at);
 /// The path for the longest prefix of the name that leads to declarations. The search starts at the file's package, its
-/// imports, unnamed packages, or a package that the name begins with. If it fails, and only one component of all
-/// packages has the name, that component is taken. If several paths have equally long prefixes, the one with the fewest
-/// names of definitions instead of references is taken: `P::S` is the machine S of package P even if P has a controller
-/// P with a reference to S.
+/// imports, unnamed packages, or the package with which the name begins. If it fails and only one component of all
+/// packages has the name, the result is that component. If several paths have equally long prefixes, the result is the
+/// path with the fewest names of definitions instead of references: `P::S` is the machine S of package P even if P has
+/// a controller P with a reference to S.
 [[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
 /// Collects the paths of the inner states with this name, for a suggestion.
 void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,

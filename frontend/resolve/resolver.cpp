@@ -70,7 +70,7 @@ void Resolver::context_header(File& file, Context& context) {
     // Sizes of vectors may name constants of the context itself.
     const Scope scope = scope_of(context);
     Surroundings around{{&file, &context}, &scope, nullptr, nullptr, {}};
-    // Constants come first, because the types of other variables may use them as sizes.
+    // Constants are resolved first, because the types of other variables may use them as sizes.
     for (auto& variable : context.variables)
         if (variable->kind == DeclKind::constant) variable_type(*variable, around);
     for (auto& variable : context.variables)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assertions and csp blocks (assertion language 4). Component names are paths through references, such as
-// `Module::controller_ref::machine_ref::State`. If a csp block has the same name, the block is meant.
+// `Module::controller_ref::machine_ref::State`. If a CSP block has the same name, the name refers to the block.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -94,7 +94,7 @@ ComponentPath AssertionResolver::find_component(const QualifiedName& name, bool 
     return {};
 }
 
-/// The component that a constant belongs to. A platform stands for its module.
+/// The component to which a constant belongs. A platform is represented by its module.
 ComponentPath AssertionResolver::find_context(const QualifiedName& name) {
     Way found = way_to(name);
     const bool all_but_one = found.used + 1 == name.parts.size() && found.used > 0;

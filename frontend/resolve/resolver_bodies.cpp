@@ -128,8 +128,9 @@ void Resolver::connection_end(Connection::End& end, Ends& ends) {
     if (part != ends.parts.end()) end.node_target = part->second;
     if (!is_module && end.node_target == nullptr && end.node.text() == component.name) end.node_target = &component;
     const Declaration* behind = follow_reference(end.node_target);
-    const bool known = end.node_target != nullptr && behind == nullptr;  // an unresolved reference, which is reported
-                                                                         // where it is declared
+    // True for an unresolved reference, which is reported.
+    const bool known = end.node_target != nullptr && behind == nullptr;
+    // where it is declared
     const bool fits =
         behind != nullptr && (is_module ? behind->kind == DeclKind::platform || behind->kind == DeclKind::controller
                                         : behind->kind == DeclKind::state_machine || behind == &component);

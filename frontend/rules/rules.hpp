@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rule table of the resolved model: names, well-formedness and types (language reference 2). Codes are the
-// published ones if they exist; the others are ours (RC-...). Two rows may share a code if they report the same rule in
-// different circumstances.
+// published ones if they exist; codes of this project begin with RC-. Two rows may share a code if they report the same
+// rule in different circumstances.
 #pragma once
 
 #include <vector>

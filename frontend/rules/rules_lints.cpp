@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings about well-formed models: constructs that are probably not intended, and what they mean.
+// Warnings about well-formed models. They report constructs that are probably not intended, and explain their meaning.
 #include "frontend/rules/rules.hpp"
 
 namespace robochart::frontend::rules {

@@ -219,7 +219,7 @@ struct Stmt {
 
 // ---------------------------------------------------------------- declarations
 
-/// What a declaration declares.
+/// The kind of a declaration.
 enum class DeclKind {
     package,
     primitive_type,  ///< `type X` and the built-ins of core
@@ -336,7 +336,7 @@ struct InterfaceClause {
 struct State;
 struct Transition;
 
-/// Everything that declares variables, constants, events, clocks or operations, or that uses interfaces: interface,
+/// An element that declares variables, constants, events, clocks or operations, or that uses interfaces: interface,
 /// platform, operation, state machine, controller, module.
 struct Context : Declaration {
     explicit Context(DeclKind k) : Declaration(k) {}
@@ -477,7 +477,7 @@ struct AssertionParameter {
     QualifiedName name;
     QualifiedName context;
     ExprPtr value;
-    ComponentPath context_path;           ///< filled by resolve; a platform stands for its module
+    ComponentPath context_path;           ///< filled by resolve; a platform is represented by its module
     const Declaration* target = nullptr;  ///< filled by resolve: Variable
 };
 
@@ -572,7 +572,7 @@ struct ProbabilisticFunction {
     std::vector<Update> updates;
 };
 
-/// What a probabilistic definition defines.
+/// The kind of a probabilistic definition.
 enum class ProbabilisticKind { constant, constants, label, formula, rewards, definitions, modules };
 
 /// A definition that properties refer to. The kind determines which members are used.
@@ -615,7 +615,7 @@ struct ProbabilisticAssertion {
 
 // ---------------------------------------------------------------- files
 
-/// A part of an assertion file that is kept as text and not evaluated, with its head.
+/// A part of an assertion file that is stored as text and not evaluated, with its head.
 struct KeptPart {
     std::string form;  ///< the words at its beginning: `prob property`, `sleec assertion`, `defs`
     std::string name;
@@ -643,7 +643,7 @@ struct File {
     std::vector<ProbabilisticAssertion> probabilistic_assertions;
     std::vector<KeptPart> kept;           ///< parts of other tools
     bool is_library = false;              ///< a toolkit that comes with the tool
-    bool has_syntax_errors = false;       ///< parts may be missing; rules about absent things are not applied
+    bool has_syntax_errors = false;       ///< parts may be missing, so rules about absent elements are not applied
     std::vector<std::string> lost_names;  ///< names in text that could not be parsed
     bool lost_declarations = false;       ///< a declaration of unknown name could not be parsed
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One traversal of everything in a file that has a name or that resolution fills. The visitor has an overload of
-// `visit` for every kind of node; it is called before the parts of the node. The recursion is bounded, because the
-// parser limits nesting.
+// A traversal of all parts of a file that have names or that resolution fills. The visitor has an overload of `visit`
+// for every kind of node; it is called before the parts of the node. The recursion is bounded, because the parser
+// limits nesting.
 #pragma once
 
 #include "frontend/syntax/ast.hpp"
@@ -174,8 +174,8 @@ private:
         visit_expression(expr->callee);
         visit_type(expr->type_expr);
         for (Binding& binding : expr->bindings) {
-            // The names in a record literal refer to fields and declare nothing; the visitor sees them with the
-            // literal. The names in a simulation are parameters of its method.
+            // The names in a record literal refer to fields and declare nothing, so they are visited with the literal.
+            // The names in a simulation are parameters of its method.
             const bool declares = expr->kind != ExprKind::record && expr->kind != ExprKind::simulation;
             if (declares) visit_variable(*binding.variable);
             visit_expression(binding.value);

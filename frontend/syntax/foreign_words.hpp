@@ -32,14 +32,14 @@ enum class ForeignPlace {
 struct ForeignWord {
     std::string_view word;
     ForeignPlace place;
-    /// The equivalent: a word of the grammar or of package core. "": there is no single word; the reason says what to
-    /// do.
+    /// The equivalent: a word of the grammar or of package core. It is "" if there is no single word; the reason then
+    /// explains what to write.
     std::string_view instead;
     std::string_view reason;  ///< a sentence without a full stop
     bool left_out = false;    ///< the text is correct without the word
 };
 
-/// The row of a word in a place; null if there is none.
+/// The row for a word at a place; null if there is none.
 [[nodiscard]] const ForeignWord* foreign_word(std::string_view word, ForeignPlace place);
 /// All rows, for tests.
 [[nodiscard]] std::span<const ForeignWord> foreign_words();

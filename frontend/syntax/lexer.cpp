@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See lexer.hpp. One pass over the bytes; the longest matching symbol is taken, as in Xtext.
+// See lexer.hpp. The lexer makes one pass over the bytes and takes the longest matching symbol, as in Xtext.
 #include "frontend/syntax/lexer.hpp"
 
 #include <fmt/format.h>

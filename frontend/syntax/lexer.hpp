@@ -25,7 +25,7 @@ enum class TokenKind : std::uint8_t {
     integer,
     real,
     string,    ///< including its quotes
-    symbol,    ///< operator or bracket, longest match; `Set(` and `Seq(` are symbols, too
+    symbol,    ///< operator or bracket, longest match; `Set(` and `Seq(` are also symbols
     csp_code,  ///< `csp-begin … csp-end`, whole (assertion files)
 };
 
@@ -42,8 +42,8 @@ struct Token {
     }
 };
 
-/// The tokens of one text, packed into twelve bytes each; a Token is made on request. Refers to the source text, which
-/// must outlive it.
+/// The tokens of one text, packed into twelve bytes each; a Token is made on request. The source text must outlive the
+/// object.
 class TokenList {
 public:
     TokenList() = default;
@@ -100,7 +100,7 @@ private:
     std::deque<Packed> items_;  ///< a deque, because it never copies a long text to grow
 };
 
-/// A text as tokens; the last token is `end`. The places of comments are kept for the formatter.
+/// A text as tokens; the last token is `end`. The places of comments are stored for the formatter.
 struct TokenStream {
     TokenList tokens;
     std::vector<diagnostics::Span> comments;

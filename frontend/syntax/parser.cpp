@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The core of the parser: tokens, mistakes, recovery, and the file as a whole.
+// The core of the parser: tokens, errors, recovery, and the parsing of a whole file.
 #include "frontend/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -170,7 +170,7 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
     if (reserved && followed && !at_follower()) {
         if (diagnostics::Diagnostic* finding = report(syntax::reserved_name, span, {part}))
             finding->fixes.push_back({span, "^" + part, "escape it"});
-        lost_names_.push_back(part);  // so that the name is not reported as unknown, too
+        lost_names_.push_back(part);  // so that the name is not also reported as unknown
     } else if (token.kind != TokenKind::identifier) {
         span = missing_place();
         span.end = span.begin;
@@ -240,8 +240,8 @@ std::string_view Parser::form_meant(std::string_view expected) const {
     });
 }
 
-/// The opening brace before this place that is not closed. If a closing brace is indented less than the line of its
-/// opening brace, that opening brace was probably not closed, and the closing brace belongs to an enclosing block.
+/// The last opening brace before this place that is not closed. If a closing brace is indented less than the line of
+/// its opening brace, that opening brace was probably not closed, and the closing brace belongs to an enclosing block.
 std::optional<std::size_t> Parser::unclosed_brace(bool& by_indentation) const {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < at_; ++i) {
@@ -267,7 +267,7 @@ void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& findi
                                                       : "this `{` is not closed"});
 }
 
-/// If invalid characters were skipped here, the message about them is enough.
+/// Whether invalid characters were skipped before the next token. The message about them is then sufficient.
 bool Parser::behind_strange_characters() const {
     const std::uint32_t from = at_ > 0 ? previous_token().span.end : 0;
     const auto first = std::ranges::lower_bound(strange_, from);
@@ -279,13 +279,13 @@ void Parser::report_and_throw(const diagnostics::Rule& rule, Span span, std::vec
     throw SyntaxError{};
 }
 
-/// Text with such deep nesting was not written by hand; the rest of the file is skipped.
+/// Reports nesting that is too deep and skips the rest of the file. People do not write such text by hand.
 void Parser::too_deep(std::size_t limit) {
     report(syntax::too_deep, peek().span, {std::to_string(limit)});
     throw GiveUp{};
 }
 
-/// The place of a missing token: the end of the line before, if the next token begins a line.
+/// The place of a missing token. If the next token begins a line, it is the end of the line before.
 Span Parser::missing_place() const {
     const Span span = peek().span;
     if (at_ == 0 || !(peek().first_on_line || at_end())) return span;
@@ -309,7 +309,7 @@ void Parser::needs_parentheses(std::string_view what, Span span) {
     finding->fixes.push_back({span, "(" + text + ")", "write"});
 }
 
-/// Names in a part that could not be parsed may be declared there, so they are not reported as unknown.
+/// Records names in a part that could not be parsed. They may be declared there, so they are not reported as unknown.
 void Parser::mark_lost_names(std::size_t begin, std::size_t end) {
     if (failures_ == forgotten_) return;
     forgotten_ = failures_;
@@ -441,7 +441,7 @@ void Parser::skip_to_member() {
     while (!at_end() && !at_member_word() && !at_top_level_word()) {
         if (at_token("}")) {
             if (surplus_ >= 0) return;
-            ++surplus_;  // its opening brace was closed too early
+            ++surplus_;  // the opening brace of this brace was closed too early
             advance_token();
             continue;
         }
@@ -481,7 +481,7 @@ std::unique_ptr<File> Parser::parse_file() {
         catch_syntax_error([&] { package_clause(*result); });
         while (!at_end()) is_assertions_ ? assertion_member(*result) : top_level(*result);
     } catch (const GiveUp&) {
-        // The reason has been reported; the part read so far is kept.
+        // The error has been reported. The part that was parsed before it is used.
     }
     result->comments = std::move(comments_);
     result->lost_names = std::move(lost_names_);

@@ -3,9 +3,9 @@
 // public RoboChart.xtext and Assertions.xtext. Each method is named after what it parses.
 //
 // Recovery: a missing token is assumed to be present, and a superfluous one is skipped, once per mistake. If this does
-// not help, the mistake is thrown as SyntaxError to the nearest member list, which skips to the next member. Elements
-// are added to their owner before their body is parsed, so that the part read before a mistake is kept. Names in text
-// that could not be parsed are recorded, so that they are not reported as unknown.
+// not repair the text, the parser throws a SyntaxError, which the nearest member list catches; it then skips to the
+// next member. Elements are added to their owner before their body is parsed, so that the tree contains the part before
+// an error. Names in text that could not be parsed are recorded, so that they are not reported as unknown.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ private:
     private:
         Parser& parser_;
     };
-    /// What a body may contain.
+    /// The kinds of members that a body may contain.
     enum Members : unsigned {
         context_members = 1,     ///< uses, requires, provides, var, const, event, clock, op()
         node_members = 2,        ///< nodes and transitions
@@ -63,18 +63,19 @@ private:
     [[nodiscard]] Token peek(std::size_t ahead = 0) const { return tokens_.token_at(at_ + ahead); }
     [[nodiscard]] Token previous_token() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
     [[nodiscard]] bool at_token(std::string_view word) const { return peek().is_word(word); }
-    /// True if the next token is this word, reserved or not: assertions reserve more words than models.
+    /// True if the next token is this word. It may be reserved or not, because assertions reserve more words than
+    /// models.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
     Token advance_token();
     bool accept_token(std::string_view word);
     bool accept_word(std::string_view word);
-    /// Takes the word and returns its place; if it is missing, it is reported.
+    /// Consumes the word and returns its place. If the word is missing, reports this.
     Span expect_token(std::string_view word);
     void expect_word(std::string_view word);
     void name(Declaration& declaration);
     QualifiedName simple_name(std::string_view what);
-    /// A simple name in a place where authors tend to write `A::B`.
+    /// Parses a simple name at a place where authors tend to write `A::B`.
     QualifiedName plain_name(std::string_view what);
     QualifiedName qualified_name(std::string_view what);
     void add_part(QualifiedName& name, std::string_view what);
@@ -118,7 +119,7 @@ private:
     void pass_superfluous(std::string_view reason);
     /// Skips `:` or `=` after the word that begins a clause or an action.
     void pass_sign_behind_word();
-    /// Reports two consecutive words of another notation, and reads them as `instead`.
+    /// Reports two consecutive words of another notation, and interprets them as `instead`.
     void replace_two_words(std::string_view instead, std::string_view reason);
     [[nodiscard]] bool state_machine_words();
     [[nodiscard]] bool typed_like_c();
@@ -345,7 +346,8 @@ private:
     diagnostics::Diagnostics& out_;
     TokenList tokens_;
     std::vector<Span> comments_;
-    std::vector<std::size_t> line_begins_{0};  ///< a search back from each brace would take too long on a long line
+    /// Beginnings of lines; a backward search from every brace would take too long on a long line.
+    std::vector<std::size_t> line_begins_{0};
     std::size_t at_ = 0;
     std::size_t depth_ = 0;
     std::size_t mistakes_ = 0;

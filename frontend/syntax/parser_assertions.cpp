@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertion files (Assertions.xtext). CSP blocks and the parts of other tools are kept as text.
+// Parses assertion files (Assertions.xtext). CSP blocks and the parts for other tools are stored as text.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace robochart::frontend {
 
-/// True if a part that is kept as text begins here: `instantiate T as …`, or a definition of PRISM, at the beginning of
-/// a line.
+/// True at the beginning of a part that is stored as text: `instantiate T as …`, or a definition of PRISM, at the
+/// beginning of a line.
 bool Parser::at_kept_part() const {
     if (at_word("instantiate")) {
         std::size_t ahead = 2;
@@ -32,7 +32,7 @@ bool Parser::at_foreign_assertion() const {
            !at_word("csp") && !at_word("sleec") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
 }
 
-/// Keeps the text up to the next member, and reports that assertions of this kind are not checked here.
+/// Stores the text up to the next member, and reports that this tool does not check assertions of this kind.
 void Parser::foreign_assertion(File& file) {
     const Span begin = peek().span;
     const std::string word(peek().text);
@@ -84,7 +84,7 @@ void Parser::assertion_member(File& file) {
     while (!at_end() && !at_assertion_member()) advance_token();
 }
 
-/// `instantiate P::T`, `label "…"`: the head of a part that is kept as text. A qualified name is read as a whole.
+/// `instantiate P::T`, `label "…"`: the head of a part that is stored as text. It includes a whole qualified name.
 KeptPart Parser::kept_part() const {
     KeptPart part{std::string(peek().text), {}, peek().span, false, {}, {}};
     std::size_t at = 1;
@@ -101,7 +101,7 @@ KeptPart Parser::kept_part() const {
     return part;
 }
 
-/// Keeps a part as text, up to the next member.
+/// Stores a part as text, up to the next member.
 void Parser::keep_as_text(File& file) {
     const Span begin = peek().span;
     const bool rewards = at_word("rewards");
@@ -151,8 +151,8 @@ void Parser::assertion_name(Assertion& assertion) {
     expect_token(":");
 }
 
-/// `sleec assertion N : C conforms to R`, `C does not conform to R`. It is about time, with or without `timed` before
-/// it.
+/// `sleec assertion N : C conforms to R`, `C does not conform to R`. The assertion is timed, with or without `timed`
+/// before it.
 void Parser::rule_assertion(File& file) {
     Assertion assertion;
     assertion.time = AssertionTime::timed;

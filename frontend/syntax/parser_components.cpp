@@ -17,7 +17,7 @@ bool Parser::context_member(Context& context) {
     return false;
 }
 
-/// RoboChart.xtext allows one name after each keyword; old models have lists.
+/// Parses an interface clause. RoboChart.xtext allows one name after the keyword; old models have lists.
 void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
     clause.use = at_token("uses")       ? InterfaceUse::uses
@@ -27,7 +27,8 @@ void Parser::interface_clause(Context& context) {
     const std::string_view word = previous_token().text;
     for (;;) {
         clause.name = qualified_name("the name of an interface");
-        if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;  // its members are unknown, too
+        // The members of this interface are unknown too.
+        if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;
         context.interfaces.push_back(clause);
         if (!at_token(",")) return;
         const Token next = peek(1);

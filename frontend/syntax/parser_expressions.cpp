@@ -257,7 +257,8 @@ ExprPtr Parser::parse_negation() {
     return finish_node(std::move(result), begin);
 }
 
-/// In assertion files `.` may also end the assertion; there, a field must follow `.` directly.
+/// True if a member step follows. In assertion files `.` may also end the assertion, so a field must follow `.`
+/// directly.
 bool Parser::at_member_step() const {
     const Token next = peek(1);
     const bool field = next.kind == TokenKind::identifier && next.span.begin == peek().span.end;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forms of other notations: reported with RoboChart's own form, and read as that form (foreign_words.hpp).
+// Reports forms of other notations with the equivalent form of RoboChart, and interprets them as this form
+// (foreign_words.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The type of package core that the word stands for.
+/// The type of package core that the word denotes.
 std::string_view type_named(std::string_view word) {
     const ForeignWord* const row = foreign_word(word, ForeignPlace::type);
     return row == nullptr ? word : row->instead;
@@ -278,7 +279,7 @@ bool Parser::names_clock(std::string_view word) const {
     return clock;
 }
 
-/// `C := 0`; null if it is something else.
+/// `C := 0`; null if the statement is not of this form.
 StmtPtr Parser::clock_set_to_zero() {
     const Token name = peek();
     const bool zero =
@@ -408,7 +409,7 @@ bool Parser::parse_percentage(Expr& number) {
     return true;
 }
 
-/// `state S` without braces, after the name: it is read as a state without actions.
+/// `state S` without braces, after the name. It is interpreted as a state without actions.
 bool Parser::body_left_out() {
     const bool ends = at_token(";") && peek(1).first_on_line;
     const bool next_member = ((at_member_word() || at_token("}")) && peek().first_on_line) || ends;

@@ -64,7 +64,7 @@ bool Parser::node_member(NodeContainer& container) {
     return false;
 }
 
-/// A final node with a body is parsed, too, so that FS2 and FS3 can report it.
+/// Parses a node. A final node with a body is parsed too, so that FS2 and FS3 can report it.
 void Parser::parse_node(NodeContainer& container, DeclKind kind) {
     auto owned = std::make_unique<State>(kind);
     State& state = *owned;

@@ -155,8 +155,8 @@ StmtPtr Parser::communication_statement() {
     return result;
 }
 
-/// The position after the bracket that closes the one here; no value if it is not closed. The brackets may differ,
-/// because ranges are written `(a, b]`.
+/// The position after the bracket that closes the bracket at the current token; no value if it is not closed. The two
+/// brackets may differ, because ranges are written `(a, b]`.
 std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     constexpr std::array<std::string_view, 8> opening = {"[", "(", "{", "[|", "(|", "<{", "Set(", "Seq("};
     constexpr std::array<std::string_view, 5> closing = {"]", ")", "}", "|]", "|)"};
@@ -172,7 +172,8 @@ std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     return ahead;
 }
 
-/// True if the name here is followed by member and index steps and `=`. Any other use of `.` is a communication.
+/// True if member and index steps and `=` follow the name at the current token. Any other use of `.` is a
+/// communication.
 bool Parser::looks_like_assignment() const {
     std::size_t ahead = 1;
     while (peek(ahead).is_word("::")) ahead += 2;

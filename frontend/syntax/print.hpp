@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints trees as RoboChart text: on one line for dumps, messages and reports, and whole files for people and tools.
-// Parsing a printed file gives an equal tree (a property test over random trees, tests/random_models).
+// Prints trees as RoboChart text: parts on one line for dumps, messages and reports, and whole files for people and
+// tools. Parsing a printed file gives an equal tree (a property test over random trees, tests/random_models).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule table of the parser: all mistakes of a text that are found before names are resolved.
+// The rule table of the parser: all errors in a text that are found before names are resolved.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the tokens of a text in RoboChart's notation one after another, for the small notations used with models:
-// scenarios, mappings. Reading stops at the first syntax error.
+// Reads the tokens of a text in RoboChart's notation one after another, for the small notations of scenarios and
+// mappings. Reading stops at the first syntax error.
 #pragma once
 
 #include <cstddef>
@@ -37,10 +37,10 @@ public:
     /// The text from a place to the last token read, on one line.
     [[nodiscard]] std::string text_since(diagnostics::Span from) const;
 
-    /// Takes the next token if it is this word; returns false otherwise.
+    /// Consumes the next token if it is this word; otherwise returns false.
     bool take_word(std::string_view word);
     void expect_word(std::string_view word);
-    /// Takes any name; `what` is used in the message.
+    /// Consumes any name. `what` names it in the error message.
     Word name(std::string_view what);
     /// `a::b::c`.
     Word qualified_name(std::string_view what);
@@ -49,7 +49,8 @@ public:
 
     /// `words`: the words that are allowed here; the nearest is suggested.
     void fail_expecting(std::string_view expected, const std::vector<std::string>& words = {});
-    /// The result is valid until the next report. After a syntax error nothing is reported, and the result is null.
+    /// Reports a finding. The result is valid until the next report. After a syntax error, no finding is reported and
+    /// the result is null.
     diagnostics::Diagnostic* report(const diagnostics::Rule&, diagnostics::Span, std::vector<std::string> arguments);
 
 protected:

@@ -42,7 +42,8 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     std::set<std::string_view> added;
     for (const auto& file : model.files)
         for (const Toolkit& toolkit : all_toolkits())
-            if (file->package.text() == toolkit.package) added.insert(toolkit.package);  // the project has its own
+            // The project contains this package.
+            if (file->package.text() == toolkit.package) added.insert(toolkit.package);
     // The list grows during the iteration, because toolkits import each other.
     for (std::size_t i = 0; i < model.files.size(); ++i)
         for (const Toolkit& toolkit : all_toolkits()) {

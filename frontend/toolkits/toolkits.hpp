@@ -21,8 +21,8 @@ inline constexpr std::string_view core_package = "core";
 
 [[nodiscard]] const std::vector<Toolkit>& all_toolkits();
 
-/// Sets the toolkits of the model to core, those that its files import, and those that these import in turn. Trees that
-/// the model already contains are kept, so it may be called again after a change.
+/// Sets the toolkits of the model to core, those that its files import, and those that these import in turn. Toolkits
+/// that the model already contains are not parsed again, so the function may be called after every change.
 void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
 
 }  // namespace robochart::frontend

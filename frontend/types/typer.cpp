@@ -104,7 +104,8 @@ void Typer::check_boolean(const ExprPtr& expr, Surroundings& around, const std::
         finder_.out().report(rules::condition_boolean, expr->span, {what, to_string(type)});
 }
 
-/// Each part of a tuple keeps its type; the elements of sets, sequences and ranges have one common type.
+/// Types the elements of a literal. The parts of a tuple may have different types; the elements of a set, a sequence or
+/// a range have one common type.
 TypePtr Typer::type_elements(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return type_range(expr, around);
     if (expr.kind != ExprKind::tuple)
@@ -115,7 +116,7 @@ TypePtr Typer::type_elements(Expr& expr, Surroundings& around) {
     return known ? make_type(TypeForm::product, std::move(parts)) : nullptr;
 }
 
-/// All numbers between two numbers: a set of the larger of the two types.
+/// The type of a range of numbers: a set of the larger of the two types.
 TypePtr Typer::type_range(Expr& expr, Surroundings& around) {
     TypePtr both = make_type(TypeForm::nat);
     for (const ExprPtr& arg : expr.args) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolves names and computes types inside types, expressions, statements and communications (private to the front
-// end). Every method fills the `target` and `type` fields that it visits and reports mistakes. A wrong part gets no
+// end). Every method fills the `target` and `type` fields that it visits, and reports errors. A wrong part gets no
 // type, and rules ignore parts without a type.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace robochart::frontend {
 struct Surroundings {
     Place place;
     const Scope* scope = nullptr;        ///< the scope of the machine, operation or interface; null at file level
-    const Function* function = nullptr;  ///< the function that `result` and its parameters belong to
+    const Function* function = nullptr;  ///< the function whose `result` and parameters are in scope
     const Machine* machine = nullptr;    ///< the machine whose states `sinceEntry` may name
     std::vector<const Variable*> bound;  ///< variables of enclosing binders, innermost last
 };
@@ -99,8 +99,8 @@ private:
 
     /// The reason why a member of a component was not found, if more than the member is missing.
     struct Missing {
-        bool reported = false;               ///< already reported, or impossible to know
-        const Context* interface = nullptr;  ///< declares the member, but the component has no clause for it
+        bool reported = false;               ///< the name was already reported, or its target cannot be known
+        const Context* interface = nullptr;  ///< interface that declares the member but has no clause in the component
     };
     Missing find_missing(std::string_view name, DeclKind kind, const Surroundings& around);
     void note_missing(const Missing& missing, std::string_view clause, std::string_view name,

@@ -94,8 +94,8 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     }
 }
 
-/// A function used as a value. If it has no parameters, its result was meant, because no value has the type of such a
-/// function.
+/// A function that is used as a value. If it has no parameters, its result is meant, because no value has the type of a
+/// function without parameters.
 TypePtr Typer::bare_function(const Expr& expr, const Function& function) {
     if (!function.parameters.empty()) return function_value(function);
     auto& finding = finder_.out().report(rules::function_bare, expr.span, {function.name});

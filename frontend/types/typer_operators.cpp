@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of operators: `nat - nat` is an int, `/` is always real, `%` keeps the type of its operands, comparisons are on
-// reals, `*` of vectors is the dot product.
+// Computes the types of operators: `nat - nat` is an int, `/` is always real, `%` has the type of its operands,
+// comparisons are on reals, and `*` of vectors is the dot product.
 #include "base/diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/print.hpp"

@@ -49,7 +49,7 @@ void Typer::check_wait(const ExprPtr& duration, Surroundings& around) {
         finder_.out().report(rules::wait_type, duration->span, {to_string(type)});
 }
 
-/// `C = 0` and `reset(C)` for a clock C that is not a variable: `#C` is meant.
+/// True for `C = 0` and `reset(C)` with a clock C that is not a variable; the author means `#C`.
 bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around) {
     const bool plain = named.kind == ExprKind::name && named.name.parts.size() == 1;
     if (!plain || around.scope == nullptr) return false;
@@ -227,7 +227,7 @@ void Typer::check_communication(Communication& communication, Surroundings& arou
     if (event != nullptr) check_communicated(communication, *event, around);
 }
 
-/// RoboTool checks compat(variable, event), which allows narrowing. A wider variable is allowed here, too, and is
+/// RoboTool checks compat(variable, event), which allows narrowing. This check also allows a wider variable, which is
 /// safer.
 void Typer::check_received(const Communication& communication, const Event& event) {
     const auto* variable = static_cast<const Variable*>(communication.variable_target);

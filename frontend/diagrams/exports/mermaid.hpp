@@ -8,8 +8,8 @@
 
 namespace robochart::diagrams {
 
-/// Machines and operations become a `stateDiagram-v2`, everything else a `flowchart`. Comments at the top list the
-/// elements for which Mermaid has no notation.
+/// Machines and operations become a `stateDiagram-v2`; other diagrams become a `flowchart`. Comments at the top list
+/// the elements for which Mermaid has no notation.
 [[nodiscard]] std::string render_mermaid(const Picture& picture);
 
 }  // namespace robochart::diagrams

@@ -19,11 +19,11 @@ public:
     [[nodiscard]] std::string id(std::size_t box) const;
     /// The first line of the box.
     [[nodiscard]] std::string title_of_box(std::size_t box) const;
-    /// The other lines of the box: rows or actions. Elided text is complete here.
+    /// The lines of the box after the title: rows or actions. Text that the picture elides is complete.
     [[nodiscard]] std::vector<std::string> rows_of(std::size_t box) const;
     /// The label on one line.
     [[nodiscard]] std::string label_of(const PictureLine& line) const;
-    /// The boxes directly in a box (`none`: in no box), without squares of events.
+    /// The boxes directly inside a box, without squares of events; for `none`, the boxes that are in no box.
     [[nodiscard]] const std::vector<std::size_t>& boxes_inside(std::size_t box) const;
     /// The squares of events on the border of the box.
     [[nodiscard]] const std::vector<std::size_t>& events_of(std::size_t box) const;

@@ -40,8 +40,8 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// Boxes are in one part if an edge joins them, if both are pinned to an end of the level, or if they were in one part
-/// before an edit.
+/// Divides the boxes into parts. Two boxes are in the same part if an edge joins them, if both are pinned to an end of
+/// the level, or if they were in the same part before an edit.
 Partition partition_of(const Level& level) {
     Partition partition(level.boxes.size());
     for (const Edge& edge : level.edges) partition.join_sets(edge.from, edge.to);
@@ -58,7 +58,7 @@ Partition partition_of(const Level& level) {
     return partition;
 }
 
-/// Positions from different parts before an edit cannot be compared, so only those of the first part are kept.
+/// Positions from different parts before an edit cannot be compared, so only the positions of the first part are used.
 void forget_other_parts(Level& level) {
     std::optional<std::size_t> part;
     for (Box& box : level.boxes) {
@@ -126,9 +126,9 @@ bool same_layers(const Level& level, const Graph& one, const Graph& other) {
     return true;
 }
 
-/// Tries a second choice of reversed edges and keeps it if it is better. Without an edit, it reverses few edges, if the
-/// first result has crossings. After an edit, it reverses edges of added boxes, if the first result changes the
-/// previous order.
+/// Tries a second choice of reversed edges, and uses it if it is better. Without an edit, the second choice reverses
+/// few edges; it is tried if the first result has crossings. After an edit, it reverses edges of added boxes; it is
+/// tried if the first result changes the previous order.
 Layered best_layered(const Level& level, bool turned, diagnostics::Budget* budget) {
     Layered found = make_layers(level, turned, Cycles::text, budget);
     const bool edited = std::ranges::any_of(level.boxes, [](const Box& box) { return box.previous.has_value(); });
@@ -176,7 +176,8 @@ void add_part(Placement& whole, const Part& part, const Spot& spot, Placement pl
     whole.size.height = std::max(whole.size.height, y + placed.size.height);
 }
 
-/// The width of the rows: that of the widest part, or the width at which the whole is about 1.5 times as wide as high.
+/// The width of the rows. It is the width of the widest part, or the width at which the layout is about 1.5 times as
+/// wide as high, whichever is larger.
 double row_width(const std::vector<Placement>& placed) {
     double widest = 0;
     double area = 0;
@@ -192,7 +193,7 @@ class Rows {
 public:
     Rows(Placement& whole, double width) : whole_(whole), right_(width) {}
 
-    /// Adds a part with pinned boxes in a row of its own. Later parts stay between its pinned boxes.
+    /// Adds a part with pinned boxes in a separate row. Later parts are placed between its pinned boxes.
     void add_pinned(const Part& part, std::size_t number, Placement placed) {
         double left = 0;
         double right = std::max(right_, placed.size.width);
@@ -273,8 +274,8 @@ Placement arrange_level(const Level& level, diagnostics::Budget* budget) {
     if (level.direction == Direction::right) return arrange_in(level, parts, true, budget);
     Placement down = arrange_in(level, parts, false, budget);
     Placement right = arrange_in(level, parts, true, budget);
-    // Layout to the right is chosen only if it is clearly better. After an edit, the previous direction is kept unless
-    // it is much worse.
+    // Chooses the layout to the right only if it is clearly better. After an edit, the previous direction is used
+    // unless it is much worse.
     const double bound = !level.previous ? 0.85 : level.previous == Direction::right ? 1.3 : 0.7;
     return page_extent(right.size) < bound * page_extent(down.size) ? right : down;
 }

@@ -18,7 +18,7 @@ bool led_upwards(const Level& level, const Edge& edge) {
     return from && to && from->layer > to->layer;
 }
 
-/// True for an edge between a box that existed before an edit and one that did not, if neither is pinned.
+/// True for an edge between a box that existed before an edit and a new box, if neither is pinned.
 bool joins_added(const Level& level, const Edge& edge) {
     const Box& from = level.boxes[edge.from];
     const Box& to = level.boxes[edge.to];

@@ -17,7 +17,7 @@ namespace robochart::diagrams::layout {
 namespace {
 
 constexpr double inset = 5;  ///< between the border of a level and its contents
-constexpr double apart = 8;  ///< between two boxes that people drew closer to each other, or that have grown
+constexpr double apart = 8;  ///< distance between boxes that were drawn closer to each other, or that have grown
 
 /// The point in the middle of a line.
 Point middle_of(const std::vector<Point>& line) {
@@ -120,7 +120,7 @@ private:
                 drawn.height ? std::max(0.0, least.height - *drawn.height) : 0};
     }
 
-    /// The distance that each box moves right and down, because boxes to the left of it or above it have grown.
+    /// The distances by which the boxes move right and down, because boxes to their left or above them have grown.
     [[nodiscard]] std::vector<Point> compute_shifts() const {
         std::vector<Point> result(level_.boxes.size());
         push_apart(result, &Point::x, &Size::width, &DrawnBox::width);
@@ -166,8 +166,8 @@ private:
         separate();
     }
 
-    /// Boxes that touch others, or are on top of them, move right or down, whichever is less far. Boxes nearer to the
-    /// upper left corner of the drawing stay.
+    /// Separates boxes that touch or overlap. The box farther from the upper left corner of the drawing moves right or
+    /// down, whichever distance is shorter.
     void separate() {
         std::vector<std::size_t> order;
         for (std::size_t b = 0; b < level_.boxes.size(); ++b)
@@ -183,8 +183,8 @@ private:
         }
     }
 
-    /// Moves a box away from the first of the others that is too near; false if there is none. A box that has moved
-    /// past another box never comes back to it.
+    /// Moves a box away from the first box that is too near; returns false if there is none. A box that has moved past
+    /// another box never moves back to it.
     [[nodiscard]] bool make_space(std::span<const std::size_t> others, Rectangle& place) const {
         constexpr double rounding = 0.001;
         for (const std::size_t other : others) {
@@ -294,8 +294,8 @@ private:
         labels_.add(line);
     }
 
-    /// Drawn routes come first, and new routes avoid them. A drawn route that now crosses boxes is replaced by a better
-    /// one.
+    /// Routes the edges. Drawn routes come first, and new routes avoid them. A drawn route that crosses boxes is
+    /// replaced by a better route.
     void route_edges() {
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {
             if (level_.boxes[b].on_border) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of a level as a person drew it. The parts of the drawing that still fit are kept; missing parts are laid
-// out automatically.
+// The layout of a level as a person drew it. Parts of the drawing that still fit are used; missing parts are laid out
+// automatically.
 #pragma once
 
 #include "base/diagnostics/budget.hpp"

@@ -20,7 +20,7 @@ struct DrawnBox {
 /// A square on the border of a box or of the enclosing box.
 struct DrawnPort {
     Point centre;              ///< relative to the corner of the box
-    Side label = Side::right;  ///< the side of the label in the drawing
+    Side label = Side::right;  ///< side of the label in the drawing
 };
 
 /// The route and the label of an edge as a person drew them. A bend or an end is stored relative to an anchor in each
@@ -29,7 +29,7 @@ struct DrawnEdge {
     struct Bend {
         Point from_source, from_target;
     };
-    Point source_anchor{0.5, 0.5}, target_anchor{0.5, 0.5};  ///< as fractions of width and height
+    Point source_anchor{0.5, 0.5}, target_anchor{0.5, 0.5};  ///< anchors as fractions of width and height
     std::vector<Bend> bends;  ///< in order from end to end; if there are fewer than two, the route is unknown
     bool right_angled = true;
     std::optional<Point> label;  ///< the middle of the label, relative to the middle of the route
@@ -48,7 +48,7 @@ struct DrawnPorts {
 /// The whole drawing, in the order of the level's boxes and edges. Elements that are not in the drawing have no value.
 struct DrawnLevel {
     std::vector<std::optional<DrawnBox>> boxes;
-    std::vector<DrawnPorts> ports;  ///< squares of the boxes; a box on the border has those of the enclosing box
+    std::vector<DrawnPorts> ports;  ///< squares of the boxes; for a box on the border, the squares of the enclosing box
     std::vector<std::optional<DrawnEdge>> edges;
     Size size;          ///< the minimum size of the level
     double header = 0;  ///< height of the part of the enclosing box above the level

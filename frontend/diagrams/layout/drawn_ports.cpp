@@ -13,7 +13,7 @@ namespace {
 
 constexpr double half_port = port_size / 2;
 
-/// The side of a box that is nearest to a point. A point outside the box belongs to the side that it is beyond.
+/// The side of a box that is nearest to a point. For a point outside the box, the side that the point is beyond.
 Side side_of(const Point& place, const Size& size) {
     const std::array<double, 4> inside{place.x, size.width - place.x, place.y, size.height - place.y};
     const auto nearest = std::ranges::min_element(inside);

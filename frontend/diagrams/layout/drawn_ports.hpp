@@ -16,10 +16,9 @@ namespace robochart::diagrams::layout {
 /// Places the labels of the squares in free space.
 void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space);
 
-/// Squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their side; the
-/// others are placed on the right side where there is space. A square that would cover the title is farther outside.
-/// `header`: the height of the part of the box above its
-/// inside.
+/// Squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their side; other
+/// squares are placed on the right side where there is space. A square that would cover the title is placed farther
+/// outside. `header` is the height of the part of the box above its inside.
 [[nodiscard]] std::vector<PlacedPort> ports_as_drawn(const Rectangle& box, double header, const DrawnPorts& drawn);
 
 }  // namespace robochart::diagrams::layout

@@ -16,8 +16,8 @@ struct RouteEnd {
     Shape shape = Shape::box;
 };
 
-/// The drawn route from border to border. Empty if the drawing has no route, if it has only a diagonal line but the
-/// route must be orthogonal, or if the route no longer fits the boxes.
+/// The drawn route from border to border. It is empty if the drawing has no route or the route no longer fits the
+/// boxes. It is also empty if the drawing has only a diagonal line but the route must be orthogonal.
 [[nodiscard]] std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to);
 
 /// An orthogonal route that avoids existing elements.

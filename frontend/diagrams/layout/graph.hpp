@@ -3,8 +3,8 @@
 // right, boxes and labels are transposed before and transposed back after.
 //
 // Even layers contain boxes, odd layers labels. An edge has a node in each layer between its ends, so that every link
-// joins adjacent layers. The exceptions are turns: links of edges that leave a port on the side away from their other
-// end.
+// joins adjacent layers. The only exceptions are turns. A turn is a link of an edge that leaves a port on the side away
+// from the edge's other end.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace robochart::diagrams::layout {
 
-/// No node, no port.
+/// The index that means no node or no port.
 inline constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 
 /// A box, or the place where an edge passes a layer, with or without its label.
@@ -45,8 +45,8 @@ struct Link {
     std::size_t upper_port = nothing, lower_port = nothing;  ///< index in the box of that node
     double upper_x = 0, lower_x = 0;
     double upper_offset = 0, lower_offset = 0;  ///< distances of the ends from the middles of their boxes, if known
-    /// The tracks of the link: the y of each, and the x at which it continues to the next track. The last one continues
-    /// to `lower_x`.
+    /// The tracks of the link: the y of each track, and the x at which the link continues to the next track. The last
+    /// track continues to `lower_x`.
     struct Track {
         double y = 0, x = 0;
     };
@@ -84,7 +84,7 @@ struct Graph {
 enum class Cycles {
     text,  ///< back edges of a depth-first search in textual order
     few,   ///< few edges, by the greedy heuristic of Eades, Lin and Smyth
-    kept,  ///< as `text`, and also edges between boxes that an edit added and boxes that existed before
+    kept,  ///< as `text`; also reverses edges between added boxes and boxes that existed before
 };
 /// Selects the edges that are drawn against their direction, so that the remaining edges have no cycle.
 void break_cycles(Graph& graph, Cycles cycles);

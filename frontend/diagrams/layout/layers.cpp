@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assigns layers. Each box is placed as high as the boxes above it allow (longest path). Then each box moves to where
-// its edges are shortest, which moves boxes with more successors than predecessors down.
+// Assigns layers. Each box is placed as high as the boxes above it allow (longest path). Then each box moves to the
+// layer in which its edges are shortest. This moves boxes with more successors than predecessors down.
 #include <algorithm>
 #include <numeric>
 
@@ -41,15 +41,15 @@ std::vector<std::size_t> topological_order(const Neighbours& near) {
     return order;
 }
 
-/// The first layer that a box may be in if its neighbours are ignored: after pinned boxes, and not above its layer
-/// before an edit.
+/// The first layer in which a box may be, apart from the constraints of its neighbours: after pinned boxes, and not
+/// above its layer before an edit.
 std::size_t first_layer(const Level& level, std::size_t box, bool some_first) {
     const Box& it = level.boxes[box];
     const std::size_t lowest = some_first && it.pin != Pin::first ? 1 : 0;
     return std::max(lowest, it.previous && it.pin == Pin::none ? it.previous->layer : 0);
 }
 
-/// Moves each box to the end of its free layers at which its edges are shorter. Returns true if one moved.
+/// Moves each box to that end of its free layers at which its edges are shorter. Returns true if a box moved.
 bool shorten_edges(const Graph& graph, const Neighbours& near, const std::vector<std::size_t>& order,
                    std::vector<std::size_t>& layers) {
     bool moved = false;

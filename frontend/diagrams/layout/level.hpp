@@ -14,7 +14,7 @@ namespace robochart::diagrams::layout {
 /// The direction of edges.
 enum class Direction { down, right, best };
 
-/// The end of the level at which a box must be: in the first or in the last layer.
+/// The end of the level to which a box is pinned: the first or the last layer.
 enum class Pin { none, first, last };
 
 /// The position of a box: its part of the level, the layer in that part, the index in the layer, and the row of the
@@ -32,10 +32,10 @@ struct Port {
 /// A node of the layout, joined by edges.
 struct Box {
     Size size;           ///< minimum size; the box grows if edges, loops or ports need space
-    bool round = false;  ///< a circle: it does not grow, and lines may meet in it
-    bool entry = false;  ///< the search for cycles starts here
+    bool round = false;  ///< true for a circle: it does not grow, and lines may meet in it
+    bool entry = false;  ///< true for boxes at which the search for cycles starts
     Pin pin = Pin::none;
-    bool on_border = false;  ///< consists only of its one port, which is on the border of the enclosing box
+    bool on_border = false;  ///< true if the box is only a port on the border of the enclosing box
     std::vector<Port> ports;
     double port_start = 0;         ///< ports are below this distance from the top
     std::optional<Rank> previous;  ///< in the layout before an edit
@@ -54,7 +54,7 @@ struct Level {
     std::vector<Box> boxes;
     std::vector<Edge> edges;
     Direction direction = Direction::best;
-    std::optional<Direction> previous;  ///< the direction before an edit; kept unless another is much better
+    std::optional<Direction> previous;  ///< the direction before an edit; used unless another direction is much better
 };
 
 /// The width of the square of a port.
@@ -62,7 +62,8 @@ inline constexpr double port_size = 18;
 
 /// The placement of a port.
 struct PlacedPort {
-    bool left = false;  ///< true on the left border; otherwise on the right, unless drawn elsewhere
+    bool left = false;  ///< true for a port on the left border; otherwise it is on the right border, unless it was
+                        ///< drawn elsewhere
     Point centre;
     std::optional<Rectangle> label = {};  ///< the place of the label, if it is not next to the port
 };

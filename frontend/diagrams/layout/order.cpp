@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Orders the nodes of each layer. Sweeps sort each layer by the mean position of the neighbours in the adjacent layer
-// (barycentres), and adjacent nodes are exchanged. This is done from several initial orders. The first of the orders
-// with the fewest crossings is kept. The first initial order is that of the text (Domroes, von Hanxleden: Preserving
-// order during crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
+// (barycentres), and adjacent nodes are exchanged. This is done from several initial orders, and the result with the
+// fewest crossings is used; of equal results, the first. The first initial order is that of the text (Domroes, von
+// Hanxleden: Preserving order during crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
 #include <algorithm>
 #include <cstdint>
 
@@ -43,7 +43,8 @@ public:
         const bool known = keep_order();
         if (known) {
             const std::size_t crossing = count_crossings();
-            fewest = crossing - std::min(crossing, 2 + crossing / 4);  // the kept order may be slightly worse
+            // The order before an edit is used even if it is slightly worse.
+            fewest = crossing - std::min(crossing, 2 + crossing / 4);
             best = graph_.layers;
         }
         const Layers before = known ? best : Layers();
@@ -68,7 +69,7 @@ private:
         for (std::size_t i = 0; i < layer.size(); ++i) nodes_[layer[i]].position = i;
     }
 
-    /// Sorts each layer by keys; the sort is stable.
+    /// Sorts each layer by keys. The sort is stable.
     void sort_layers(const std::vector<double>& keys) {
         for (auto& layer : graph_.layers) {
             std::ranges::sort(layer);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double far = 1e9;
 
-/// The nearest whole number. Halves are rounded up on both sides of zero, so that distances are kept.
+/// The nearest whole number. Halves are rounded up on both sides of zero, so that a shift by a whole number does not
+/// change distances.
 double round_half_up(double x) {
     return std::floor(x + 0.5);
 }
@@ -87,7 +88,7 @@ public:
     }
 
 private:
-    /// Moves boxes so that connected ports are opposite each other.
+    /// Moves boxes so that connected ports are directly opposite.
     void meet_ports() {
         for (int round = 0; round < 12; ++round) {
             place_ends();
@@ -301,8 +302,8 @@ private:
         return slots;
     }
 
-    /// The ends are in the order of the nodes to which their links lead; turns to the left come first, turns to the
-    /// right last.
+    /// Computes the wanted position and the order of an end at a side of a box. The order is that of the nodes to which
+    /// the links lead; turns to the left come first, and turns to the right last.
     void wish_of(std::size_t b, Slot& slot, bool down) const {
         const Node& node = nodes_[b];
         slot.wanted = slot.links.empty() ? node.x : 0;
@@ -319,7 +320,7 @@ private:
         }
     }
 
-    /// Lines that are almost above one of their ends move there if there is space.
+    /// Moves lines that are almost above one of their ends to this end, if there is space.
     void follow_ends() {
         for (std::size_t e = 0; e < graph_.chains.size(); ++e) {
             if (graph_.chains[e].size() < 2) continue;
@@ -329,7 +330,7 @@ private:
         }
     }
 
-    /// An edge whose ends are almost opposite becomes straight if there is space.
+    /// Straightens an edge whose ends are almost opposite, if there is space.
     void take_jog_away(std::size_t e) {
         constexpr double little = 18;
         const auto& chain = graph_.chains[e];
@@ -353,7 +354,7 @@ private:
         }
     }
 
-    /// An end that is almost opposite the continuation of its line moves there.
+    /// Moves an end that is almost opposite the continuation of its line to this position.
     void meet_line(std::size_t l, bool upper) {
         constexpr double little = 8;
         Link& link = graph_.links[l];

@@ -48,8 +48,8 @@ std::size_t bytes_of(std::string_view text, std::size_t columns) {
     return bytes;
 }
 
-/// The position at which to break a line that must end within `columns` characters: after the last blank; if there is
-/// none, after a sign in the second half, or anywhere.
+/// The position at which to break a line that must end within `columns` characters: after the last blank. If there is
+/// no blank, after a sign in the second half, otherwise anywhere.
 std::size_t line_end(std::string_view text, std::size_t columns) {
     const std::size_t most = bytes_of(text, columns);
     if (most >= text.size()) return text.size();

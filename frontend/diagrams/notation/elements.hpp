@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The elements of a model that diagrams show, numbered in textual order. An element has one id in all diagrams of a
-// run. The id contains its number and never its name.
+// run. The id contains the number of the element and not its name.
 #pragma once
 
 #include <string>

@@ -133,7 +133,7 @@ void NodeLevel::add_arrow(const Transition& transition) {
     arrows_.push_back(std::move(arrow));
 }
 
-/// The node of this level that is the target or contains it. If there is none, a box with the name is added.
+/// The node of this level that is the target or contains it. If there is none, adds a box with the target's name.
 std::size_t NodeLevel::end_of(const State* target, const QualifiedName& name) {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         if (target != nullptr && nodes_[n].state != nullptr && contains_node(*nodes_[n].state, target)) return n;

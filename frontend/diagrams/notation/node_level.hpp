@@ -19,9 +19,9 @@ public:
 
     [[nodiscard]] const layout::Size& size() const { return placement_.size; }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
-    /// The distance between the level and the enclosing border: `own`, or 0 if the level is as a person drew it.
+    /// The distance between the level and the enclosing border. It is `own`, or 0 if the layout is that of a person.
     [[nodiscard]] double margin(double own) const { return as_drawn_ ? 0 : own; }
-    /// The position of its corner in the available space: centred, or as a person drew it.
+    /// The position of the level's corner in the available space. The level is centred, or placed as a person drew it.
     [[nodiscard]] layout::Point corner_in(const layout::Rectangle& space) const;
     /// Adds its boxes and lines to a picture.
     void paint(Picture& picture, const layout::Point& corner, std::size_t parent) const;

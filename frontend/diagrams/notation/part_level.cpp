@@ -51,7 +51,7 @@ PartLevel::PartLevel(const Component& component, const Size& header, const Recta
         part.events = {event};
         part.squares = {square_of(*event, drawing.elements)};
         parts_.push_back(std::move(part));
-        pins_.push_back(Pin::none);  // its first connection decides
+        pins_.push_back(Pin::none);  // its first connection decides the end
     }
     for (const auto& connection : component.connections) add_connection(*connection);
     lay_out();
@@ -140,7 +140,7 @@ PartLevel::End PartLevel::end_of(const Connection::End& end, bool source) {
     return {part, square_in(parts_[part], end)};
 }
 
-/// An own event of the component is on the left if it leads inwards, on the right if it leads outwards.
+/// The square of an own event. It is on the left if it leads inwards, and on the right if it leads outwards.
 std::size_t PartLevel::own_event(const Connection::End& end, bool source) {
     const std::string name = shown_name(end.event.text());
     std::size_t found = parts_.size();
@@ -283,13 +283,14 @@ PartLevel::Borders PartLevel::find_borders() const {
     }
     if (!result.events_left) result.left = -component_inset;
     if (!result.events_right) result.right = placement_.size.width + component_inset;
-    // Components without connections may extend beyond the events on the right border, which must be outside of them.
+    // Components without connections may extend beyond the events on the right border, so the border must be moved
+    // outwards.
     result.missing = std::max({0.0, header_.width - (result.right - result.left), rightmost - result.right});
     return result;
 }
 
-/// If the frame must be wider than the components need, they are centred. If there are events on the right border, the
-/// border is moved instead.
+/// If the frame must be wider than the components need, the components are centred. If there are events on the right
+/// border, the border is moved instead.
 void PartLevel::paint(Picture& picture) {
     if (as_drawn_) {
         paint_as_drawn(picture);

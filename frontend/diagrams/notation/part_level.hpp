@@ -15,8 +15,8 @@ namespace robochart::diagrams {
 /// The inside of a module or controller. Its own events are on its border.
 class PartLevel {
 public:
-    /// `header`: the size of the part of the frame above the components; `title`: the text of its title, relative to
-    /// the middle of its upper side.
+    /// `header` is the size of the part of the frame above the components. `title` is the rectangle of the title's
+    /// text, relative to the middle of the upper side.
     PartLevel(const frontend::Component& component, const layout::Size& header, const layout::Rectangle& title,
               const Drawing& drawing);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A diagram as data: boxes, lines and text with their places, and the elements of the model that they show. All formats
-// are written from this data (frontend/diagrams/svg).
+// A diagram as data: boxes, lines and text with their places, and the elements of the model that they show. All output
+// formats use this data (frontend/diagrams/svg).
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace robochart::diagrams {
 
-/// No element, no box.
+/// The index that means no element or no box.
 inline constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 /// The icon before a title or row.

@@ -41,7 +41,7 @@ struct Row {
 /// Several rows, and the texts that they elide.
 struct Rows {
     std::vector<Row> rows;
-    std::string whole;  ///< the complete texts that are elided
+    std::string whole;  ///< the complete text if a part of it is elided
 
     /// Adds one row for each line that the texts need; texts are separated by commas.
     void add(Icon icon, const std::vector<RowText>& texts);

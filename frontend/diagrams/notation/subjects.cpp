@@ -83,8 +83,8 @@ private:
         found_[at->second].files.push_back(&file);
     }
 
-    /// Files are named after the last part of each name. If two are equal (on any file system), the full names are
-    /// used, then numbers are added.
+    /// Files are named after the last part of the subject's name. If two such names are equal on some file system, the
+    /// full names are used, and if these are also equal, numbers are added.
     void name_files() {
         std::map<std::string, std::size_t> uses;
         const auto last_name = [](const Subject& subject) {

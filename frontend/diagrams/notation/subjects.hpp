@@ -20,8 +20,9 @@ struct Subject {
 /// True for a component, which has its own diagram.
 [[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
 
-/// Lists, in textual order, all modules, controllers, machines, operations and platforms (also inline ones), then every
-/// package with types, functions or interfaces. `paths`: the paths of the texts, which name packages without a name.
+/// Lists, in textual order, all modules, controllers, machines, operations and platforms, including inline ones. Then
+/// lists every package with types, functions or interfaces. `paths` contains the paths of the texts, which replace the
+/// names of unnamed packages.
 [[nodiscard]] std::vector<Subject> find_subjects(const frontend::Model& model,
                                                  const diagnostics::SourceManager& sources);
 

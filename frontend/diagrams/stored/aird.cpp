@@ -44,7 +44,7 @@ private:
     const XML_Char** list_;
 };
 
-/// Reads numbers from the beginning of a text; each is a number of pixels or a fraction of a side.
+/// Reads numbers from the beginning of a text. A number is in pixels or is a fraction of a side.
 class Numbers {
 public:
     explicit Numbers(std::string_view text) : text_(text), rest_(text) {}

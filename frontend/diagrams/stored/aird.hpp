@@ -43,7 +43,7 @@ struct AirdLine {
     bool visible = true;
 };
 
-/// A diagram: elements by id; each shape comes before the shapes inside it.
+/// A diagram: its elements by id. A shape comes before the shapes inside it.
 struct AirdDiagram {
     std::map<std::string, AirdElement, std::less<>> elements;
     std::vector<AirdShape> shapes;
@@ -61,7 +61,7 @@ struct Aird {
 inline constexpr std::size_t longest_aird = std::size_t{64} << 20U;
 
 /// Reads XML in UTF-8 without a document type. Entity definitions, which could grow without bound or name other files,
-/// are rejected. Elements that are nested too deeply and numbers out of range are rejected, too.
+/// are rejected. Elements that are nested too deeply and numbers out of range are also rejected.
 [[nodiscard]] Aird read_aird(std::string_view text, diagnostics::Budget* budget = nullptr);
 
 }  // namespace robochart::diagrams

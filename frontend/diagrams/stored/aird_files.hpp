@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caches files with diagrams for servers: each is read once, and again if it changes on disk.
+// Caches files with diagrams for servers. A file is read once, and read again when it changes on disk.
 #pragma once
 
 #include <cstdint>

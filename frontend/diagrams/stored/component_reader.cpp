@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See component_reader.hpp. A node, component or event in RoboTool's file is the declaration to which its reference
-// leads, if that declaration has the displayed name. Otherwise, because declarations may have been added or moved, it
-// is the declaration of that name next to it.
+// See component_reader.hpp. A node, component or event in RoboTool's file denotes the declaration to which its
+// reference leads, if that declaration has the displayed name. Otherwise declarations may have been added or moved, so
+// the shape denotes the declaration with the displayed name in the same container.
 #include "frontend/diagrams/stored/component_reader.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ bool is_called(const Declaration& declaration, std::string_view shown) {
                                     (!reference->target_name.empty() && name == reference->target_name.parts.back()));
 }
 
-/// True for areas in which shapes are stacked: those with nodes or components.
+/// True for areas that contain nodes or components as shapes.
 bool is_inside(std::string_view mapping) {
     return mapping == "NodesID" || mapping == "MachinesID" || mapping == "ModuleNodes";
 }
@@ -51,7 +51,7 @@ bool is_rows(std::string_view mapping) {
     return mapping == "ContextID" || mapping == "OpContextID" || mapping == "ActionsID";
 }
 
-/// True for shapes in an area that may be missing in the model: mappings of nodes, components and events.
+/// True for mappings of nodes, components and events, which may be missing in the model.
 bool is_placed(std::string_view mapping) {
     constexpr std::string_view placed[] = {"StateID",
                                            "InitialID",
@@ -270,8 +270,8 @@ private:
 
     // ---------------------------------------------------------------- lines
 
-    /// Reads the lines between shapes of the component: first those whose references can be resolved, then those with
-    /// the same ends as a declaration.
+    /// Reads the lines between shapes of the component. Lines whose references can be resolved come first, then lines
+    /// with the same ends as a declaration.
     void read_lines() {
         std::vector<std::pair<const AirdLine*, const AirdElement*>> rest;
         for (const std::size_t l : lines_inside()) {
@@ -289,7 +289,8 @@ private:
         }
     }
 
-    /// The lines whose ends are shapes of the component (found or not) or own events, in the order of the file.
+    /// The lines between shapes of the component or own events, in the order of the file. A shape may be missing in the
+    /// model.
     [[nodiscard]] std::vector<std::size_t> lines_inside() const {
         std::vector<std::size_t> result;
         for (const std::string& id : ids_) {

@@ -25,7 +25,7 @@ struct StoredDiagram {
     std::size_t elements = 0;  ///< nodes, parts, squares of events and lines
     std::size_t found = 0;     ///< number of these elements that the model has, with their names or ends
     std::size_t boxes = 0;     ///< nodes and parts
-    std::size_t stacked = 0;   ///< number of boxes at the place of another one, because nobody moved them
+    std::size_t stacked = 0;   ///< number of boxes at the place of another box, because nobody has moved them
 
     /// True if a person arranged the diagram; false if it is as RoboTool created it.
     [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
@@ -45,8 +45,8 @@ public:
     /// Adds the diagrams in files `representations.aird` in the folders of the model's files and in their common
     /// folder. A file that cannot be read is reported once.
     void read(const frontend::Model& model, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out);
-    /// Adds the diagrams of a file with this path. If a component has several diagrams, the one that fits best is kept,
-    /// or the first of those that fit equally well.
+    /// Adds the diagrams of a file with this path. If a component has several diagrams, the one that fits best is used;
+    /// of those that fit equally well, the first.
     void add(const Aird& aird, const std::string& path, const frontend::Model& model,
              const diagnostics::SourceManager& sources, diagnostics::Budget* budget);
 

@@ -254,7 +254,7 @@ private:
     const Elements& elements_;
     const SvgOptions& options_;
     std::string out_;
-    std::map<std::size_t, std::size_t> times_;  ///< how many groups each element has so far
+    std::map<std::size_t, std::size_t> times_;  ///< number of groups of each element so far
     std::size_t others_ = 0;
 };
 

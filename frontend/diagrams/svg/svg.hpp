@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes pictures as SVG: a self-contained file, readable with light and dark themes. docs/diagrams.md shows it.
+// Writes pictures as self-contained SVG files for light and dark themes (docs/diagrams.md).
 #pragma once
 
 #include <map>
