@@ -30,7 +30,7 @@ struct Formula {
     Steps steps = {};
     bool co_safe = true;  ///< every path that satisfies it has a prefix all of whose continuations satisfy it
     bool safe = true;     ///< every path that violates it has a prefix none of whose continuations satisfies it
-    bool tail = false;    ///< adding a prefix to a path, or removing one, changes nothing
+    bool tail = false;    ///< the truth on a path does not change if a prefix is added or removed
 };
 
 class Formulas {

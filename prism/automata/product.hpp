@@ -25,7 +25,7 @@ struct Product {
 /// The states in which a part that is not `always` holds for all continuations.
 [[nodiscard]] markov::StateSet done_states(const Product& product, const Automaton& automaton, std::size_t part);
 
-/// The states of end components in which a scheduler that stays there satisfies the condition.
+/// The states of the end components in which a scheduler that never leaves the component can satisfy the condition.
 [[nodiscard]] markov::StateSet winning_states(const Product& product, const Automaton& automaton,
                                               const Condition& condition, diagnostics::Budget* budget);
 

@@ -72,7 +72,7 @@ private:
         }
     }
 
-    /// Properties to which others refer come first.
+    /// Checks properties; those to which others refer come first.
     void properties() {
         std::vector<Defined> defined;
         for (const Property& each : file_.properties) {

@@ -35,7 +35,8 @@ struct CheckedModel {
     std::vector<Synchronisation> synchronisations;
     std::vector<RewardStructure> rewards;
     ExprPtr initial;   ///< null: one initial state
-    ExprPtr left_out;  ///< where the encoding leaves out a step of the original model; null: nowhere
+    ExprPtr left_out;  ///< true in states in which the encoding omits a step of the original model; null: no step is
+                       ///< omitted
 };
 
 struct CheckedProperties {

@@ -112,7 +112,7 @@ std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas,
     bool grown = false;
     for (const std::size_t i : definition_order(definitions, diagnostics)) {
         result[i].body = rewriter(formulas[i].body);
-        // Only the first definition that is too large is reported. Definitions that use it are not expanded with it.
+        // Only the first definition that is too large is reported. It is not expanded in other definitions.
         diagnostics::Diagnostics more;
         const bool good = is_manageable(result[i].body, formulas[i].name.span, grown ? more : diagnostics);
         grown = grown || !good;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sorts formulas and constants that use each other: each comes after those that it uses.
+// Sorts formulas and constants, so that a definition comes after the definitions that it uses.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct Defined {
     ExprPtr body;
 };
 
-/// Returns the indices in sorted order. Definitions that depend on themselves are reported and left out.
+/// Returns the indices in sorted order. Definitions that depend on themselves are reported and omitted.
 [[nodiscard]] std::vector<std::size_t> definition_order(const std::vector<Defined>& definitions,
                                                         diagnostics::Diagnostics& diagnostics);
 
@@ -26,7 +26,7 @@ struct Defined {
 [[nodiscard]] std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas, Rewriter& rewriter,
                                                       diagnostics::Diagnostics& diagnostics);
 
-/// Whether an expression is within the size limit; reports it otherwise.
+/// Whether an expression is within the size limit. If it is not, reports this.
 bool is_manageable(const ExprPtr& expr, Span place, diagnostics::Diagnostics& diagnostics);
 
 }  // namespace robochart::prism

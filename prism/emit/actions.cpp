@@ -53,7 +53,7 @@ void MachineEmitter::emit_statement(Part& part, std::size_t place, const std::st
 }
 
 Channel* MachineEmitter::channel_of(const Part& part, ir::EventId event, Direction direction, diagnostics::Span span) {
-    // the events of an operation are those of the machine that runs it
+    // the events of an operation are those of the machine that calls it
     const std::string& name = part.machine->events[event.index].name;
     const ir::Machine& host = context_.system.machine(instance_.machine);
     const auto found = std::ranges::find_if(host.events, [&](const auto& each) { return each.name == name; });

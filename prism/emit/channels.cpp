@@ -77,7 +77,8 @@ std::vector<Channels::Hop> Channels::next_hops(const End& from, Direction direct
 }
 
 /// Follows an event from a machine out of its controller, through the module, into another machine or to the platform.
-/// Each event on the path has one neighbour on each side; communication between more than two is not encoded.
+/// Each event on the path has one neighbour on each side, because communication between more than two ends is not
+/// encoded.
 std::optional<Channels::Route> Channels::follow_route(const End& from, Direction direction,
                                                       std::string& problem) const {
     const Direction back = direction == Direction::out ? Direction::in : Direction::out;

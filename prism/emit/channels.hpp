@@ -21,7 +21,7 @@ struct Seat {
     friend auto operator<=>(const Seat&, const Seat&) = default;
 };
 
-enum class Direction { out, in };  ///< as the machine sees it
+enum class Direction { out, in };  ///< direction from the point of view of the machine
 
 /// Connects an event of a machine with another machine or with the platform.
 struct Channel {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoboTool's encoding of a module in PRISM (translate2prism), rule by rule. docs/prism-encoding.md contains the rules
 // R1 to R16, and the sources quote each rule where they implement it. In a dtmc every step takes part in a uniform
-// choice, so the number and kind of steps affect all results. They are the same as RoboTool's; names and order may
-// differ.
+// choice, so the number and kind of steps affect all results. So the encoding has the same steps as RoboTool's; names
+// and order may differ.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ namespace robochart::prism_emit {
 /// The text of the file: the model with updates restricted to their ranges (ranges.hpp), then the names as comments
 /// (R1).
 [[nodiscard]] std::string file_text(const Emission&);
-/// Whether the text is such a file, or a file written by RoboTool.
+/// Whether the text was written by `file_text` or by RoboTool.
 [[nodiscard]] bool is_of_robochart(std::string_view text);
 
 }  // namespace robochart::prism_emit

@@ -136,7 +136,7 @@ private:
     }
 
     /// R16, "Functions stay as #CALLFUNC!f$args# until an assertion supplies pfunctions": such a placeholder is not
-    /// valid PRISM. If an assertion, or the model itself, defines the result, it is inserted instead.
+    /// valid PRISM. If an assertion or the model defines the result of the function, the result is inserted instead.
     ExprPtr translate_call(const ir::Expr& expr) {
         const ir::Function& function = context_.system.functions[expr.function.index];
         const auto given = context_.functions.find(function.name);

@@ -365,7 +365,7 @@ MachineEmitter::Assignments MachineEmitter::go_on(Part& part, const Step& step) 
 }
 
 /// R5: "[] scpc=i0 -> scpc'=target (a step of its own; plus unlock if the target is a simple state without entry
-/// action)." With an action, the transition takes the lock. It also does on the way to a composite state, whose
+/// action)." A transition with an action takes the lock. A transition to a composite state does so too, because its
 /// substates are not entered yet (R6: the lock is "free when the innermost entry is complete").
 void MachineEmitter::from_initial(Part& part, const Step& step) {
     const std::string lock = add_lock(part, step);

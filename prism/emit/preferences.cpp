@@ -65,7 +65,7 @@ std::string read_line(std::string_view line, Preferences& preferences) {
         return read_number(value, range.*(bound->second.side)) ? "" : key + ": a whole number is expected";
     }
     if (key == kind_key) return read_kind(value, preferences.kind) ? "" : key + ": dtmc or mdp is expected";
-    // A misspelt key would silently leave a range unchanged.
+    // Unknown keys are reported, because a misspelt key would silently have no effect on a range.
     std::vector<std::string> keys{kind_key};
     for (const auto& [name, each] : bounds) keys.push_back(name);
     const std::string meant = diagnostics::nearest_spelling(key, keys);

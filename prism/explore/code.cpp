@@ -200,8 +200,8 @@ std::vector<Code::Root> Code::operands(const Node& node) const {
     return one ? std::vector<Root>{node.a} : std::vector<Root>{node.a, node.b};
 }
 
-/// Evaluates an expression that reads no variable. If the evaluation fails, the expression is kept, because it may
-/// never be evaluated.
+/// Evaluates an expression that reads no variable. If the evaluation fails, the expression is not replaced, because the
+/// model may never evaluate it.
 Code::Root Code::fold_constants(Root root) {
     const Node node = nodes_[root];
     using enum Operation;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions over states as code: a tree in an array, with resolved names and folded constants. Integers and booleans
-// are evaluated as machine integers, checked for 32 bits; doubles as real numbers (real.hpp).
+// Compiles expressions over states to code: a tree in an array, with resolved names and folded constants. Integers and
+// booleans are evaluated as machine integers with a check for 32 bits, and doubles as real numbers (real.hpp).
 #pragma once
 
 #include <cstdint>

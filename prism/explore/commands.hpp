@@ -55,7 +55,7 @@ public:
     /// Finds the enabled commands of all groups, and evaluates the effects of those that can act. Throws
     /// EvaluationError.
     void evaluate(StateValues state);
-    /// The same without effects.
+    /// Finds the enabled commands of all groups without their effects.
     void evaluate_guards(StateValues state);
     /// The effects of one command that is enabled in the state.
     void evaluate_effects(std::uint32_t command, StateValues state) { evaluate_effects(commands_[command], state); }

@@ -13,7 +13,7 @@ void conjuncts(const ExprPtr& expr, std::vector<ExprPtr>& result) {
     for (const ExprPtr& part : expr->parts) conjuncts(part, result);
 }
 
-/// Assigns values to the variables one after the other.
+/// Lists initial states by assigning values to the variables one after the other.
 class Lister {
 public:
     Lister(const ExprPtr& expr, const Layout& layout, Code& code, diagnostics::Budget* budget,

@@ -22,8 +22,8 @@ public:
     /// Values of the constants of the model.
     [[nodiscard]] const Values& constants() const { return constants_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
-    /// Returns code for expressions over the states, with more constants. In a state, two booleans with the names below
-    /// may follow the values of the variables. Throws EvaluationError.
+    /// Returns code for expressions over the states, with additional constants. In a state, two booleans with the
+    /// following names may come after the values of the variables. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more = {}) const;
 
     /// Names of booleans that follow the variables in a state: whether the state is a deadlock, and whether it is

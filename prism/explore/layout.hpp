@@ -39,7 +39,7 @@ public:
     }
     /// "x=1, y=false".
     [[nodiscard]] std::string state_text(const std::int32_t* values) const;
-    /// The same for the variables whose values differ from `before`. If `before` is null, all variables are included.
+    /// The text of the variables whose values differ from `before`. If `before` is null, all variables are included.
     [[nodiscard]] std::string changes_text(const std::int32_t* before, const std::int32_t* after) const;
 
 private:

@@ -31,9 +31,9 @@ public:
     /// `space` must outlive the object.
     explicit MoveReader(const StateSpace& space);
 
-    /// Returns the commands for a choice of a state; if `to` is given, only those that may lead to it. In a dtmc there
-    /// may be several elements, of which the model draws one. In an mdp there are several if different commands form
-    /// the same choice. Empty for the loop of a deadlock.
+    /// Returns the commands for a choice of a state; if `to` is given, only those that may lead to it. In a dtmc the
+    /// result may contain several moves, one of which the model draws. In an mdp it contains several moves if different
+    /// commands form the same choice. It is empty for the loop of a deadlock.
     [[nodiscard]] std::vector<Move> list_moves(markov::State state, std::uint32_t choice,
                                                std::optional<markov::State> to = {});
 

@@ -150,8 +150,8 @@ Real infinite(bool positive) {
     return positive ? Enclosure{infinity, infinity} : Enclosure{-infinity, -infinity};
 }
 
-/// Throws an error for an operation without a value. `certain`: it has no value for any number of the enclosure;
-/// otherwise for some of them.
+/// Throws an error for an operation without a value. If `certain` is true, the operation has no value for any number of
+/// the enclosure; otherwise it has none for some of them.
 [[noreturn]] void no_value(bool certain, const std::string& what) {
     if (certain) throw std::domain_error(what + " has no value");
     throw Unclear("whether it is " + what + " is not known");
@@ -202,7 +202,7 @@ Real operator/(const Real& a, const Real& b) {
 
 namespace {
 
-/// The base or the exponent must be known to be infinite.
+/// A power whose base or exponent is known to be infinite.
 Real infinite_power(const Real& base, const Real& exponent) {
     const auto compared = [](const Real& a, std::int64_t b) { return a.compare(Real(b)); };
     if (base.is_infinite()) {

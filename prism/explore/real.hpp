@@ -61,12 +61,12 @@ private:
 // The following functions throw std::domain_error if there is no value, and Unclear.
 [[nodiscard]] Real power(const Real& base, const Real& exponent);
 [[nodiscard]] Real logarithm(const Real& value, const Real& base);
-/// Returns the lesser or the greater of two numbers. Returns an enclosure of it if they cannot be compared.
+/// Returns the lesser or the greater of two numbers. If they cannot be compared, returns an enclosure of the result.
 [[nodiscard]] Real extreme_of(const Real& a, const Real& b, bool least);
 /// Returns the greatest integer that is not greater than the number. No value if the enclosure does not determine it.
 /// Throws std::domain_error for infinity.
 [[nodiscard]] std::optional<Rational> floor_of(const Real& value);
-/// Returns a fraction for readers: as a decimal if it is short, otherwise as a fraction.
+/// Returns the text of a fraction: as a decimal if that is short, otherwise as a fraction.
 [[nodiscard]] std::string fraction_text(const Rational& value);
 
 }  // namespace robochart::prism

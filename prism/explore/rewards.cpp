@@ -11,7 +11,7 @@
 namespace robochart::prism {
 
 /// Adds up the rewards of matching items. In a dtmc the single choice of a state represents all combinations of
-/// commands, which are equally likely. Its reward is the mean of their rewards.
+/// commands, which are equally likely, so its reward is the mean of their rewards.
 class RewardTable {
 public:
     RewardTable(const StateSpace& space, const RewardStructure& structure, bool exact)

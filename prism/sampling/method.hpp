@@ -17,7 +17,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Of `width`, `confidence` and `samples`, two are given and the third follows; a missing one of two has its default.
+/// Two of `width`, `confidence` and `samples` determine the third. If fewer than two are given, a default is used.
 struct Method {
     enum class Kind : std::uint8_t {
         ci,    ///< confidence interval: mean +- `width`, by Student's distribution

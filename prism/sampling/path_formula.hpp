@@ -11,9 +11,11 @@
 
 namespace robochart::prism {
 
-/// Supports X, F, G, U, W and R of state formulas, with bounds on the steps, below any number of X, and !, &, |, =>,
-/// <=> over such formulas. All are reduced to `left U right` from some state of the path: F a is true U a, G a is !F
-/// !a, a W b is !((a & !b) U (!a & !b)), a R b is !(!a U !b), and a state formula a is F<=0 a.
+/// , <=> over such formulas. All are reduced to `left U right` from some state of the path: => Supports X, F, G, U, W
+/// and R of state formulas, with bounds on the steps and inside any number of X, and !, &, |, =>, <=> over such
+/// formulas. All are reduced to `left U right` from some state of the path: =>, <=> over such formulas. All are reduced
+/// to `left U right` from some state of the path: F a is true U a, G a is !F !a, a W b is !((a & !b) U (!a & !b)), a R
+/// b is !(!a U !b), and a state formula a is F<=0 a.
 class PathFormula {
 public:
     /// Labels must have been replaced, except for "deadlock" and "init". Throws Unsampled, EvaluationError.
@@ -23,7 +25,7 @@ public:
     void start_path();
     /// Processes the next state of the path. Throws EvaluationError.
     void observe_state(StateValues state);
-    /// States that the last `period` states of the path repeat forever.
+    /// Records that the last `period` states of the path repeat forever.
     void end_in_loop(std::uint64_t period);
     /// Whether the formula holds; no value if this is not known yet.
     [[nodiscard]] std::optional<bool> holds() const { return holds(root_); }

@@ -33,9 +33,9 @@ private:
     const Instance& instance_;
     Walk& walk_;
     Op kind_;                             ///< probability, eventually, cumulative, instantaneous
-    std::optional<PathFormula> formula_;  ///< for the first two
-    std::optional<PathRewards> rewards_;  ///< for the last three
-    std::uint64_t steps_ = 0;             ///< for the last two
+    std::optional<PathFormula> formula_;  ///< for the first two kinds
+    std::optional<PathRewards> rewards_;  ///< for the last three kinds
+    std::uint64_t steps_ = 0;             ///< for the last two kinds
     double earned_ = 0;
 };
 

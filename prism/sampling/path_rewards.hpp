@@ -27,7 +27,7 @@ private:
     struct Item {
         Code::Root guard, value;
         bool fixed;
-        double amount;  ///< if it is constant
+        double amount;  ///< the reward if it is constant
     };
 
     [[nodiscard]] double reward_amount(Code::Root value, StateValues state) const;

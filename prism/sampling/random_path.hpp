@@ -19,7 +19,7 @@ struct RandomPath {
     };
     std::vector<std::int32_t> initial;
     std::vector<Step> steps;
-    bool deadlock = false;  ///< its last state is a deadlock
+    bool deadlock = false;  ///< true if the last state is a deadlock
 };
 
 /// Returns the path with this number, which is the path that samples with the same seed follow. It has at most `steps`

@@ -63,7 +63,7 @@ private:
     std::uint64_t enabled_ = 0;               ///< number of enabled combinations
     const CommandTable::Act* act_ = nullptr;  ///< the drawn synchronisation; null: none
     std::vector<std::uint32_t> chosen_;       ///< the drawn commands
-    bool forced_ = true;                      ///< the last step was the only possible one
+    bool forced_ = true;                      ///< true if the last step was the only possible one
     // A state for comparison, which is replaced each time after twice as many steps (Brent, An improved Monte Carlo
     // factorization algorithm, BIT 20, 1980).
     std::vector<std::int32_t> anchor_;

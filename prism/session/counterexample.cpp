@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See counterexample.hpp. An upper bound is violated if the formula is too likely, a lower bound if its negation is.
-// Either is a reachability probability, see docs/probability.md, "Counterexamples": if `left U right` is too unlikely,
-// paths to states from which it has probability 0 are too likely.
+// See counterexample.hpp. An upper bound is violated if the formula is too likely, and a lower bound if its negation is
+// too likely. Both are reachability probabilities (docs/probability.md, "Counterexamples"): if `left U right` is too
+// unlikely, paths to states from which it has probability 0 are too likely.
 #include "prism/session/counterexample.hpp"
 
 #include <algorithm>

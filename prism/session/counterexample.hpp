@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a bound on a probability is violated: the most probable paths that together are evidence.
+// Explains why a bound on a probability is violated, by the most probable paths that together are evidence.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace robochart::prism {
 /// A path in terms of the model.
 struct ProbablePath {
     struct Step {
-        std::vector<Move> by;  ///< the commands that caused it; several elements: one of these
+        std::vector<Move> by;  ///< the commands that caused the step; if there are several moves, one of them did
         std::string changes;   ///< "x=1, y=false": the variables that change; "": none
         std::string state;     ///< all variables
     };
@@ -26,15 +26,15 @@ struct ProbablePath {
 
 /// Paths whose probabilities add up, since none is a prefix of another.
 struct Counterexample {
-    bool holds = true;                ///< the formula holds on these paths; if false, it does not, for any continuation
-    bool never = false;               ///< the formula can never hold any more
-    bool scheduled = false;           ///< for an mdp: under the scheduler that makes them most likely
+    bool holds = true;       ///< the formula holds on these paths; if false, it does not, for any continuation
+    bool never = false;      ///< the paths lead to states from which the formula cannot hold
+    bool scheduled = false;  ///< for an mdp: the probabilities are those under the scheduler that maximises them
     std::vector<ProbablePath> paths;  ///< the most probable ones, at most `most_kept`
     std::uint64_t count = 0;          ///< number of paths in the sum
     Enclosure total;
     Real bound;           ///< the bound that the total must reach or exceed
     bool strict = true;   ///< must exceed
-    bool enough = false;  ///< it does; otherwise there are too many paths, or infinitely many
+    bool enough = false;  ///< the total reaches the bound; otherwise there are too many paths
     static constexpr std::size_t most_kept = 100;
 };
 

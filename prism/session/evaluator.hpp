@@ -31,7 +31,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A path formula as `left U right`, or as the negation of one. The step bound is that of the formula.
+/// A path formula as `left U right`, or as the negation of such a formula. The step bound is that of the formula.
 struct Reachability {
     markov::StateSet left, right;
     bool negated = false;

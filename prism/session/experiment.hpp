@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values for the constants that a model or its properties do not define: one for each, or a range.
+// Values for the constants that a model or its properties do not define: one value for each constant, or a range.
 #pragma once
 
 #include <stdexcept>

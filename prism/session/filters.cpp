@@ -115,7 +115,7 @@ Result Evaluator::extreme_states(const Expr& expr) {
     return result;
 }
 
-/// As an expression, a filter has the same value in all states.
+/// The value of a filter inside an expression, which is the same in all states.
 StateVector Evaluator::evaluate_filter(const Expr& expr) {
     if (asks_for_states(expr)) {
         const StateSet states =

@@ -15,7 +15,7 @@ namespace robochart::prism {
 
 struct Result {
     enum class Kind : std::uint8_t {
-        truth,   ///< it holds or does not hold
+        truth,   ///< the result is true or false
         number,  ///< `low` is the value, or an enclosure of it
         range,   ///< from `low` to `high`, over several states
         states,  ///< the states in `printed`, which have the least or the greatest value

@@ -28,7 +28,8 @@ public:
     /// fractions if the model is small.
     [[nodiscard]] Result check(std::size_t property, const Values& constants) const;
 
-    /// Returns evidence for a bound that `check` has found violated, if there is any. Throws the exceptions of `check`.
+    /// Returns the counterexample for a bound that is violated according to `check`, if there is one. Throws the
+    /// exceptions of `check`.
     [[nodiscard]] std::optional<Counterexample> counterexample(std::size_t property, const Values& constants) const;
 
     /// Returns the choices of a scheduler that attains the value of a property (counterexample.hpp). Throws the

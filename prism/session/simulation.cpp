@@ -87,14 +87,15 @@ private:
                                    : statistics::student_quantile(alpha / 2, values_.count() - 1);
     }
 
-    /// Whether N >= v t^2 / w^2. Student's quantile is greater than the normal one, which is known.
+    /// Whether N >= v t^2 / w^2. The test first uses the known quantile of the normal distribution, which is less than
+    /// Student's.
     [[nodiscard]] bool narrow_enough() const {
         const double error = values_.standard_error();
         return values_.count() >= least_samples && normal_ * error <= *method_.width &&
                quantile(alpha()) * error <= *method_.width;
     }
 
-    /// The third of samples, width and confidence follows from the other two.
+    /// The estimate so far. Of samples, width and confidence, the third follows from the other two.
     [[nodiscard]] Estimate estimate() const {
         Estimate result;
         result.method = method_.kind;
@@ -159,9 +160,9 @@ private:
         return result;
     }
 
-    /// One path is enough in three cases. If the formula holds on a path, the probability is not 0. If it does not
-    /// hold, the probability is not 1. If a path never reaches the target, the reward is infinite. All other results
-    /// depend on the intervals.
+    /// The answer is known after one path in three cases. If the formula holds on a path, the probability is not 0. If
+    /// it does not hold, the probability is not 1. If a path never reaches the target, the reward is infinite. All
+    /// other results depend on the intervals.
     Result compare_with_bound() const {
         const double bound = bound_->bounds().middle();
         if (endless_) return truth_result(true);

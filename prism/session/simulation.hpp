@@ -11,8 +11,8 @@ namespace robochart::prism {
 
 /// Evaluates P [ path ] or R [ F, C<=k, I=k ] over a dtmc with one initial state. `constants` are those of the
 /// properties. The result contains an Estimate. A number is the mean of the samples and not an enclosure. A bound
-/// counts as decided if every interval of the estimate is on one side of it. The result is unknown, with the reason, if
-/// the method or the paths do not decide. The same seed gives the same result for any number of threads. Throws
+/// counts as decided if every interval of the estimate is on one side of it. If the method or the paths do not decide,
+/// the result is unknown and contains the reason. The same seed gives the same result for any number of threads. Throws
 /// EvaluationError, LimitReached.
 [[nodiscard]] Result simulate(const Instance& instance, const CheckedProperties& properties, std::size_t property,
                               const Values& constants, const SamplingOptions& options,

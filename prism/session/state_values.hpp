@@ -23,10 +23,11 @@ enum class Truth : std::uint8_t { no, yes, unknown, undefined };
 [[nodiscard]] Truth negation_of(Truth truth);
 [[nodiscard]] Truth conjunction_of(Truth a, Truth b);
 
-/// The reason why an expression has no value in a state, or (`open`) why it is unknown whether it has one.
+/// The reason why an expression has no value in a state; with `open`, the reason why it is unknown whether the
+/// expression has a value.
 struct Undefined {
     EvaluationError error;
-    std::string open;  ///< "": it certainly has none
+    std::string open;  ///< "": the expression certainly has no value
 };
 using UndefinedPtr = std::shared_ptr<const Undefined>;
 
@@ -48,7 +49,7 @@ public:
     std::vector<Truth> truths;       ///< for booleans
     std::vector<Enclosure> numbers;  ///< for numbers that are not exact
     std::vector<Real> reals;         ///< for exact numbers, and infinity
-    std::string reason;              ///< why something is unknown, or wider than requested
+    std::string reason;              ///< the reason why a value is unknown, or wider than requested
     /// States without a value. Their truth is Truth::undefined.
     std::map<std::size_t, UndefinedPtr> undefined;
 

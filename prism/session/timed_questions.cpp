@@ -42,8 +42,8 @@ StateVector Evaluator::layered_until(const StateSet& left, const StateSet& right
     return result;
 }
 
-/// Handles bounds with more units than can be unfolded. The value is at least the value for fewer units, and at most
-/// the value without a bound, for all schedulers.
+/// Handles bounds with more units than can be unfolded. For every scheduler, the value is at least that for fewer
+/// units, and at most that without a bound.
 StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, Direction direction) {
     constexpr std::uint64_t few_states = 2'000'000;  // in all layers together
     const std::uint64_t units = std::max<std::uint64_t>(1, few_states / std::max<std::size_t>(1, chain_.states()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts PRISM text to tokens. All words have one token kind; the parser checks whether a word is reserved.
+// Converts PRISM text to tokens. All words are tokens of the same kind; the parser checks whether a word is reserved.
 #pragma once
 
 #include <cstdint>

@@ -66,8 +66,8 @@ ExprPtr Parser::make_infix(Op op, ExprPtr left, ExprPtr right) {
     return make_node(op, from, {std::move(left), std::move(right)});
 }
 
-/// Parses `a U<=3 b`. These operators do not chain. Outside brackets, `R` begins the next property, because semicolons
-/// between properties are optional.
+/// Parses `a U<=3 b`. Operators such as U are not associative. Outside brackets, `R` begins the next property, because
+/// semicolons between properties are optional.
 ExprPtr Parser::parse_expression() {
     const Depth depth(*this);
     ExprPtr left = parse_temporal();

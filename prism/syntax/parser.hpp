@@ -51,8 +51,8 @@ private:
     bool accept(std::string_view text);
     Span expect(std::string_view text);
     Name parse_identifier(std::string_view what);
-    /// Names of modules and actions cannot occur in expressions, so letters such as R, which begin queries there, are
-    /// allowed as names.
+    /// Names of modules and actions cannot occur in expressions, so letters such as R, which begin queries in
+    /// expressions, are allowed as these names.
     Name parse_letter_or_identifier(std::string_view what);
     Name parse_quoted(std::string_view what);
     [[nodiscard]] Span span_since(Span from) const;

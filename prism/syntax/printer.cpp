@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See printer.hpp. Prints parentheses only where the tree needs them.
+// See printer.hpp. Parentheses are printed only if the tree requires them.
 #include "prism/syntax/printer.hpp"
 
 #include <fmt/format.h>

@@ -93,7 +93,7 @@ private:
             const auto in_model = std::ranges::find_if(question_.model_constants, own);
             const auto in_property = std::ranges::find_if(question_.constants, own);
             given.of_model = in_model != question_.model_constants.end();
-            if (!given.of_model && in_property == question_.constants.end()) return;  // the constant is not used
+            if (!given.of_model && in_property == question_.constants.end()) return;  // the constant does not occur
             constant = given.of_model ? *in_model : *in_property;
         } else {
             constant = encoding_.prism_constant(setting.path);
@@ -246,7 +246,7 @@ private:
     }
 
     void generate_paths(const Unexplored& model, const prism::Values& numbers, Row& one) const {
-        constexpr std::uint64_t most_steps = 100'000;  // all of them are stored
+        constexpr std::uint64_t most_steps = 100'000;  // all steps are stored
         constexpr std::uint64_t usual_limit = 10'000;
         const Generation& asked = *question_.path;
         const bool to_deadlock = asked.steps.empty();

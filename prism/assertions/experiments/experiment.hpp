@@ -24,7 +24,7 @@ struct Path {
     };
     std::string begin;  ///< the initial state
     std::vector<Step> steps;
-    bool deadlock = false;  ///< no step is possible at its end
+    bool deadlock = false;  ///< no step is possible at the end of the path
 };
 
 /// The answer for one combination.
@@ -34,7 +34,7 @@ struct Row {
     /// error.
     std::vector<prism::Result> results;
     std::optional<Path> path = {};  ///< if one was requested
-    std::string error;              ///< why it cannot be evaluated; "" if there is no error
+    std::string error;              ///< the reason why the question cannot be evaluated; "" if there is no error
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;
 };

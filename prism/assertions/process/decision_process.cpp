@@ -34,7 +34,8 @@ struct Choice {
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// States in which only time can pass: the largest set of states that is closed and has only tock steps.
+/// States in which only time can pass: the largest set of states that have only tock steps, all of which lead into the
+/// set.
 markov::StateSet deadlocked_states(const Exploration& explored, const std::function<bool(const Step&)>& tock,
                                    const std::function<void()>& poll) {
     markov::StateSet result(explored.size(), true);

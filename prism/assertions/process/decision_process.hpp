@@ -19,10 +19,10 @@
 
 namespace robochart::probability {
 
-/// How choices are resolved.
+/// The scheduler that resolves choices.
 enum class Scheduler {
     any,     ///< all possible schedulers
-    urgent,  ///< steps that need neither an input nor time have priority: the platform accepts outputs at once
+    urgent,  ///< steps that need neither an input nor time have priority, because the platform accepts outputs at once
     uniform  ///< all choices of a state are equally likely
 };
 
@@ -43,7 +43,7 @@ struct Sources {
     const csp_emit::Provenance& provenance;
     const lts::EventTable& events;
     const std::vector<Seat>& seats;
-    /// Events that rewards refer to; at most `most_observed`.
+    /// Events to which rewards refer; at most `most_observed`.
     const std::vector<ObservedEvent>& observed;
 };
 

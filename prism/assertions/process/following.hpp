@@ -24,10 +24,10 @@ struct Following {
 void check_finite(const ir::System&, const ir::ComponentRef& subject);
 
 /// `states` are the paths of at most 32 states in the component's first machine. For each step in which a time unit
-/// passes, the classes of the state before and of the state after the step count. The class at the end of a control
-/// cycle is one of them, whether generated code is observed before or after the step. Throws Wrong if the machine has
-/// no such state, or if generated code may do something that the process does not: values are missing, the component
-/// may terminate, time may stop, or time may pass while a transition is taken.
+/// passes, both the class of the state before the step and the class of the state after it are used. So the class at
+/// the end of a control cycle is included, whether generated code is observed before or after the step. Throws Wrong if
+/// the machine has no such state, or if generated code may do something that the process does not: values are missing,
+/// the component may terminate, time may stop, or time may pass while a transition is taken.
 [[nodiscard]] Following find_following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
                                        const std::vector<std::string>& states, std::uint64_t units,
                                        const std::function<void()>& poll);

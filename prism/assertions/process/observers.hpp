@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the events in properties visible in the states of a process. A process in parallel with the machine or module
-// that has the event takes part in it and never refuses it:
+// Makes the events in properties visible in the states of a process. An observer runs in parallel with the machine or
+// module that has the event. It takes part in the event and never refuses it:
 //    Observer(n)    = e -> Observer(1 - n)
 //    Observer(n, x) = e?y -> Observer(1 - n, y)
 // The observer terminates together with the component, at the component's event `terminate`. A module has no such
@@ -34,8 +34,9 @@ struct ObservedEvent {
 inline constexpr const char* observed_parity = "n";
 inline constexpr const char* observed_value = "x";
 
-/// Adds the observers to the definitions D__ of their components, and adds their meanings. Each component must be
-/// written out in the script (Options::share_modules). Throws Wrong if there is no such component or event.
+/// Adds the observers to the definitions D__ of their components, and adds their meanings. The script must contain the
+/// definitions of every component in full (Options::share_modules). Throws Wrong if there is no such component or
+/// event.
 void add_observers(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events);
 
 }  // namespace robochart::probability

@@ -39,7 +39,7 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
         return type.name + "::" + type.labels[static_cast<std::size_t>(value.integer)];
     }
     if (value.type != prism::Type::real) return value.text();
-    // Fails if there is no decimal: a third is not a literal.
+    // Fails if the number has no finite decimal expansion: a third cannot be a literal.
     Rational rest = value.real.value();
     constexpr unsigned most_places = 18;
     for (unsigned places = 0; places <= most_places; ++places, rest *= 10)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The timed CSP semantics of a component as a Markov decision process. This encoding resolves no choice that the model
-// leaves open, and bounds count time units.
+// The timed CSP semantics of a component as a Markov decision process. The encoding does not resolve nondeterministic
+// choices of the model, and bounds count time units.
 #pragma once
 
 #include <map>
@@ -27,7 +27,7 @@ struct ProcessOptions {
     std::uint64_t compared_states = 1'000'000;
     bool exact = false;
     diagnostics::Budget* budget = nullptr;
-    /// Called for the process of each set of values of constants, before its states are explored. What it receives is
+    /// Called for the process of each set of values of constants, before its states are explored. The arguments are
     /// valid until the next call.
     SessionObserver on_session = {};
 };
@@ -64,7 +64,7 @@ private:
     diagnostics::SourceManager& sources_;
     ProcessOptions options_;
     std::unique_ptr<ProcessNames> names_;
-    std::unique_ptr<Explored> explored_;  ///< the latest one; questions about one model come one after another
+    std::unique_ptr<Explored> explored_;  ///< the latest process; questions about one model come one after another
     std::unique_ptr<Answered> answered_;
 };
 

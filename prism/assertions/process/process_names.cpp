@@ -88,8 +88,8 @@ ExprPtr ProcessNames::variable_expression(const std::string& path) {
     return prism::make_expr(Op::divide, {}, {read, name_expression(units)});
 }
 
-/// The machines that require a variable of the platform or of a controller hold its value. If one machine requires it,
-/// that machine has the current value; if several do, some may still have the old value.
+/// The machines that require a variable of the platform or of a controller have copies of its value. If one machine
+/// requires the variable, its copy is the current value; if several do, some copies may still be old.
 ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string& name) {
     const Seat* only = nullptr;
     for (const Seat& each : seats_)
@@ -139,7 +139,8 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
     throw_absent("state", machine + "::" + state);
 }
 
-/// The direction is seen from the declaration of the event: `in` means into the software, so out of the platform.
+/// The direction is that of the component that declares the event: `in` means into the software, so out of the
+/// platform.
 std::size_t ProcessNames::observed_event(const std::string& path, const std::string& direction, bool valued) {
     const std::string name = last_of(path);
     const ir::Event* event = nullptr;

@@ -28,8 +28,8 @@ struct Part {
     [[nodiscard]] std::optional<Held> find_variable(const std::string& machine, const std::string& name) const;
 };
 
-/// Reads packed states. The components of a process have few states compared with the whole, so each is read once and
-/// cached.
+/// Reads packed states. The components of a process have few states compared with the whole process, so a state of a
+/// component is read once and cached.
 class StateReader {
 public:
     /// Both arguments must outlive the object.

@@ -8,10 +8,10 @@
 
 namespace robochart::probability {
 
-/// Returns true if `fewer` is a part of `all`. Each state of `fewer`, the initial one first, must be a state of `all`
-/// with the same origin, and a deadlock in both or in neither. Each choice of `fewer` must be a choice of the same
-/// state in `all`, with the same action, the same passing of time and the same distribution. Both processes must be
-/// made from one exploration. Then every scheduler of `fewer` corresponds to a scheduler of `all`.
+/// Returns true if `fewer` is a subgraph of `all`. Each state of `fewer`, the initial one first, must be a state of
+/// `all` with the same origin, and a deadlock in both or in neither. Each choice of `fewer` must be a choice of the
+/// same state in `all`, with the same action, the same passing of time and the same distribution. Both processes must
+/// be made from one exploration. Then every scheduler of `fewer` corresponds to a scheduler of `all`.
 [[nodiscard]] bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all,
                                const std::function<void()>& poll);
 

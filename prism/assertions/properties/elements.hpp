@@ -11,13 +11,13 @@
 
 namespace robochart::probability {
 
-/// Thrown if an element of a property has no counterpart in the encoding; the message names it.
+/// Thrown if an element of a property has no counterpart in the encoding. The message contains the element.
 class NotExpressed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Thrown if the model, or the property in it, is wrong; the message says why.
+/// Thrown if the model, or a property of it, is wrong. The message contains the reason.
 class Wrong : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

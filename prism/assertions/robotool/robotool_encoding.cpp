@@ -63,7 +63,8 @@ public:
         throw_absent("constant", path);
     }
 
-    /// R3, R4: the counter of the state's region is at the state. If the region is not active, it is at no state.
+    /// R3, R4: the condition that the counter of the state's region is at the state. The counter of an inactive region
+    /// is at no state.
     ExprPtr in_state(const std::string& machine, const std::string& state) override {
         const std::size_t inner = state.rfind("::");
         const std::string region = inner == std::string::npos ? machine : machine + "::" + state.substr(0, inner);

@@ -18,7 +18,7 @@ namespace robochart::probability {
 
 struct RoboToolOptions {
     prism_emit::Preferences preferences;
-    /// Values for constants that the model leaves open: the name or the end of its path, and a literal.
+    /// Values for constants without a value in the model: maps the name, or the end of the path, to a literal.
     std::map<std::string, std::string> constants;
     std::uint64_t max_states = 500'000'000;
     bool exact = false;
@@ -27,8 +27,8 @@ struct RoboToolOptions {
 
 class RoboToolEncoding final : public Encoding {
 public:
-    /// The system and the module must outlive the object. `functions`: those of assertions, for calls in the model.
-    /// Throws NotExpressed if the encoding does not support the module.
+    /// The system and the module must outlive the object. `functions` contains the functions of assertions, for calls
+    /// in the model. Throws NotExpressed if the encoding does not support the module.
     RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
                      const std::map<std::string, Function>& functions);
     ~RoboToolEncoding() override;
@@ -46,8 +46,8 @@ private:
     struct Prepared;
 
     Prepared& prepare_model(const Question&, const prism::Values&);
-    /// Ranges that contain the values that a question gives to constants, and one value more. The additional value is
-    /// needed because counters reach a limit and must be able to exceed it.
+    /// Ranges that contain the values that a question gives to constants, and one additional value, because counters
+    /// must be able to exceed a limit.
     [[nodiscard]] prism_emit::Preferences ranges_for(const Question&);
     [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
 
@@ -59,7 +59,7 @@ private:
     prism_emit::Preferences emitted_for_;  ///< the ranges of `emission_`
     std::unique_ptr<Names> names_;
     Wording wording_;
-    std::unique_ptr<Prepared> prepared_;  ///< the latest one; questions about one model come one after another
+    std::unique_ptr<Prepared> prepared_;  ///< the latest model; questions about one model come one after another
 };
 
 }  // namespace robochart::probability

@@ -13,7 +13,7 @@ namespace robochart::markov {
 /// The branches of a choice, as targets.
 [[nodiscard]] std::span<const State> targets(const Model& model, std::uint32_t choice);
 
-/// A model with its edges reversed. Keeps a reference to the model, and four bytes for each branch.
+/// A model with its edges reversed. Stores a reference to the model, and four bytes for each branch.
 class Graph {
 public:
     explicit Graph(const Model& model);

@@ -15,7 +15,7 @@ StateSet all_states(const Graph& graph) {
     return StateSet(graph.states(), true);
 }
 
-/// A set that grows backwards along edges; each added state is processed once.
+/// A set that grows backwards along edges. Each added state is processed once.
 class BackwardSearch {
 public:
     BackwardSearch(const Graph& graph, const StateSet& from) : graph_(graph), found_(from) {

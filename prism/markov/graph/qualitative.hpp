@@ -8,17 +8,18 @@
 
 namespace robochart::markov {
 
-/// States in which `left U right` has maximal probability 0: it is impossible under every scheduler. For a dtmc:
+/// States in which `left U right` has maximal probability 0: the event is impossible under every scheduler. For a dtmc:
 /// probability 0.
 [[nodiscard]] StateSet prob0a(const Graph& graph, const StateSet& left, const StateSet& right);
-/// Minimal probability 0: it is impossible under some scheduler.
+/// States in which the minimal probability is 0: the event is impossible under some scheduler.
 [[nodiscard]] StateSet prob0e(const Graph& graph, const StateSet& left, const StateSet& right);
-/// Maximal probability 1: it is almost sure under some scheduler. For a dtmc: probability 1.
+/// States in which the maximal probability is 1: the event is almost sure under some scheduler. For a dtmc: probability
+/// 1.
 [[nodiscard]] StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right);
-/// The same for schedulers that take only the given choices. `choices` has one element for each choice.
+/// Maximal probability 1 for schedulers that use only the given choices. `choices` has one element for each choice.
 [[nodiscard]] StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right,
                               const std::vector<bool>& choices);
-/// Minimal probability 1: it is almost sure under every scheduler.
+/// States in which the minimal probability is 1: the event is almost sure under every scheduler.
 [[nodiscard]] StateSet prob1a(const Graph& graph, const StateSet& left, const StateSet& right);
 
 /// CTL: a path is any infinite sequence of branches with positive probability, for all resolutions of choices.

@@ -39,7 +39,8 @@ struct Model {
     std::vector<Rational> exact;              ///< parallel to numbers; empty unless requested
     std::vector<std::uint32_t> action;        ///< by choice: index into actions (0: no label); empty for a dtmc
     std::vector<std::string> actions;
-    /// For each choice, whether step bounds count it because time passes. Empty: they count every choice.
+    /// For each choice, whether step bounds count the choice because time passes. If it is empty, they count every
+    /// choice.
     std::vector<bool> counted;
 
     [[nodiscard]] std::size_t states() const { return first_choice.empty() ? 0 : first_choice.size() - 1; }

@@ -93,7 +93,7 @@ Result<Value> BoundedOperators<Value>::next(const Model& model, const StateSet& 
     return result_of(std::move(values));
 }
 
-/// The last sweeps count the steps within the interval. In the first `from` steps the left side must hold.
+/// The last sweeps are for the steps within the interval. In the first `from` steps the left side must hold.
 template <class Value>
 Result<Value> BoundedOperators<Value>::until(const Model& model, const StateSet& left, const StateSet& right,
                                              std::uint64_t from, std::optional<std::uint64_t> to, Direction direction,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers, for small models that contain
+// The operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers. They are for small models with
 // Model::exact, Rewards::exact_state and exact_choice. Time and memory grow with the digits of the numbers; the budget,
 // which may be null, limits them.
 #pragma once
@@ -13,7 +13,7 @@ namespace robochart::markov {
 /// The value of every state; no value if it is infinite.
 struct ExactSolution {
     std::vector<std::optional<Rational>> values;
-    std::vector<std::uint32_t> strategy;  ///< as in Solution::strategy; only for the unbounded operators
+    std::vector<std::uint32_t> strategy;  ///< choices as in Solution::strategy; only for the unbounded operators
 };
 
 [[nodiscard]] ExactSolution exact_until(const Model& model, const StateSet& left, const StateSet& right,

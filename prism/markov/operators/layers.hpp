@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model in which step bounds count only some choices, unfolded with the count as part of its states: each state
-// occurs once for every count up to a bound. Properties with a bound then become properties without one.
+// Unfolds a model in which step bounds count only some choices. The count becomes part of the states: each state occurs
+// once for every count up to a bound. So properties with a bound become properties without a bound.
 #pragma once
 
 #include "base/diagnostics/budget.hpp"

@@ -55,8 +55,8 @@ double within_bounds(const UncertainRow& row, const std::vector<double>& worth) 
     return sum.high;
 }
 
-/// The same within the ball: up to half of the radius is moved from the worst branches to the best one (Strehl and
-/// Littman, JCSS 74, 2008).
+/// An upper bound on the greatest expectation within the ball: up to half of the radius is moved from the worst
+/// branches to the best one (Strehl and Littman, JCSS 74, 2008).
 double within_ball(const UncertainRow& row, const std::vector<double>& worth) {
     const std::vector<std::size_t> order = by_worth(row, worth);
     Interval sum = point(0);
@@ -83,8 +83,8 @@ double sign_of(Direction direction) {
     return direction == Direction::maximum ? 1 : -1;
 }
 
-/// Returns the states outside `goal` in which nature can keep the chain forever: the greatest set that it need not
-/// leave. If rounding prevents a decision, the result may be larger.
+/// Returns the states outside `goal` in which nature can keep the chain forever. They are the greatest set that nature
+/// need not leave. If rounding prevents a decision, the result may be larger.
 StateSet states_kept_forever(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
     std::vector<double> inside(chain.size());
     for (std::size_t state = 0; state < chain.size(); ++state) inside[state] = goal[state] ? 0 : 1;

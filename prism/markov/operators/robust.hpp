@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Markov chains whose probabilities are only known within bounds: properties that all chains within the bounds share.
-// Robust value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean, Artificial
-// Intelligence 122, 2000). Nature chooses anew in each step, so a statement about all of its choices holds for every
-// chain within the bounds.
+// Properties of Markov chains whose probabilities are known only within bounds. The results hold for all chains within
+// the bounds. Robust value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean,
+// Artificial Intelligence 122, 2000). In every step, nature chooses probabilities within the bounds, independently of
+// other steps. So a statement about all choices of nature holds for every chain within the bounds.
 #pragma once
 
 #include <cstdint>
@@ -45,10 +45,10 @@ using UncertainChain = std::vector<UncertainRow>;
                                                             const std::vector<double>& value, std::uint64_t steps,
                                                             Direction direction, diagnostics::Budget* budget = nullptr);
 
-/// Bounds, for each state, on the expected sum of the costs of states before `goal` (at least 0; a state without costs
-/// has no predecessors). Value iteration approaches a lower bound from below, so every round gives one. An upper bound
-/// is a vector w with cost + E w <= w for all choices of nature (Park induction). It is infinite if nature can keep the
-/// chain from the goal forever, and if no such vector is found in `most_rounds` rounds.
+/// Bounds, for each state, on the expected sum of the costs of states before `goal`. Costs are at least 0, and a state
+/// without costs has no predecessors. Value iteration approaches a lower bound from below, so every round gives one. An
+/// upper bound is a vector w with cost + E w <= w for all choices of nature (Park induction). It is infinite if nature
+/// can keep the chain from the goal forever, and if no such vector is found in `most_rounds` rounds.
 [[nodiscard]] std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goal,
                                               const std::vector<double>& cost, Direction direction,
                                               std::uint64_t most_rounds = 100'000,

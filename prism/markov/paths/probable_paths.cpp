@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // See probable_paths.hpp. A path costs the sum of -log of its probabilities. Dijkstra's algorithm, backwards from the
 // goal, gives every state its cheapest path to the goal. So the cheapest path with a given prefix is the prefix
-// followed by the cheapest path from its last state; every other path with this prefix deviates at some state, which
+// followed by the cheapest path from its last state. Every other path with this prefix deviates at some state, which
 // gives a longer prefix. The prefixes are in a queue, ordered by the cost of their cheapest paths (Lawler, A procedure
 // for computing the K best solutions to discrete optimization problems, Management Science 18, 1972).
 #include "prism/markov/paths/probable_paths.hpp"

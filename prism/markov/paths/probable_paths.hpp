@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The most probable paths to a set of states, in descending order: evidence that a probability exceeds a bound (Han,
-// Katoen and Damman, Counterexample generation in probabilistic model checking, IEEE TSE 35, 2009).
+// Finds the most probable paths to a set of states, in descending order, as evidence that a probability exceeds a bound
+// (Han, Katoen and Damman, Counterexample generation in probabilistic model checking, IEEE TSE 35, 2009).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace robochart::markov {
 
 struct Path {
-    std::vector<State> states;  ///< only the last one is in the goal
+    std::vector<State> states;  ///< only the last state is in the goal
     Enclosure probability;
 };
 
@@ -38,8 +38,8 @@ struct PathSet {
     bool enough = false;      ///< the total reaches the bound in spite of rounding
 };
 
-/// The least number of most probable paths that reaches the bound; if `most` of them cannot reach it, only some paths.
-/// Throws LimitReached.
+/// The smallest number of most probable paths whose total reaches the bound. If `most` paths cannot reach it, the
+/// result contains only some paths. Throws LimitReached.
 [[nodiscard]] PathSet probable_paths(const PathsWanted& wanted);
 
 }  // namespace robochart::markov

@@ -30,8 +30,8 @@ template <class Value>
     return (direction == Direction::maximum) == (left < right) ? right : left;
 }
 
-/// Whether `left` is strictly better. Intervals are compared by some value in them, which affects only the choice of a
-/// strategy.
+/// Whether `left` is strictly better. Intervals are compared by some value in them, because the comparison affects only
+/// the choice of a strategy.
 [[nodiscard]] inline bool is_better(const Interval& left, const Interval& right, Direction direction) {
     return direction == Direction::maximum ? left.middle() > right.middle() : left.middle() < right.middle();
 }

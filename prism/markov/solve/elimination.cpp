@@ -15,7 +15,8 @@ namespace {
 template <class Value>
 class Elimination {
 public:
-    /// The right sides are transformed as well. `keep_shares`: stores the data for later right sides.
+    /// The right sides are transformed together with the rows. With `keep_shares`, the data for later right sides are
+    /// stored.
     Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>>& right_sides,
                 bool keep_shares, const EliminationLimit& limit)
         : limit_(limit),
@@ -60,7 +61,7 @@ private:
         forget_places(row);
     }
 
-    /// Adds an entry to the row whose places are known.
+    /// Adds an entry to the row whose positions are stored.
     void add(std::uint32_t unknown, std::uint32_t to, const Value& factor) {
         Row& row = rows_[unknown];
         if (place_[to] == nowhere) {
@@ -128,7 +129,7 @@ private:
     std::vector<Row> rows_;
     std::vector<std::vector<std::uint32_t>> incoming_;  // by unknown: rows with an entry for it; some of these entries
                                                         // may have been removed
-    std::vector<std::uint64_t> incoming_count_;         // number of those that have not been removed
+    std::vector<std::uint64_t> incoming_count_;         // number of entries that have not been removed
     std::vector<bool> gone_;
     std::vector<std::uint32_t> place_;  // by unknown: its index in the entries of one row
     std::vector<std::vector<Value>>& right_sides_;

@@ -32,17 +32,17 @@ public:
     struct Row {
         std::vector<Entry> entries;  ///< entries of unknowns that are eliminated later
         Value outside{};
-        Value pivot{};  ///< 1 - its own factor
+        Value pivot{};  ///< 1 minus the unknown's own factor
     };
 
-    /// `rows` are by unknown; `order` is the order of elimination; `shares[k]`: the other rows to which the row of
-    /// unknown order[k] was added, with its factors.
+    /// The result of an elimination. `rows` has one row per unknown, and `order` is the order of elimination.
+    /// `shares[k]` contains the other rows to which the row of unknown order[k] was added, with the factors.
     Factors(std::vector<Row> rows, std::vector<std::uint32_t> order, std::vector<std::vector<Entry>> shares)
         : rows_(std::move(rows)), order_(std::move(order)), shares_(std::move(shares)) {}
 
     /// Replaces the right side by the solution.
     void solve(std::vector<Value>& side) const;
-    /// The same for a right side that was transformed together with the rows.
+    /// Computes the solution for a right side that was transformed together with the rows.
     void substitute(std::vector<Value>& side) const;
     [[nodiscard]] std::uint64_t entries() const;
 
@@ -52,13 +52,13 @@ private:
     std::vector<std::vector<Entry>> shares_;
 };
 
-/// Returns no value if the limit is reached, or if the policy may stay forever.
+/// Returns no value if the limit is reached, or if the policy may stay in the component forever.
 template <class Value>
 [[nodiscard]] std::optional<Factors<Value>> factorize(const System<Value>& system, const Policy& policy,
                                                       const EliminationLimit& limit);
 
 /// Solves x = right side + A x for each right side, which has a value for each unknown. A has the rows of the policy.
-/// No value if the limit is reached, or if the policy may stay forever.
+/// No value if the limit is reached, or if the policy may stay in the component forever.
 template <class Value>
 [[nodiscard]] std::optional<std::vector<std::vector<Value>>> eliminate(const System<Value>& system,
                                                                        const Policy& policy,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
-/// Open states, where the states of an end component form one class. A class is identified by its first state.
+/// The classes of open states. The states of an end component form one class. A class is identified by its first state.
 class Classes {
 public:
     Classes(const std::vector<EndComponent>& collapsed, std::size_t states) {
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// Visits the choices of a class that may leave it.
+    /// Visits the choices of a class that may leave the class.
     template <class Visit>
     void for_each_choice(State first, Visit visit) const {
         classes_.for_each_member(first, [&](State member) {
@@ -187,7 +187,7 @@ private:
     }
 
     /// Sets the value for all members of the class. In an end component, the strategy moves to the state whose choice
-    /// leaves it.
+    /// leaves the component.
     void set(State first, const Value& value, std::uint32_t choice) {
         classes_.for_each_member(first, [&](State member) { equations_.values[member] = value; });
         if (!equations_.asked.precision.strategy || choice == none) return;

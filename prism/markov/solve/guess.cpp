@@ -16,7 +16,7 @@ struct Scales {
     double most = infinity;
 };
 
-/// Both arguments are rounded up already. The results are rounded to the safe side as well.
+/// The arguments have been rounded up. The results are also rounded to the safe side.
 Scales scales_for(double excess, double growth) {
     if (growth < 0) return {excess > 0 ? excess / -growth : 0, infinity};
     if (excess > 0) return {infinity, 0};

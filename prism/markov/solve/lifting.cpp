@@ -201,7 +201,8 @@ std::optional<std::vector<Rational>> lift_solution(const System<Rational>& syste
     if (auto found = lift_with<first_prime>(rows, system, policy, limit)) return found;
     if (auto found = lift_with<second_prime>(rows, system, policy, limit)) return found;
     if (auto found = lift_with<third_prime>(rows, system, policy, limit)) return found;
-    // No prime is suitable. The cost of a limited elimination with fractions is unpredictable.
+    // No prime is suitable. With a limit there is no fallback, because the cost of an elimination with fractions is
+    // unpredictable.
     if (limit.operations != EliminationLimit{}.operations) return std::nullopt;
     std::vector<Rational> side;
     for (const std::uint32_t choice : policy) side.push_back(system.constant[choice]);

@@ -49,7 +49,7 @@ private:
     static constexpr std::uint64_t rounds_of_policies = 8;
     static constexpr std::uint64_t most_entries = 50'000'000;
     static constexpr std::size_t few_unknowns = 1'000;
-    static constexpr std::uint64_t few_rational_operations = 5'000'000;  // most of these are computed modulo a prime
+    static constexpr std::uint64_t few_rational_operations = 5'000'000;  // most operations are computed modulo a prime
     static constexpr double sharp = 1e-13;
 
     /// Alternates elimination and sweeps, each time with eight times as much work. It is not known in advance which of
@@ -88,8 +88,8 @@ private:
         const auto improves = [this](double value, double offered) {
             return is_better(offered, value, asked_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
         };
-        // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, they might
-        // never leave the component.
+        // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, the best
+        // choices might never leave the component.
         const bool guessed = sweeps_ > 0 && asked_.direction == Direction::maximum;
         auto found = iterate_policies<double>(
             system, guessed ? iteration_.policy() : leaving_policy(system_), limit, improves,
@@ -155,7 +155,7 @@ private:
                 improve_bounds();
                 return true;
             }
-            stands_still_ = still && failures > 8;  // further sweeps change nothing
+            stands_still_ = still && failures > 8;  // further sweeps do not change the values
             if (stands_still_) return false;
             if (++failures % 4 == 0) iteration_.set_tie(tie_ = std::max(tie_ / 100, 1e-13));
             next_proof = sweeps_ + 1 + sweeps_ / 8;
@@ -195,7 +195,7 @@ private:
     const bool deterministic_;
     std::vector<Interval> values_;
     Policy policy_;
-    std::optional<Policy> leaving_;  // the best policy found that leaves
+    std::optional<Policy> leaving_;  // the best policy found so far that leaves the component
     double width_ = infinity;
     double tie_ = 1e-6;
     std::uint64_t sweeps_ = 0;

@@ -9,15 +9,15 @@
 
 namespace robochart::markov {
 
-/// The equations of a component. Either every policy leaves with probability 1, or, for a minimum, every policy that
-/// does not has an infinite value. Then the equations have one solution, which is the optimum (Bertsekas and
-/// Tsitsiklis, 1991).
+/// The equations of a component. Either every policy leaves the component with probability 1, or, for a minimum, every
+/// policy that does not leave it has an infinite value. Then the equations have one solution, which is the optimum
+/// (Bertsekas and Tsitsiklis, 1991).
 struct Optimum {
     Direction direction;
     Precision precision;
 };
 
-/// Computes the optimum by policy iteration, starting with a policy that leaves.
+/// Computes the optimum by policy iteration. The first policy leaves the component with probability 1.
 [[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked);
 
 /// Computes enclosures. If they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: an

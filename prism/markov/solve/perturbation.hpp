@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds for small components that no residual in floating point can prove: for example, if 2^40 steps are expected and
-// choices are equally good.
+// Bounds for small components for which residuals in floating point prove nothing, for example if 2^40 steps are
+// expected and choices are equally good.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,11 @@ namespace robochart::markov {
 ///
 /// Suppose that the probabilities between different unknowns, and to outside, are within a factor 1+d of the low
 /// bounds, and that 1 - p(i,i) is the sum of the others. Under each policy a value is a quotient of two sums of
-/// products, each with at most n such factors, where n is the number of unknowns, and with no sign but plus (the
-/// matrix-tree theorem). So it changes by at most the factor (1+d)^n in either direction, and so does the best of them.
-/// Values grow with the constants; the equations are solved for both bounds. Policy iteration begins with `first`, a
-/// policy that leaves. No value if the limit is reached. `most`: no value is above it.
+/// products. Each product has at most n such factors, where n is the number of unknowns, and all signs are positive
+/// (the matrix-tree theorem). So the value changes by at most the factor (1+d)^n in either direction, and so does the
+/// optimum over all policies. Values grow with the constants; the equations are solved for both bounds. Policy
+/// iteration begins with `first`, a policy that leaves the component. Returns no value if the limit is reached. `most`
+/// is an upper bound on all values.
 [[nodiscard]] std::optional<SystemSolution<Interval>> rational_bounds(const System<Interval>& system, Policy first,
                                                                       Direction direction, double most,
                                                                       const EliminationLimit& limit);

@@ -9,8 +9,8 @@
 
 namespace robochart::markov {
 
-/// Returns the worth of a choice if it is repeated until another unknown is reached. It is as accurate as the sum of
-/// the probabilities to leave. It is better than the value exactly if taking the choice once is better.
+/// Returns the worth of a choice if it is repeated until another unknown is reached. The result is as accurate as the
+/// sum of the probabilities to leave. It is better than the value if and only if taking the choice once is better.
 template <class Value>
 [[nodiscard]] Value value_of_choice(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice,
                                     const std::vector<Value>& values) {
@@ -25,8 +25,8 @@ template <class Value>
     return sum / leaving;
 }
 
-/// `improves(value, worth)`: whether a choice with this worth replaces the policy's choice, whose value is `value`.
-/// `admitted(choice)`: whether it may be used. No value if the elimination has no result.
+/// `improves(value, worth)` tells whether a choice with this worth replaces the policy's choice, whose value is
+/// `value`. `admitted(choice)` tells whether the choice may be used. Returns no value if the elimination has no result.
 template <class Value>
 [[nodiscard]] std::optional<SystemSolution<Value>> iterate_policies(
     const System<Value>& system, Policy policy, const EliminationLimit& limit,

@@ -44,7 +44,7 @@ Integer from_digits(std::span<const std::uint32_t> digits, std::uint32_t base) {
 }
 
 std::optional<Fraction> reconstruct_fraction(const Integer& value, const Integer& modulus) {
-    // In each step, remainder = factor * value modulo `modulus`. Remainders decrease and factors grow.
+    // Invariant: remainder = factor * value modulo `modulus`. Remainders decrease and factors grow.
     const unsigned most = (bits(modulus) - 1) / 2;
     Integer before = modulus;
     Integer remainder = value;

@@ -51,7 +51,7 @@ inline constexpr std::uint32_t first_prime = 2'147'483'647;
 inline constexpr std::uint32_t second_prime = 2'147'483'629;
 inline constexpr std::uint32_t third_prime = 2'147'483'587;
 
-/// Whether it is a valid divisor.
+/// Whether the residue is a valid divisor.
 template <std::uint32_t prime>
 [[nodiscard]] bool positive(Residue<prime> value) {
     return value.value() != 0;

@@ -28,7 +28,7 @@ struct Solution {
     std::vector<Enclosure> values;        ///< always valid enclosures
     std::vector<std::uint32_t> strategy;  ///< by state: an optimal choice, as an index into the model's choices; empty
                                           ///< unless requested
-    std::string shortfall;                ///< why some enclosure is wider than requested; empty if none is
+    std::string shortfall;                ///< the reason why an enclosure is wider than requested; empty if none is
 };
 
 /// Thrown if the query is not supported; the message contains the reason.

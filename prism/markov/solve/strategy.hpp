@@ -7,15 +7,15 @@
 
 namespace robochart::markov {
 
-/// The choices of these states that stay within them.
+/// The choices of these states that stay in the set.
 [[nodiscard]] std::vector<bool> choices_within(const Model& model, const StateSet& set);
 
 /// Sets choices in the states of the end component that lead with probability 1 to this choice of one of its states.
 void lead_to(const Graph& graph, const EndComponent& component, std::uint32_t choice,
              std::vector<std::uint32_t>& strategy);
 
-/// Writes a strategy if one is requested. A state takes its first choice unless a function of this class sets another
-/// one. If several functions set it, the last call counts.
+/// Writes a strategy if one is requested. The default is the first choice of every state. If several functions set the
+/// choice of a state, the last call applies.
 class GraphStrategy {
 public:
     GraphStrategy(const Graph& graph, const Precision& precision, std::vector<std::uint32_t>& strategy);
@@ -27,7 +27,7 @@ public:
     /// Sets, in the states of the set outside the goal, admitted choices that stay in the set until the goal is
     /// reached.
     void reach_goal(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
-    /// Takes, in the end component, this choice infinitely often.
+    /// Makes the strategy take this choice infinitely often in the end component.
     void repeat_choice(const EndComponent& component, std::uint32_t choice);
 
 private:

@@ -35,7 +35,7 @@ using Policy = std::vector<std::uint32_t>;
 template <class Value>
 [[nodiscard]] Policy leaving_policy(const System<Value>& system);
 
-/// Whether this policy leaves with probability 1 from every state.
+/// Whether this policy leaves the component with probability 1 from every state.
 template <class Value>
 [[nodiscard]] bool always_leaves(const System<Value>& system, const Policy& policy);
 
