@@ -65,8 +65,8 @@ Answers find_answers(const CheckedRules& rules, const std::vector<std::size_t>& 
     return result;
 }
 
-/// Simple cycles of rules that trigger each other at once, each as the set of its rules. Only cycles up to a length,
-/// and at most a fixed number of them.
+/// Finds simple cycles of rules that trigger each other at once, as sets of rules. The length and the number of cycles
+/// are bounded.
 class Cycles {
 public:
     static constexpr std::size_t longest = 6;
@@ -222,7 +222,7 @@ std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const
     std::vector<bool> passes(graph.size(), false), known(graph.size(), false);
     std::vector<lts::StateIndex> waiting;
     known[0] = true;
-    for (lts::StateIndex state = 0; state < graph.size(); ++state) {  // in breadth-first order, so the state is already
+    for (lts::StateIndex state = 0; state < graph.size(); ++state) {  // in breadth-first order, so the state already
                                                                       // known
         if (system.some_clash(explored.states[state])) {
             passes[state] = true;

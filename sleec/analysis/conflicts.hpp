@@ -16,7 +16,7 @@ namespace robochart::sleec {
 
 enum class Answer : std::uint8_t { no, yes, not_decided };
 
-/// One side of a conflict: an obligation and the trigger that opened it.
+/// One side of a conflict: an obligation, and the trigger that opened it.
 struct Side {
     std::size_t rule = 0;
     std::int64_t began = 0;  ///< the second of the trigger
@@ -29,7 +29,7 @@ struct Side {
 struct Conflict {
     std::vector<Side> due, forbidding;
     std::int64_t instant = 0;
-    bool for_ever = false;  ///< no demand is due yet, but the demanded event is forbidden forever
+    bool for_ever = false;  ///< true if no demand is due yet, but the demanded event is forbidden forever
     bool endless = false;   ///< no event is forbidden, but every due event triggers further demands at this instant,
                             ///< without end
     /// Other events before the conflict that are needed to obey the rules: second and event.
@@ -51,8 +51,8 @@ struct AnalysisOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// Decides whether these rules can come into conflict such that all of them take part: one rule with itself (by several
-/// triggers), two, or more. `judged`: ascending.
+/// Decides whether there is a conflict in which all of these rules take part: one rule with several triggers, two
+/// rules, or more. `judged` is ascending.
 [[nodiscard]] ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
                                            const AnalysisOptions& options);
 /// Searches the smallest conflicting sets of rules that are not assumptions. A duty with n alternatives at one last

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes a conflict in terms of the rules: which rule, with which clause and line, started when, and what it
-// demands.
+// Describes a conflict in terms of the rules. For each rule it states the clause with its line, the time of its
+// trigger, and its demand.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ namespace robochart::sleec {
 /// "R begins at second 3 with Go, near: it asks for Stop up to second 5 (rules.sleec:7)".
 [[nodiscard]] std::string side_text(const Side& side, const CheckedRules& rules,
                                     const diagnostics::SourceManager& sources);
-/// "Go at second 0 with near, load = high": the first events of a history. For an occurrence that the property is
-/// about, the values of the measures in its conditions are added.
+/// "Go at second 0 with near, load = high": the first events of a history. For an occurrence of the property, the
+/// values of the measures in its conditions are added.
 [[nodiscard]] std::vector<std::string> history_lines(const std::vector<Happening>& history,
                                                      const CheckedProperty& property, const CheckedRules& rules);
 /// Explains a conflict in at most eight lines.

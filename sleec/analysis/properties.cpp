@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // See properties.hpp. A shortest history begins with the occurrences of the property, at one instant. Every other
-// occurrence fulfils or ends an open duty; the remaining ones can be left out, because they only open duties, so no
-// rule is broken. The history can continue forever in two cases. It reaches a state in which all open duties are
-// satisfied if no further event occurs. Or it reaches a part of the graph in which seconds pass repeatedly and every
-// duty without limit is fulfilled or ended.
+// occurrence fulfils or ends an open duty. Further occurrences can be omitted, because they would only open duties, and
+// without them no rule is broken. The history can continue forever in two cases. It reaches a state in which all open
+// duties are satisfied if no further event occurs. Or it reaches a part of the graph in which seconds pass repeatedly
+// and every duty without limit is fulfilled or ended.
 #include "sleec/analysis/properties.hpp"
 
 #include <fmt/format.h>
@@ -208,7 +208,7 @@ private:
         return take_event(obligations_[opened.obligation], opened.progress, event);
     }
 
-    /// Opens the property's duty. Returns false if its outcome is decided and differs from the wanted one.
+    /// Opens the property's duty. Returns false if its outcome is already decided and is not the required one.
     bool take_part(State& state, OpenDuty own, std::size_t event) const {
         const Effect effect = begin(own, event);
         if (effect != Effect::open) return effect == (fate_ == Fate::kept ? Effect::fulfilled : Effect::broken);
@@ -297,7 +297,7 @@ private:
         if (!is_property_met(states_[members.front()])) return false;
         const std::set<StateIndex> inside(members.begin(), members.end());
         bool time = false;
-        std::vector<OpenDuty> left;  // not ended or changed by any step so far
+        std::vector<OpenDuty> left;  // duties that no step so far has ended or changed
         for (const OpenDuty& each : states_[members.front()].open)
             if (without_limit(each)) left.push_back(each);
         for (const StateIndex state : members)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Concerns and purposes (LEGOS): whether something that must be impossible, or possible, can happen while all rules are
-// obeyed, and whether a rule can be broken while all others are obeyed. docs/rules-language.md, "Concerns and
+// Decides concerns and purposes (LEGOS). A concern must be impossible, and a purpose possible, if all rules are obeyed.
+// Also decides whether a rule can be broken while all others are obeyed. docs/rules-language.md, "Concerns and
 // purposes", "Questions about rules".
 #pragma once
 
@@ -38,7 +38,7 @@ struct Implication {
     std::vector<std::size_t> by;  ///< implied: rules that imply it, all of them needed
     std::string reason;           ///< not decided: the reason
 };
-/// A rule whose trigger the other rules exclude is not reported as implied; their conflict is reported.
+/// A rule whose trigger the other rules exclude is not reported as implied, because the conflict is reported.
 [[nodiscard]] Implication check_implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
 /// Returns a set of rules that make the property impossible and are all needed for this. May be called only for an

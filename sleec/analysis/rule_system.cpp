@@ -11,7 +11,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// The number of obligations that one question keeps open at once, and of words for each.
+/// The maximal number of obligations that are open at the same time in one question, and the number of words for each.
 constexpr std::size_t most_open = 8;
 constexpr std::size_t words = 2;
 constexpr std::uint32_t kind_bits = 12;
@@ -239,8 +239,8 @@ void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
     add_tock_successor(state, sink);
 }
 
-/// An occurrence first fulfils or breaks open obligations, then opens new ones. It has no effect on the obligations
-/// that it opens.
+/// Adds the successor after an occurrence. The occurrence first fulfils or breaks open obligations, and then opens new
+/// ones. It does not affect the obligations that it opens.
 void RuleSystem::add_event_successor(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
     const Occurrence& taken = question_.occurrences[occurrence];
     State next;

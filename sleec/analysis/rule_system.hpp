@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All histories in which some rules are obeyed as long as possible, as a transition system. A state has no successors
-// if one rule demands an event, now at the latest, and the others forbid this event. Therefore the search for deadlocks
+// A transition system of all histories in which some rules are obeyed as long as possible. A state has no successors if
+// one rule demands an event, now at the latest, and the others forbid this event. Therefore the search for deadlocks
 // finds conflicts.
 #pragma once
 
@@ -42,7 +42,7 @@ struct Question {
     /// The obligation that an occurrence opens; no value if it opens none.
     [[nodiscard]] std::optional<OpenObligation> opened_by(const Occurrence& occurrence, std::size_t rule) const;
 };
-/// The question about these rules; the assumptions of the file must be obeyed, too. Throws NotDecided.
+/// The question about these rules. The assumptions of the file must be obeyed too. Throws NotDecided.
 [[nodiscard]] Question make_question(const CheckedRules& rules, std::vector<std::size_t> judged, WithoutLimit,
                                      diagnostics::Budget* budget);
 
@@ -56,10 +56,11 @@ struct Clash {
 /// A clash at this instant in which all judged rules take part.
 [[nodiscard]] std::optional<Clash> find_clash(const Question& question, const std::vector<OpenObligation>& open);
 
-/// Only a few occurrences are spontaneous (`unasked_occurrences`); every other one fulfils an open obligation. This
-/// restriction loses no conflict. Take a history with a conflict and keep the triggers of the clashing obligations, and
-/// the events that broke prohibitions among their alternatives. Then repeatedly keep the occurrence that first
-/// fulfilled an obligation of a kept occurrence. Every remaining obligation has the same outcome as before.
+/// Only a few occurrences are spontaneous (`unasked_occurrences`); every other occurrence fulfils an open obligation.
+/// All conflicts are still found, for the following reason. From a history with a conflict, select the triggers of the
+/// clashing obligations, and the events that broke prohibitions among their alternatives. Then repeatedly select the
+/// occurrence that first fulfilled an obligation of a selected occurrence. In the history of the selected occurrences,
+/// every obligation has the same outcome as before.
 class RuleSystem final : public lts::TransitionSystem {
 public:
     explicit RuleSystem(const Question& question);
@@ -75,8 +76,8 @@ public:
     [[nodiscard]] bool is_tock(lts::Event event) const { return event == tock_; }
     /// True if some of the rules clash in this state.
     [[nodiscard]] bool some_clash(lts::StateView state) const;
-    /// True if states were left out because a rule would have too many open obligations. A search that finds no
-    /// conflict is then not a proof.
+    /// True if states were omitted because a rule would have too many open obligations. A search that finds no conflict
+    /// is then not a proof.
     [[nodiscard]] bool left_out() const { return left_out_; }
 
 private:

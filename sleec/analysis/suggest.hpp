@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Suggests a smallest change that removes a conflict: `unless` at the end of one rule, or of two. Only changes
-// confirmed by a new search are suggested.
+// Suggests a smallest change that removes a conflict: an `unless` at the end of one rule, or of two rules. A change is
+// suggested only if a new search confirms it.
 #pragma once
 
 #include <string>
@@ -17,8 +17,9 @@ struct Suggestion {
 };
 
 /// Finds defeaters with which the rules are no longer in conflict and each rule still demands something. The first
-/// candidates are a condition on one measure, or one event, for one rule. If no such defeater helps, each of two rules
-/// gets the trigger of the other as its defeater. The result is empty if no defeater helps, or if this is not decided.
+/// candidates are a condition on one measure, or one event, for one rule. If none of these removes the conflict, the
+/// next candidate gives each of two rules the trigger of the other as its defeater. The result is empty if no defeater
+/// removes the conflict, or if this is not decided.
 [[nodiscard]] std::vector<Suggestion> suggest_defeaters(const CheckedRules& rules,
                                                         const std::vector<std::size_t>& in_conflict,
                                                         const AnalysisOptions& options);

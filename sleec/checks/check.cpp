@@ -162,14 +162,14 @@ private:
         if (!duty.measured && *duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
     }
 
-    /// One end of a limit, in seconds. An expression with measures has no value here.
+    /// One end of a limit, in seconds. An expression with measures has no value.
     std::int64_t limit_seconds(const ExprPtr& expr, Unit unit, Duty& duty) {
         if (!expr->bracketed) return constant_value(expr) * seconds_of(unit);
         const Typed value = check_expression(expr);
         expect_type(value, Type::number, *expr);
         duty.measured = duty.measured || has_measure(value.condition);
         if (duty.measured || value.type != Type::number) return 0;
-        constexpr std::int64_t longest = 10'000'000'000;  // as large as a written number may be
+        constexpr std::int64_t longest = 10'000'000'000;  // the largest number that may be written
         return std::clamp(evaluate_condition(value.condition, {}), -longest, longest) * seconds_of(unit);
     }
 

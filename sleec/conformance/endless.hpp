@@ -21,9 +21,9 @@ struct EndlessRun {
     std::vector<EndlessStep> steps, loop;
 };
 
-/// A run with the event infinitely often; no value if there is none. There is one iff a strongly connected component of
-/// the reachable states contains an edge with the event. `poll` is called once per state with the number of states, and
-/// may throw.
+/// A run in which the event occurs infinitely often; no value if there is none. There is one iff a strongly connected
+/// component of the reachable states contains an edge with the event. `poll` is called once per state with the number
+/// of states, and may throw.
 [[nodiscard]] std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event event,
                                                     const std::function<void(std::size_t states)>& poll);
 

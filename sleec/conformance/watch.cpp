@@ -108,8 +108,8 @@ std::optional<std::size_t> Watch::way_of(const std::string& event) {
 
 // ---------------------------------------------------------------- values
 
-/// The classes of a number: below, at and between the constants that it is compared with. The rule distinguishes no
-/// others.
+/// Finds the classes of a number: below, at and between the constants with which it is compared. The rule does not
+/// distinguish values of one class.
 void Watch::find_classes() {
     const CheckedRule& rule = rules_.rules[rule_];
     const auto values = representative_values(rules_, {rule_});
@@ -206,8 +206,7 @@ Tree Watch::named_events() const {
 }
 
 /// A measure that the component has not read at this instant may have any value. If it reads the measure later at this
-/// instant, the value must be the assumed one; otherwise the run is discarded. `from`: the measures before it are
-/// decided.
+/// instant, the value must be the assumed one; otherwise the run is discarded. The measures before `from` are decided.
 Tree Watch::start_call(std::size_t from, Valuation classes) const {
     if (from == followed_.size()) {
         std::size_t way = 0;
@@ -236,8 +235,8 @@ Tree Watch::start_call(std::size_t from, Valuation classes) const {
     return result;
 }
 
-/// sleec_Start0(k..): assumes values for unknown measures. a.. are the values with which later readings at this instant
-/// are compared, if they are compared.
+/// sleec_Start0(k..) assumes values for unknown measures. a.. are the assumed values, which are compared with later
+/// readings at this instant.
 std::vector<DeclPtr> Watch::start_definitions() const {
     std::vector<DeclPtr> result;
     const std::size_t count = followed_.size();
@@ -281,7 +280,7 @@ Tree Watch::class_of_reading(std::size_t place) const {
                       read, build::number(changing));
 }
 
-/// The process before a trigger is selected. Any trigger may be the one whose obligation is followed.
+/// Defines the process before a trigger is selected. The process may select any trigger and follow its obligation.
 std::vector<DeclPtr> Watch::idle_definitions() const {
     Exprs measures, not_read, changes;
     std::vector<std::string> parameters;

@@ -33,7 +33,7 @@ struct Asked {
     std::size_t obligation = 0;
 };
 
-/// How to judge a component that reads different values of a measure within one instant.
+/// The treatment of a component that reads different values of a measure within one instant.
 enum class Readings : std::uint8_t {
     one_value,  ///< a trigger at this instant is not judged: a measure has one value per instant, as in SLEEC-TK
     any,        ///< the last value before the trigger is used; without one, the first after it

@@ -133,7 +133,7 @@ public:
 private:
     struct Way {
         std::size_t demands = 0, prohibitions = 0, endings = 0;
-        std::int64_t seconds = 0;  ///< the obligation no longer changes after this time
+        std::int64_t seconds = 0;  ///< the time after which the obligation no longer changes
         std::int64_t begin = 0;
         bool at_once = true;  ///< its only window starts at the trigger
     };

@@ -85,7 +85,7 @@ void RuleMonitor::update_open(Open open, Effect effect, std::optional<std::size_
         violations_.push_back({open.rule, open.began, std::move(open.values), std::move(open.obligation), event, now_});
 }
 
-/// If several duties of a rule are identical from now on, only the oldest is kept.
+/// If several duties of a rule are equal from now on, only the oldest is stored.
 void RuleMonitor::keep_distinct(Open open, std::vector<Open>& open_now) const {
     const bool known = std::ranges::any_of(open_now, [&](const Open& other) {
         return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;

@@ -17,7 +17,7 @@ public:
         std::int64_t begin = 0;
         while (at) {
             if (at->measured) throw NotDecided("a measure decides a limit of time");
-            if (at->to && *at->to < at->from) return std::nullopt;  // at least 0 seconds: no demand
+            if (at->to && *at->to < at->from) return std::nullopt;  // a demand with at least 0 seconds is no demand
             const bool open = !at->to && without_ == WithoutLimit::eventually;
             const std::int64_t length = at->to.value_or(0);
             result_.any.push_back(

@@ -63,7 +63,7 @@ void note_comparisons(const Condition& condition, Comparisons& result) {
     }
 }
 
-/// Values between and around these constants, `count` values in each interval that has that many.
+/// Values between and around these constants, `count` values in each interval that contains so many.
 std::vector<std::int64_t> values_around(const std::set<std::int64_t>& constants, std::int64_t count) {
     if (constants.empty()) {
         std::vector<std::int64_t> any;
@@ -142,9 +142,9 @@ bool compares_measures(const CheckedRule& rule) {
     return found;
 }
 
-/// For integers: a valuation is characterised by the position of each number relative to the constants, and by the
-/// order of those that are compared with each other. Between two constants, n numbers have at most n different values,
-/// so n values are sufficient.
+/// For integers, a valuation is characterised by the position of each number relative to the constants, and by the
+/// order of numbers that are compared with each other. Between two constants, n numbers have at most n different
+/// values, so n values are sufficient.
 std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
                                                              const std::vector<std::size_t>& asked) {
     const std::vector<Measure>& measures = rules.file->measures;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of measures that a question distinguishes. All valuations with the same demands of all of its rules form
+// The values of measures that a question distinguishes. All valuations for which the rules make the same demands form
 // one sample, represented by one valuation.
 #pragma once
 

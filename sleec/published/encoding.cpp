@@ -298,8 +298,8 @@ std::vector<DeclPtr> Encoding::conflict_declarations(std::size_t first, std::siz
 }
 
 /// Each unit of time begins with one reading of every measure. Then the measures keep these values, and the events of
-/// both rules may occur. SLEEC-TK reads them one after another in a fixed order; here the readings are a single event,
-/// which makes no difference.
+/// both rules may occur. SLEEC-TK reads them one after another in a fixed order. This encoding reads them in a single
+/// event, which is equivalent.
 std::vector<DeclPtr> Encoding::memory_declarations(std::size_t first, std::size_t second,
                                                    const std::string& called) const {
     const std::vector<std::size_t> measures = measures_of_pair(first, second);

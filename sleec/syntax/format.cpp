@@ -14,7 +14,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// In a longer rule, each alternative and each defeater is on its own line.
+/// In a longer rule, each alternative and each defeater is on a separate line.
 constexpr std::size_t longest_line = 120;
 
 bool is_block_word(std::string_view word) {
@@ -53,7 +53,7 @@ public:
         for (const auto* properties : {&file.concerns, &file.purposes})
             for (const Property& each : *properties) begins_.insert(each.span.begin);
         for (const Mapping& each : file.mappings) mapped_.insert(each.name.span.begin);
-        // A comment on its own line before an item, or before another such comment, is laid out as an item.
+        // A comment on a separate line before an item, or before another such comment, is laid out as an item.
         begins_item_.assign(tokens.size(), true);
         for (std::size_t i = tokens.size() - 1; i-- > 0;)
             begins_item_[i] = tokens[i].kind == Tok::comment ? own_line(i) && begins_item_[i + 1] : word_begins_item(i);

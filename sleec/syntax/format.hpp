@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The standard layout of SLEEC files (docs/format.md, "Rules in SLEEC"). Only blanks and line ends change; tokens and
-// comments stay as they are.
+// comments are not changed.
 #pragma once
 
 #include <optional>

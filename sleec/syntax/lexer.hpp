@@ -18,7 +18,7 @@ struct Token {
     std::string_view text;
 };
 
-/// All tokens of a text, on request including comments; the last is `end`. Invalid pieces are reported and left out.
+/// All tokens of a text, on request including comments; the last is `end`. Invalid pieces are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&,
                                      bool comments = false);
 

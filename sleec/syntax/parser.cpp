@@ -282,8 +282,8 @@ Mapping Parser::parse_mapping() {
     return result;
 }
 
-/// The dialect is LEGOS's if a construct is only LEGOS's. Constructs of only the other dialect are then reported, once
-/// each.
+/// Sets the dialect. It is LEGOS if a construct belongs only to LEGOS. Constructs that belong only to the other dialect
+/// are then reported, once each.
 void Parser::decide_dialect(RuleFile& file) {
     for (const Feature& feature : features_)
         if (feature.dialect == Dialect::legos) {

@@ -147,9 +147,9 @@ struct Rule {
     Span span;
 };
 
-/// LEGOS: something that must be impossible (concern) or possible (purpose). `when E then R`: E occurs and R is obeyed.
-/// `exists E while R`, where R has `eventually` or a limit, means the same. `exists E [while F]`: E occurs, at the
-/// instant of F if F is given.
+/// LEGOS: a situation that must be impossible (concern) or possible (purpose). `when E then R`: E occurs and R is
+/// obeyed. `exists E while R`, where R has `eventually` or a limit, means the same. `exists E [while F]`: E occurs, at
+/// the instant of F if F is given.
 struct Property {
     Name name;
     bool exists = false;
