@@ -87,8 +87,8 @@ refine::Limits limits_of_search(const Options& options) {
     return limits;
 }
 
-/// Used if all registers in all states have too many valuations: tries only readings on which the code or the model
-/// depends.
+/// If the registers have too many valuations to try all of them in all states, tries only readings on which the code or
+/// the model depends.
 void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Session& session,
                           const Interface& interface, const rc_interface& code, const Options& options,
                           const EventPlaces& places) {
@@ -122,7 +122,7 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     return combine_with_walks(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-/// For each output, which of its arguments few values represent. Empty: no arguments of any output.
+/// For each output, the arguments whose values few values represent. Empty if there are no such arguments.
 using Represented = std::vector<std::vector<bool>>;
 
 Represented represented_arguments(const ir::System& system, const Representatives& few,
@@ -184,7 +184,7 @@ void report_large_inputs(Result& result, const Interface& interface) {
 }
 
 /// Replaces definitions of the script by elements of the model after ", at " and at the end of cycles. Definitions that
-/// correspond to no element of the model are left out.
+/// correspond to no element of the model are removed.
 void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
                        const diagnostics::SourceManager& sources) {
     const auto in_words = [&](const std::string& state) {

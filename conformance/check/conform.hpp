@@ -22,7 +22,7 @@ struct TimedModel {
     RenamedSystem model;
     csp_emit::Emission script;
     diagnostics::SourceManager* sources = nullptr;  ///< must outlive the object
-    bool sound = false;                             ///< no errors; otherwise nothing is generated
+    bool sound = false;                             ///< true if there are no errors; otherwise nothing is generated
 };
 
 /// Reports findings to the diagnostics.
@@ -32,7 +32,7 @@ struct TimedModel {
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
                              diagnostics::Diagnostics&);
-/// The same for a model whose other components are not checked.
+/// Checks one component of a model whose other components are not checked.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

@@ -111,7 +111,7 @@ std::string describe_difference(const refine::Counterexample& found, const Alpha
     if (found.kind == refine::ViolationKind::divergence)
         return "the code's cycle does not end: its step bound is reached";
     const auto event = forbidden_event(found);
-    // L(G) offers nothing only at a missed deadline (code_system.cpp).
+    // L(G) offers no event only after a missed deadline (code_system.cpp).
     if (!event && found.offered.empty()) return "the code misses a deadline";
     if (!event) return fmt::format("the code offers only {}", describe_events(found.offered, alphabet));
     const std::string& name = alphabet.events().name(*event);

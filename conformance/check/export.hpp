@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// L(G) for other tools, so that they can repeat what was checked here (docs/conformance.md, "For other tools").
+// Exports L(G) for other tools, so that they can repeat the check (docs/conformance.md, "For other tools").
 #pragma once
 
 #include "checker/cspm/syntax/syntax.hpp"

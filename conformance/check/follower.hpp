@@ -36,8 +36,8 @@ public:
     /// L(G) offers only this event (or, with `read`, all readings of a register). NF_c(M) must allow it, and must not
     /// require others. Returns no value and advances `node` if this holds.
     [[nodiscard]] std::optional<Mismatch> follow_event(Node& node, process::Event event, bool read);
-    /// Follows the end of a cycle, after its writes. `cut`: the code made more outputs than the log contains; the rest
-    /// is not checked.
+    /// Follows the end of a cycle, after its writes. If `cut` is true, the code made more outputs than the log
+    /// contains, and the rest is not checked.
     [[nodiscard]] std::optional<Mismatch> finish_cycle(Node& node, rc_result outcome, bool cut);
     /// Whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool has_terminated() const { return over_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds events that arrive while nothing can take them, over all states of the code (docs/conformance.md, "Events that
-// can be missed").
+// Finds events that can arrive while no transition can take them, over all states of the code (docs/conformance.md,
+// "Events that can be missed").
 #pragma once
 
 #include <vector>

@@ -50,7 +50,7 @@ void follow_hidden_steps(NormalFormSystem& system, const Alphabet& alphabet, ref
     }
 }
 
-/// Converts a run of NF_c(M) to the behaviour of M in it, as a counterexample of M.
+/// Converts a run of NF_c(M) to a counterexample of M: the behaviour of M in this run.
 class RunOfModel {
 public:
     RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)

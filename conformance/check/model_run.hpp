@@ -29,16 +29,16 @@ struct ModelWords {
 /// The limits of one explanation, a fraction of those of a search: few states, and at most 10 s.
 [[nodiscard]] refine::Limits limits_of_explanation(refine::Limits limits);
 
-/// A run of NF_c(M), found again in its normal form with this frame; no value if that takes too long, or if there is
-/// none. For a run of kind `no_trace` only the trace counts.
+/// Finds a run of NF_c(M) again in the normal form with this frame. No value if the search takes too long, or if there
+/// is no such run. For a run of kind `no_trace` only the trace must be equal.
 [[nodiscard]] std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, const Frame& frame,
                                                               const refine::Counterexample& found,
                                                               const Alphabet& alphabet, const refine::Limits& limits);
 
-/// The behaviour of M in a run of NF_c(M) with this frame, found again in the terms of `process`; no value if that
-/// takes too long, or if there is none. After a run of kind `no_trace`, M continues as long as it needs no event of the
-/// environment, so that its offers at the end are the possible next events. Throws process::Interrupted and
-/// process::SemanticsError.
+/// The behaviour of M in a run of NF_c(M) with this frame, found again in the terms of `process`. No value if the
+/// search takes too long, or if there is no such behaviour. After a run of kind `no_trace`, M continues as long as it
+/// needs no event of the environment, so that its offers at the end are the possible next events. Throws
+/// process::Interrupted and process::SemanticsError.
 [[nodiscard]] std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const cspm::ExprPtr& process,
                                                                  const Alphabet& alphabet, std::uint32_t cycle_length,
                                                                  const Frame& frame,

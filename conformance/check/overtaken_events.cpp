@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // See overtaken_events.hpp. Outputs show which event came first. Suppose that the event alone causes outputs A, and
-// another event causes B. If both are raised and the outputs of the cycle begin with B and not with A, the other came
-// first. If the cycle without any input causes outputs N, and with the event alone N and more, then transitions without
-// trigger came first. Cycles that make no outputs, or pass probabilistic junctions, show nothing.
+// another event causes B. If both are raised and the outputs of the cycle begin with B and not with A, the other event
+// came first. If the cycle without any input causes outputs N, and the cycle with the event alone causes N and then
+// more outputs, transitions without trigger came first. Cycles that make no outputs, or pass probabilistic junctions,
+// do not show the order.
 #include "conformance/check/overtaken_events.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // See partial_readings.hpp. A position is the beginning of a cycle: an image of the code and a node of NF_c(M). A
-// register is left unread until the code's results or the model depend on it; then the cycle is tried with each of its
+// register is unread until the results of the code or the model depend on it. Then the cycle is tried with each of its
 // readings.
 #include "conformance/check/partial_readings.hpp"
 
@@ -202,7 +202,8 @@ private:
         return events;
     }
 
-    /// The trace of code and model up to their difference. A register on which neither depends counts as empty.
+    /// The trace of code and model up to their difference. A register is treated as empty if neither the code nor the
+    /// model depends on it.
     std::vector<process::Event> trace_to(const Last& last) const {
         std::vector<std::size_t> way;
         for (std::size_t at = last.from; at != 0; at = positions_[at].from) way.push_back(at);

@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// Returns `conforms`, `differs` and `not_schedulable` like the search over all valuations. It finds that the model
+/// Returns `conforms`, `differs` and `not_schedulable` like the search over all valuations. It detects that the model
 /// cannot be run in cycles only on paths that the code takes. Returns `inconclusive` at a limit.
 [[nodiscard]] Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                                      std::uint32_t cycle_length, const refine::Limits&, const EventPlaces& = {});

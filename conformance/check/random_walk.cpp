@@ -21,7 +21,8 @@ namespace robochart::conformance {
 namespace {
 
 using Node = Follower::Node;
-using Readings = std::vector<std::uint32_t>;  ///< for one cycle, for each register: 0 absent, else 1 + its value
+/// Readings of one cycle, by register: 0: absent; otherwise 1 + the value.
+using Readings = std::vector<std::uint32_t>;
 using Bytes = std::vector<unsigned char>;
 
 constexpr std::uint64_t most_states = 50'000'000;
@@ -135,7 +136,7 @@ private:
         return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound);
     }
 
-    /// Of three randomly chosen positions, the least used.
+    /// Chooses three positions randomly and returns the least used of them.
     std::size_t pick_find() {
         std::size_t best = random_below(static_cast<std::uint32_t>(finds_.size()));
         for (int n = 0; n < 2; ++n) {

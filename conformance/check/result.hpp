@@ -32,8 +32,8 @@ struct Cycle {
     std::string state;                 ///< state of the code after the cycle
 };
 
-/// Explains an outcome in terms of the model. If the model causes the outcome: its rule, its place and a remedy. If the
-/// code differs: the model's run up to the difference.
+/// Explains an outcome in terms of the model. If the model causes the outcome, it contains the rule, the place and a
+/// remedy. If the code differs, it contains the model's run up to the difference.
 struct Explanation {
     const diagnostics::Rule* rule = nullptr;  ///< see its page in docs/rules; null: the model does not cause the
                                               ///< outcome
@@ -44,10 +44,11 @@ struct Explanation {
     std::optional<runs::Run> run;
 };
 
-/// A property of the model in addition to conformance: whether it holds, and if it fails, a shortest run that shows it.
+/// A property of the model that is checked in addition to conformance: whether it holds and, if it fails, a shortest
+/// run that shows the violation.
 struct Aside {
     bool holds = true;
-    std::string reason;  ///< why it fails
+    std::string reason;  ///< the reason why it fails
     std::vector<Cycle> cycles;
     const diagnostics::Rule* rule = nullptr;  ///< the consequence for a robot
     /// The trace of NF_c(M) up to the violation (as Result::model_run), and the model's run with this trace; no value:
@@ -74,7 +75,7 @@ struct MissedEvent {
     std::vector<Reason> reasons;
 };
 
-/// An event that a state takes only after other events of the same cycle, which its inner states take
+/// An event that a state takes only after its inner states have taken other events of the same cycle
 /// (docs/conformance.md, "Events that come second").
 struct OvertakenEvent {
     std::string event;
@@ -111,8 +112,9 @@ struct Result {
     std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
     std::string expected;       ///< events that the model allows at the difference
     Explanation explanation;    ///< differs, not_schedulable
-    /// The evidence for the explanation. It is the run of NF_c(M) that shows the problem, or a trace of NF_c(M) that is
-    /// also the code's up to the difference (kind `no_trace`). The run is found again if more is known about the model.
+    /// The evidence for the explanation. It is the run of NF_c(M) that shows the problem, or the common trace of
+    /// NF_c(M) and the code up to the difference (kind `no_trace`). It is used to find the run again in terms of the
+    /// model.
     std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
     std::uint64_t code_cycles = 0;      ///< number of executed (state, input valuation) pairs
@@ -133,7 +135,7 @@ struct Result {
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
     std::vector<std::string> warnings;  ///< about the code: states that are not canonical
     std::string exported;               ///< L(G) in the requested format (Options::exported)
-    std::string export_failure;         ///< why there is no export although one was requested
+    std::string export_failure;         ///< the reason why a requested export was not made
 };
 
 /// The relation between NF_c(M) and L(G).
@@ -159,7 +161,7 @@ struct WalkOptions {
     std::uint64_t seed = 1;
 };
 
-/// How code is generated, compiled and compared with its model.
+/// Options for generating and compiling code and for comparing it with its model.
 struct Options {
     std::uint32_t cycle_length = 1;  ///< c: number of tocks in a cycle
     Relation relation = Relation::failures_divergences;

@@ -250,7 +250,7 @@ void explain_standstill(Result& result, const Explained& explained) {
     Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write_explanation();
 }
 
-/// A run of M with a trace of NF_c(M). M may have several such runs; the text at the end of the run is true of all of
+/// A run of M with a trace of NF_c(M). M may have several such runs. The text at the end of the run is true for all of
 /// them.
 std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std::string& why,
                                   const Explained& explained) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explains in terms of the model why it cannot be run in control cycles: the rule, the transitions and actions
-// involved, and a remedy (docs/conformance.md, "Why a model is not schedulable").
+// Explains why a model cannot be run in control cycles: the rule, the transitions and actions involved, and a remedy
+// (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 
 #include "base/diagnostics/source.hpp"

@@ -21,8 +21,8 @@ const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::str
     return nullptr;
 }
 
-/// Appends the text without the parts that occur only once at the top. Adds its headers to `includes`, except those of
-/// the candidate itself.
+/// Appends the text without the lines that must occur only once, at the top of a source. Adds its included headers to
+/// `includes`, except headers of the candidate itself.
 void append_text(std::string& text, const std::string& source, std::set<std::string>& includes) {
     const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
     for (std::size_t begin = 0; begin < source.size();) {

@@ -14,8 +14,8 @@ namespace robochart::conformance {
 struct CodeEquality {
     bool same = false;
     std::uint64_t states = 0;  ///< total of both graphs
-    /// If the graphs are not the same, a shortest trace of only one of them, or a trace with a different refusal or
-    /// divergence. "" if only their branching differs.
+    /// If the behaviours differ, a shortest trace that only one controller has, or a trace with a different refusal or
+    /// divergence. "" if only the branching differs.
     std::string difference;
     std::size_t cycles = 0;  ///< cycles of that trace, including incomplete ones
 };

@@ -209,7 +209,8 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     return intern_result(result_of(outcome, log, once));
 }
 
-/// Treats a call that does not return as a divergence, like a step bound, and ignores the state that the call left.
+/// Treats a call that does not return as a divergence, like an exceeded step bound. The state after the call is
+/// ignored.
 std::uint32_t CodeSystem::endless(const Bytes& from) {
     endless_ = true;
     CycleResult result;
@@ -243,7 +244,7 @@ std::uint32_t CodeSystem::intern_result(CycleResult result) {
     return place->second;
 }
 
-/// How each image was first reached.
+/// The cycle by which each image was first reached.
 struct CodeSystem::Found {
     struct From {
         std::uint32_t image = 0;

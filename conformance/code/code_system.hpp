@@ -46,7 +46,7 @@ public:
 
     /// The root of an image's tree of readings. Each node lists the next node for every reading of its register; the
     /// nodes after the last register are results. Equal trees are shared, so all children of a node are equal if its
-    /// register makes no difference.
+    /// register has no effect.
     [[nodiscard]] std::uint32_t reading_tree(std::uint32_t image);
     [[nodiscard]] std::uint32_t cycles_of(std::uint32_t image) const override { return roots_.at(image); }
     [[nodiscard]] std::vector<std::uint32_t> child_nodes(std::uint32_t node) const { return nodes_[node]; }

@@ -30,8 +30,8 @@ struct Register {
     std::vector<std::string> texts;    ///< the values as CSPM text
     Carrier carrier;
 
-    /// Number of possible readings in one cycle: absent, or one of the values (a single "present" if the register
-    /// carries no value).
+    /// The number of possible readings in one cycle: one for "absent", and one for each value, or one for "present" if
+    /// the register carries no value.
     [[nodiscard]] std::uint32_t reading_count() const {
         return 1 + (values.empty() ? 1 : static_cast<std::uint32_t>(values.size()));
     }

@@ -16,7 +16,7 @@ namespace robochart::conformance {
 
 using BuildOptions = cpp_emit::BuildOptions;
 
-/// A loaded controller. Its code runs in this process, so load only code that this toolkit or its tests wrote.
+/// A loaded controller. Its code runs in this process, so only code that this toolkit or its tests wrote may be loaded.
 class SharedObject {
 public:
     /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and loads

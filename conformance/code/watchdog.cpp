@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A timer of the thread's processor time ticks while code is explored. If a tick finds the same call running as the
-// tick before, the signal handler leaves the call with siglongjmp. Its state is thread-local.
+// A timer of the thread's processor time ticks while code is explored. If the same call is running at two consecutive
+// ticks, the signal handler leaves the call with siglongjmp. The state of the watchdog is thread-local.
 #include "conformance/code/watchdog.hpp"
 
 #include <setjmp.h>

@@ -10,7 +10,7 @@ namespace robochart::conformance {
 /// The result of a call of `step`.
 struct Stepped {
     rc_result result = RC_QUIESCENT;
-    bool endless = false;  ///< it was stopped: `state` and `log` are as the code left them
+    bool endless = false;  ///< the call was stopped; `state` and `log` have the values of this moment
 };
 
 /// The maximal duration of a call of generated code.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data about a component, other than its code, that conformance needs: its process and events in the script, the
-// meaning of its numbers, and external writes without effect.
+// The data about a component that conformance needs in addition to its code: the process and the events in the script,
+// the meaning of numbers, and external writes without effect.
 #pragma once
 
 #include <string>

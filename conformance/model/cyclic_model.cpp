@@ -18,7 +18,8 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     std::unique_ptr<CyclicModel> loaded(new CyclicModel);
     loaded->system_ = &system;
     loaded->instantiation_ = &instantiation;
-    // Without CSP blocks: a block that replaces the instantiation would give the model other values than the code.
+    // CSP blocks are removed, because a block that replaces the instantiation would give the model other values than
+    // the code.
     const RenamedModel safe = renamed_model(system, instantiation, ref, diagnostics);
     loaded->cycle_length_ = cycle_length;
     loaded->script_ = csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);

@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
-    /// The same interface, in the same order, with the names in the model and in generated code. These differ from the
+    /// The interface in the same order, with the names of the model and of generated code. They differ from the
     /// script's names if elements were renamed (csp_emit/passes/safe_names.hpp).
     [[nodiscard]] const Interface& outside_interface() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }

@@ -329,7 +329,7 @@ LoggedValue ValueReader::read_value(std::string_view text) const {
     if (inside) result.number = carrier_index(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
-    // a value outside for another reason, such as a sequence that is too long, cannot be replaced
+    // a value that is outside for another reason, such as a sequence that is too long, cannot be replaced
     result.passed_on =
         !inside && only_passed_on(result.whole, passed_on_) && carrier_index(result.whole, 0).has_value();
     return result;

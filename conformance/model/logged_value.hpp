@@ -29,7 +29,7 @@ struct LoggedValue {
     std::optional<std::int64_t> number;  ///< as in the carrier; for values with parts the index in it; no value:
                                          ///< outside
     std::string text;                    ///< outside: as reported
-    bool passed_on = false;              ///< outside: the component only passes such values on
+    bool passed_on = false;              ///< for a value outside: the component only passes such values on
     LoggedPart whole;
 };
 

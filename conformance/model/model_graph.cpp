@@ -111,7 +111,8 @@ bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough)
 
 }  // namespace
 
-/// If there are too many states, returns false: the model is then reported to stop time.
+/// Whether time can pass or the model terminate after the state. If there are too many states, returns false, and the
+/// model is then reported to stop time.
 bool ModelGraph::goes_on(ModelState start) {
     const auto found = goes_on_.find(start);
     if (found != goes_on_.end()) return found->second;

@@ -32,8 +32,8 @@ public:
 
     [[nodiscard]] ModelState initial() const { return initial_; }
     [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
-    /// For each register, whether its event can happen from this state before the next tock, in any run. Ignores the
-    /// simulation assumptions: "yes" may be wrong, "no" is always right.
+    /// For each register, whether its event can happen from this state before the next tock, in any run. The simulation
+    /// assumptions are ignored, so true may be wrong, but false is always right.
     [[nodiscard]] const std::vector<bool>& heard_inputs(ModelState);
     /// Whether time can pass, or the model terminate, after suitable inputs: after some sequence of events that take no
     /// time.

@@ -115,10 +115,10 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
     if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) add_missed_deadline(move);
 }
 
-/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M continue up to a point
-/// where time passes again. This is the only sign of a missed deadline on an input here: M has performed everything
-/// that it can do without inputs (P). An input that another machine would take, and after which time still stops, does
-/// not count.
+/// Detects a missed deadline on an input. M lets no time pass in the middle of a cycle's actions, and inputs could make
+/// M continue up to a point at which time passes again. There is no other sign of such a deadline, because M has
+/// performed every step that needs no input (P). An input that another machine would take, and after which time still
+/// stops, is not a sign.
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
@@ -168,7 +168,7 @@ Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
 }
 
 // A1, A3: registers are read one after the other, each with any reading. A register that M cannot read before time
-// passes counts as absent (model_graph.hpp).
+// passes is treated as absent (model_graph.hpp).
 void NormalFormSystem::add_reads(Move& move) {
     const lts::Word at = move.from[progress];
     const auto input = static_cast<std::uint32_t>(at);
@@ -278,8 +278,8 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     move.sink.add(edge.event, next, edge.event);
 }
 
-// All parts synchronise on `terminate` after the reads and with no pending report; it is hidden and followed by ✓ of
-// all.
+// All parts synchronise on `terminate`, after the reads and if no report is pending. The event is hidden, and after it
+// all parts perform ✓ together.
 void NormalFormSystem::add_termination(Move& move) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     std::vector<lts::Word>& next = move.restart();

@@ -19,7 +19,7 @@ enum class AfterTermination {
     idle,  ///< tock forever: termination is then not a deadlock (schedulability)
 };
 
-/// How often an output may be made in one cycle (docs/conformance.md, A2).
+/// The number of times that an output may be made in one cycle (docs/conformance.md, A2).
 enum class Outputs {
     sequence,  ///< any number, in the order in which M makes them
     once,      ///< each at most once: a second one is the event `model.repeats`, after which nothing follows
@@ -39,14 +39,14 @@ struct Frame {
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
     bool writes_hidden = false;  ///< endless outputs are then a divergence
-    /// A register may also be left unread, by the event `unread`. If the behaviour depends on the reading of such a
-    /// register, the event `asks` is possible, and the other possible events are meaningless.
+    /// If true, a register may also be unread, by the event `unread`. If the behaviour depends on the reading of such a
+    /// register, the event `asks` is possible, and all other events have no meaning.
     bool unread = false;
 };
 
-/// Why a state of NF_c(M) has no transitions.
+/// The reason why a state of NF_c(M) has no transitions.
 enum class Standstill {
-    none,    ///< it has some
+    none,    ///< the state has transitions
     inputs,  ///< M waits, with an expired deadline, for inputs that were not read
     other,
     output_in_mid_cycle,  ///< M must make an output after the first tock of a cycle

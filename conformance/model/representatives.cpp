@@ -25,8 +25,8 @@ namespace {
 /// Maximal number of attempts to find an unused value.
 constexpr std::size_t attempts = 64;
 
-/// Makes values that differ in every part: each leaf takes the next value of its carrier. `shift` is the offset of the
-/// first one.
+/// Makes values that differ in every part: each leaf gets the next value of its carrier. `shift` is the offset of the
+/// first value.
 class Sample {
 public:
     Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t shift)
@@ -221,7 +221,7 @@ private:
         }
     }
 
-    /// Each literal counts as a number of every kind.
+    /// Collects literals. Each literal is taken as a number of every kind.
     void collect_literals(const ir::Machine& machine, std::set<std::int64_t>& found) const {
         ir::visit_expressions(machine, [&](const ir::Expr& root, ir::ExprRole) {
             ir::visit_operands(root, [&](const ir::Expr& expr) {

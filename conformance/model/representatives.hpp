@@ -26,10 +26,10 @@ struct Representatives {
     std::vector<RepresentedType> types;
 };
 
-/// For a component whose inputs or outputs have more values than can be explored. For each data independent type, the
-/// representatives are the values of constants, the initial values, and two further values. These two differ from all
-/// others and from each other in every part. Their own parts differ, too, if the carriers allow it, so that lost or
-/// exchanged parts are detected.
+/// Chooses representatives for a component whose inputs or outputs have more values than can be explored. For each data
+/// independent type, the representatives are the values of constants, the initial values, and two further values. The
+/// two further values differ from all others and from each other in every part. The parts of one value also differ from
+/// each other if the carriers allow it, so that lost or exchanged parts are detected.
 [[nodiscard]] Representatives choose_representatives(const ir::System&, const ir::Instantiation&,
                                                      const cpp_emit::Component&);
 

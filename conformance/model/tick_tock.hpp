@@ -8,9 +8,9 @@
 namespace robochart::conformance {
 
 /// Checks specification [TT= implementation, both under maximal progress: tock only if neither τ nor ✓ is possible.
-/// Like the model, the check does not observe divergence. The two systems share one EventTable. A counterexample ends
-/// in one of two ways. `trace`: with an event that the specification does not have, possibly a tock after these
-/// refusals. `refusal`: in a state in which the implementation refuses too much.
+/// Like the model, the check does not observe divergence. The two systems share one EventTable. A counterexample of
+/// kind `trace` ends with an event that the specification does not have, possibly a tock after these refusals. A
+/// counterexample of kind `refusal` ends in a state in which the implementation refuses too much.
 [[nodiscard]] refine::Verdict tick_tock_refines(lts::TransitionSystem& specification,
                                                 lts::TransitionSystem& implementation, process::Event tock,
                                                 const refine::Limits&);

@@ -75,7 +75,7 @@ inline std::uint32_t CycleCache::carrier_place(std::uint32_t number, rc_value va
     return new_place(carrier, value);
 }
 
-/// Rare calls, in a separate function to keep the frequent path small.
+/// Handles rare calls in a separate function, so that the frequent path is small.
 [[gnu::noinline]] std::uint32_t CycleCache::new_place(Carrier& carrier, rc_value value) {
     if (!carrier.real) return Monitor::place_of(*carrier.values, value.whole);
     std::uint64_t bits = 0;
@@ -127,7 +127,8 @@ inline CycleCache::Slot& CycleCache::slot_for_key(const Key& key) {
     return slots_[mixed >> 53U];
 }
 
-/// Compares most values by their bits. Compares numbers that are only passed on by the value that represents them.
+/// Compares most values by their bits. Numbers that the model only passes on are compared by the values that represent
+/// them.
 inline bool CycleCache::matches_recorded(const Done& done, const rc_action& action) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &action.argument[0], sizeof bits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cache for monitors of many controllers of one component. It stores results of whole cycles. If some controller has
-// performed the same cycle from the same state before, one look-up replaces one look-up for each event.
+// A cache for monitors of many controllers of one component. It stores results of whole cycles. If a controller has
+// performed the same cycle from the same state before, a single look-up replaces the look-ups for all events of the
+// cycle.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +50,7 @@ private:
     };
     /// The state in which a cycle begins, and its readings.
     struct Key {
-        std::uint64_t head = 0;    ///< the state and which inputs are present
+        std::uint64_t head = 0;    ///< the state, and the set of present inputs
         std::uint64_t values = 0;  ///< values of the inputs, `width_` bits each
 
         friend bool operator==(const Key&, const Key&) = default;
@@ -60,7 +61,7 @@ private:
         std::uint64_t mask = 0;  ///< mask for these bits; zero without an argument
         std::uint32_t output = 0;
         std::uint16_t column = 0;
-        std::uint16_t many = 0;  ///< not 0: it has several arguments
+        std::uint16_t many = 0;  ///< not 0: the output has several arguments
     };
     static constexpr std::uint32_t most_done = 6;
     struct alignas(64) Slot {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The normal form as a finite state machine over control cycles. A state is a possible beginning of a cycle, an input
 // symbol is one reading of every register, and an output symbol is the sequence of writes in the cycle. The machine is
-// complete and minimal. It is deterministic unless the model leaves a choice; then an input may have several steps,
-// which differ in their writes.
+// complete and minimal. It is deterministic unless the model has choices. With choices, an input may have several
+// steps, which differ in their writes.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct ChoiceAutomaton {
 
 /// Explores the machine. Throws std::length_error if it is too large, process::Interrupted at a limit.
 [[nodiscard]] ChoiceAutomaton choice_automaton(CyclicModel&, const refine::Limits&);
-/// Explores a deterministic machine. Throws std::length_error if it is too large or the model leaves a choice,
+/// Explores a deterministic machine. Throws std::length_error if it is too large or the model has choices, and
 /// process::Interrupted at a limit.
 [[nodiscard]] CycleAutomaton cycle_automaton(CyclicModel&, const refine::Limits&);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finite complete test suite for a machine over cycles: the HSI method (Petrenko, Yevtushenko, Lebedev, Das,
 // "Nondeterministic state machines in protocol conformance testing", 1993; Luo, Petrenko, v. Bochmann 1994), a W-method
-// with harmonised state identifiers. Complete: every deterministic implementation with at most m states more than the
-// machine, over the same inputs, passes all tests if and only if it is equivalent to it.
+// with harmonised state identifiers. The suite is complete: a deterministic implementation over the same inputs with at
+// most m more states than the machine passes all tests if and only if it is equivalent to the machine.
 #pragma once
 
 #include <string>
@@ -24,8 +24,8 @@ using TestWord = std::vector<std::uint32_t>;
 /// The suite as a log of runs (docs/traces.md): an implementation must produce the outputs of the model.
 [[nodiscard]] std::string suite_log(const CycleAutomaton&, const std::vector<TestWord>&, const CyclicModel&,
                                     const std::string& component, std::uint32_t extra_states);
-/// The machine of a model that leaves a choice, and a GoogleTest program that runs tests which adapt to the
-/// implementation (cpp_emit/runtime/adaptive.hpp).
+/// For a model with choices: the machine, and a GoogleTest program whose tests adapt to the implementation
+/// (cpp_emit/runtime/adaptive.hpp).
 [[nodiscard]] std::string choice_graph(const ChoiceAutomaton&, const CyclicModel&, const std::string& component,
                                        std::uint32_t extra_states);
 [[nodiscard]] std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of NF_c(M) that a log shows: unobserved events are hidden, and a log that starts late may start in any
-// cycle.
+// The part of NF_c(M) that is visible in a log: unobserved events are hidden, and a log that starts late may start in
+// any cycle.
 #pragma once
 
 #include <vector>

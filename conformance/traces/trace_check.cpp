@@ -175,7 +175,7 @@ private:
         done_ = ended_ = false;
     }
 
-    /// Handles a log that starts late, or lost cycles: the run's state is unknown.
+    /// Handles a log that starts late, and lost cycles. In both cases the state of the run is unknown.
     void forget_state(std::string_view word) {
         if (tokens_.size() > 1 || (word == "late" && run_->cycles > 0))
             fault_here("`late` alone before the first cycle, or `lost`");
@@ -240,7 +240,7 @@ private:
     }
 
     /// The event in NF_c(M). If the component only passes a value on, a value inside the finite instantiation replaces
-    /// a value outside. Any other value outside leaves the run undecided.
+    /// a value outside. With any other value outside, the run is undecided.
     std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
@@ -380,7 +380,7 @@ private:
     bool acted_ = false;                       ///< the reads are done
     std::uint32_t tocks_ = 0;
     bool ended_ = false;  ///< terminated
-    bool done_ = false;   ///< there is a verdict: the rest of the run is only parsed
+    bool done_ = false;   ///< the verdict is known; the rest of the run is only parsed
 };
 
 LogReport TraceChecker::check_log(std::istream& in, const std::vector<std::string>& constants,

@@ -24,7 +24,7 @@ namespace robochart::conformance {
 enum class RunVerdict {
     accepted,
     rejected,
-    inconclusive,  ///< the run leaves the finite instantiation and this matters
+    inconclusive,  ///< the run leaves the finite instantiation in a way that affects the verdict
 };
 
 /// One run of a log.
@@ -69,7 +69,7 @@ public:
     ~TraceChecker();
 
     /// Reads one log to its end, or to the first line that cannot be parsed. `constants` contains the constants of the
-    /// log's header with which the model was built; any other constant is an error (RC-L04). Calls `tell` with every
+    /// log's header with which the model was built. Any other constant is an error (RC-L04). Calls `tell` with every
     /// run that is not accepted. Throws process::Interrupted at a limit.
     LogReport check_log(std::istream&, const std::vector<std::string>& constants,
                         const std::function<void(const RunReport&)>& tell);
