@@ -21,10 +21,10 @@ public:
 
     /// The copy that performs an event, given the event's name in the whole process.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
-    /// What the copy does, in words, if the component's own events do not show it; no value otherwise.
+    /// The action of the copy in words, if the component's own events do not show it; otherwise no value.
     [[nodiscard]] std::optional<std::string> words_for(const std::string& name) const;
-    /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
-    /// in the order of the copies.
+    /// For each leaf, `of_model` tells whether it is in definitions of the model. Every copy has the same number of
+    /// leaves, in the order of the copies.
     void number_leaves(const std::vector<bool>& of_model);
     /// Must be called if the leaves cannot be distinguished.
     void forget_leaves() { leaves_.clear(); }

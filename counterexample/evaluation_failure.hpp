@@ -13,7 +13,7 @@ namespace robochart::runs {
 
 /// The error and the element of the model that contains it: "division by zero, in P::S::t1".
 [[nodiscard]] std::string failure_text(const cspm::EvaluationError&, const ir::System&);
-/// The error and the element, with their place in front: "m.rct:8:62: division by zero, in P::S::t1".
+/// The place, the error and the element: "m.rct:8:62: division by zero, in P::S::t1".
 [[nodiscard]] std::string placed_failure(const cspm::EvaluationError&, const ir::System&,
                                          const diagnostics::SourceManager&);
 

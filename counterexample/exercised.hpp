@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the elements of the model that the reachable states of a process exercise: transitions that fire and statements
-// that are executed. It searches the states of the operational semantics breadth-first; the steps show what each
-// component does.
+// that are executed. It searches the states of the operational semantics breadth-first, in which the steps of all
+// components are visible.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace robochart::runs {
 /// The results of a search.
 struct Exercised {
     /// Elements (see element_in) that may cause a step. If a step has several candidates, all of them are included. An
-    /// element that is missing here causes no step.
+    /// element that is not in the set causes no step.
     std::set<std::string> possible;
     /// The elements in `possible` that are the only candidate of some step.
     std::set<std::string> certain;

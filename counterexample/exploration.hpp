@@ -43,7 +43,7 @@ struct Exploration {
         std::vector<Transition> offers;     ///< all offers, in the order of Stepper::offers
         std::vector<std::size_t> absences;
         std::optional<std::size_t> structure;  ///< index of the root; no value if it cannot be evaluated
-        std::string error;                     ///< why its definitions cannot be evaluated; it then has no offers
+        std::string error;  ///< the reason why its definitions cannot be evaluated; it then has no offers
     };
 
     std::vector<State> states;  ///< the first is the initial one

@@ -136,7 +136,7 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
     }
 }
 
-/// The actions in a moment, separately for each copy that takes part; the copy that the event belongs to comes first.
+/// The actions in a moment, separately for each copy that takes part. The copy to which the event belongs comes first.
 Happening Interpreter::happening_at(const Moment& moment, const std::vector<ComponentStep>& moves) {
     const refine::Step& raw = raw_step(moment.raw);
     const std::string& whole = moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau);
@@ -174,8 +174,8 @@ Happening Interpreter::said_of_copy(Happening happening, const std::string& whol
     return happening;
 }
 
-/// The machine after this number of steps, or the last known one before that. Between an event and the update of a
-/// memory that follows, a machine is in no known definition.
+/// The machine after this number of steps, or its last known state before that. Between an event and the following
+/// update of a memory, a machine is in no known definition.
 const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
@@ -236,7 +236,7 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
 }
 
 /// True if the event adds nothing to the step before it. A machine reads and writes memories only as a consequence of
-/// that step, and events of a watch belong to no component.
+/// the step before, and events of a watch belong to no component.
 bool Interpreter::belongs_to_last(std::size_t raw, const std::string& name, const Event& event) const {
     if (!reader_.meanings().is_memory(name)) return false;
     const bool loop_begins = raw >= counterexample_.steps.size() && !run_.loop_start;
@@ -324,7 +324,7 @@ void Interpreter::add_times() {
     if (!run_.loop_start) run_.time = time;
 }
 
-/// Merges consecutive tocks into one step; those of the loop are kept apart from those before it.
+/// Merges consecutive tocks into one step. Tocks of the loop are not merged with tocks before the loop.
 void Interpreter::fold_tocks() {
     std::vector<Step> folded;
     std::optional<std::size_t> loop_start;
@@ -357,7 +357,8 @@ void Interpreter::fold_tocks() {
 
 // ---------------------------------------------------------------- offers
 
-/// Empty if definitions cannot be evaluated: alternatives are not part of the verdict.
+/// The transitions of a term. The list is empty if definitions cannot be evaluated, because alternatives are not part
+/// of the verdict.
 std::vector<process::Transition> Interpreter::transitions_at(TermId term) const {
     try {
         return context_.session.transitions(term);
@@ -475,7 +476,7 @@ EndKind Interpreter::end_kind() const {
     return EndKind::no_trace;
 }
 
-/// True if a composition makes writes visible; for a machine on its own it is false (semantics 3.10).
+/// True if a composition makes writes visible; false for a separate machine (semantics 3.10).
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
     return std::ranges::any_of(counterexample_.offered, [&](process::Event offered) {
@@ -644,7 +645,7 @@ Run Interpreter::run() {
     return std::move(run_);
 }
 
-/// A claim that watches a machine is decided on a copy of the machine; the run is reported as that of the machine.
+/// Reports a run of a watched copy of a machine as a run of the machine.
 void Interpreter::name_watched() {
     const bool watches =
         obligation_.kind == ir::PropertyKind::event_missed || obligation_.kind == ir::PropertyKind::clock_initialised;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts a counterexample of the checker to a run in terms of the model. The meaning of a step is what each
-// sequential component does in it, by the component's own name of the event. So renaming, hiding and priority around a
-// component (in a check, a composition or a CSP block) do not affect the meaning.
+// Converts a counterexample of the checker to a run in terms of the model. The meaning of a step consists of the
+// actions of the sequential components in it, described by the components' own names of the event. So renaming, hiding
+// and priority around a component (in a check, a composition or a CSP block) do not affect the meaning.
 #pragma once
 
 #include "counterexample/run.hpp"

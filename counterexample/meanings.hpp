@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates names of the script to terms of the model: events, and the definitions in which a process currently is.
+// Translates names of the script to terms of the model: names of events, and names of the definitions in which a
+// process currently is.
 #pragma once
 
 #include <memory>
@@ -34,8 +35,8 @@ public:
     [[nodiscard]] bool is_memory(const std::string& name) const;
     /// The event with this full name. An unknown event keeps its name and has Kind::event.
     [[nodiscard]] Event event_of(const std::string& name) const;
-    /// The event as performed in the definition `before`. The transition or statement that causes it is added if only
-    /// one is possible.
+    /// The event, performed in the definition `before`. The transition or statement that causes it is added if only one
+    /// is possible.
     [[nodiscard]] Event event_of(const std::string& name, const Call& before, const std::vector<Call>& after) const;
     /// The transitions and statements that may cause the event; several if the definitions do not determine the cause.
     [[nodiscard]] std::vector<std::string> elements_of(const std::string& name, const Call& before,

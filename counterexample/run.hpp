@@ -75,7 +75,7 @@ struct Variable {
     std::string name;
     VariableKind kind = VariableKind::variable;
     std::string type;                  ///< "" if it has none
-    std::optional<std::string> value;  ///< no value: it is no longer read
+    std::optional<std::string> value;  ///< no value: the variable is no longer read
     std::string deadline;              ///< countdown of a deadline: the element with the deadline
     std::optional<Place> place;        ///< the place of that deadline
 
@@ -118,7 +118,7 @@ struct Step {
     std::size_t more_offered = 0;   ///< the number of alternatives that are not listed
 };
 
-/// The violation at the end of a run. If the claim is that no such run exists, what the run shows.
+/// The violation at the end of a run. For a claim that no such run exists, the fact that the run shows.
 enum class EndKind {
     forbidden,              ///< the specification does not allow the last step
     refusal,                ///< fewer events are offered than the specification requires
@@ -126,7 +126,7 @@ enum class EndKind {
     deadlock,               ///< no step is possible; in the timed semantics, no step except the passing of time
     nondeterminism,         ///< an event may be accepted and may be refused
     reached,                ///< the state has been reached
-    terminated,             ///< it has terminated
+    terminated,             ///< the component has terminated
     timelock,               ///< time cannot pass
     clock_not_initialised,  ///< a clock is read before its first reset
     clock_initialised,      ///< the clock is reset, although the claim is that it is not

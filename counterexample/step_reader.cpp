@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t most_unfoldings = 20;
 
-/// A value that the machine itself has is at least as recent as that of the memory. The memory's value is used only if
-/// it is still read.
+/// The value in the machine is at least as recent as the value in the memory. The memory's value is used only if it
+/// will still be read.
 void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
     const auto& read = owner.remembered;
     const auto known =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the steps of processes in terms of the model. The meaning of a step is what each sequential component does
-// in it, by the component's own name of the event. Counterexamples, the search for transitions that never fire, and
-// stepping by hand use it.
+// Describes the steps of processes in terms of the model. The meaning of a step consists of the actions of the
+// sequential components in it, described by the components' own names of the event. Counterexamples, the search for
+// transitions that never fire, and stepping by hand use it.
 #pragma once
 
 #include <map>
@@ -68,7 +68,7 @@ public:
         return name(event == process::tau ? revealed : event);
     }
 
-    /// The known definitions that a term is in. A term that stands for a definition is unfolded.
+    /// The known definitions in which a term is. A call of a definition is unfolded.
     const std::vector<Call>& calls_of(process::TermId term);
     /// The machines in these definitions, one list per component. Components with the same name are one machine,
     /// because a variable may be stored in a separate process.

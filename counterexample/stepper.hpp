@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process that is stepped by hand: its current state, the offers there, and the steps so far. The steps are those of
-// the operational semantics, which is also used to replay counterexamples. Similar to the probe of FDR and the
+// A process that is stepped by hand: its current state, the offers in this state, and the steps so far. The steps are
+// those of the operational semantics, which is also used to replay counterexamples. Similar to the probe of FDR and the
 // simulator of UPPAAL.
 #pragma once
 
@@ -27,8 +27,8 @@ struct Offer {
     bool hidden = false;  ///< invisible to the environment
 };
 
-/// A transition that leaves an active state and is not on offer. For a process without a model: an event that one of
-/// its components offers and the whole process does not.
+/// A transition that leaves an active state but is not on offer. For a process without a model: an event that one of
+/// its components offers but the whole process does not.
 struct Absence {
     std::string component;
     std::string text;    ///< "met: Driving -> Turning", "a.1"
@@ -47,7 +47,7 @@ struct Taken {
 /// One sequential component of the process in its current state.
 struct Standing {
     process::TermId term{};
-    std::vector<Call> calls;  ///< the known definitions that it is in
+    std::vector<Call> calls;  ///< the known definitions in which the component is
     Machine machine;          ///< empty if it is not a machine
 };
 
@@ -78,8 +78,8 @@ public:
     [[nodiscard]] std::vector<Machine> current_machines();
     /// The components of the process in the current state.
     [[nodiscard]] std::vector<Standing> current_components();
-    /// The transitions that leave active states and are not on offer, each with the reason. For a process that is not a
-    /// component of a model: at most 200 events that its components offer and the process does not.
+    /// The transitions that leave active states but are not on offer, each with the reason. For a process that is not a
+    /// component of a model: at most 200 events that its components offer but the process does not.
     [[nodiscard]] std::vector<Absence> explain_absences();
     /// The structure of the process in the current state, its operators down to the components; no value if it cannot
     /// be evaluated. Valid until the next step.

@@ -12,7 +12,7 @@
 namespace robochart::runs {
 namespace {
 
-/// If there are more components, the rest is only counted.
+/// The number of components that are named; the other components are only counted.
 constexpr std::size_t most_names = 3;
 
 using Parts = std::vector<const process::Behaviour*>;
@@ -49,7 +49,7 @@ bool is_synchronising(std::string_view op) {
            (op.starts_with("[|") && op.ends_with("|]"));
 }
 
-/// Why the operator above `part` blocks its event. "" if the operator lets the event pass, renames it or hides it.
+/// The reason why the operator above `part` blocks its event. "" if the operator passes, renames or hides the event.
 std::string blocking_reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
     if (whole.op == "prioritise") return "something of a higher priority is on offer";
     if (whole.op == "[…||…]") return "the parts that share it do not all offer it";
@@ -79,7 +79,7 @@ void collect_blocked(const process::Behaviour& whole, std::size_t most, std::vec
     }
 }
 
-/// If there are more events, the rest is only counted.
+/// The number of events that are listed; the other events are only counted.
 constexpr std::size_t most_events = 12;
 
 }  // namespace

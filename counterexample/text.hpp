@@ -21,7 +21,7 @@ namespace robochart::runs {
 /// The state of a machine and its values: "in S1, x = 1".
 [[nodiscard]] std::string text_of(const Machine&);
 
-/// One line per step that a run prints; then the end of the run, and the violation.
+/// The text of a run: one line per step, and then the end of the run and the violation.
 [[nodiscard]] std::string text_of(const Run&, std::string_view indent);
 
 }  // namespace robochart::runs

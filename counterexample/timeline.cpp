@@ -30,7 +30,8 @@ public:
     Timeline build_timeline(const Behaviour& whole);
 
 private:
-    /// The first moment in which a part exists (no value: from the start), and the first in which it no longer exists.
+    /// The first moment in which a part exists (no value: from the start), and the first moment in which it no longer
+    /// exists.
     struct Span {
         std::optional<Point> begin = std::nullopt, end = std::nullopt;
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run, moment by moment: which sequential components move, by which of their own events, and the state of each of
-// them. Steps inside a compressed process, which the run of the whole process does not show, are separate moments.
+// A run, moment by moment: the sequential components that move, the events that they perform, and the state of each
+// component. Steps inside a compressed process, which the run of the whole process does not show, are separate moments.
 #pragma once
 
 #include <optional>

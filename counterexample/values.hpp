@@ -16,8 +16,8 @@ namespace robochart::runs {
 [[nodiscard]] std::vector<std::string> split_outside_brackets(std::string_view text, std::string_view separator);
 [[nodiscard]] std::string_view trim_blanks(std::string_view text);
 
-/// A value of the type: reals as decimals instead of units of 1/scale, literals without the name of their type, and the
-/// same for the parts. Text in another form is returned unchanged.
+/// The text of a value for people: reals are decimals instead of units of 1/scale, and literals do not contain the name
+/// of their type. The same applies to parts. Text in another form is returned unchanged.
 [[nodiscard]] std::string value_text(const ir::System&, const ir::Instantiation&, ir::TypeId, std::string_view text);
 /// The values after the dots of an event. `types` determines how many dots belong to each value.
 [[nodiscard]] std::vector<Value> values_of_event(const ir::System&, const ir::Instantiation&,
