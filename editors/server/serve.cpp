@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main loop over streams. A separate thread reads. So a cancellation is noticed before its request is started or
-// while it is handled, and diagnostics wait while the editor is still sending.
+// The main loop over streams. A separate thread reads messages. So a request can be cancelled before it starts or while
+// it is handled, and diagnostics are not sent while further messages arrive.
 #include <condition_variable>
 #include <exception>
 #include <istream>

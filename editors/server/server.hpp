@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of the server: which messages are allowed when, and which functions handle them (LSP 3.17, lifecycle
-// messages; JSON-RPC 2.0).
+// The states of the server, the messages that are allowed in each state, and the functions that handle them (LSP 3.17,
+// lifecycle messages; JSON-RPC 2.0).
 #pragma once
 
 #include <deque>

@@ -9,7 +9,8 @@
 
 namespace robochart::lsp {
 
-/// Applies a notification about a script. Returns false if it is not, or not only, about scripts.
+/// Applies a notification about a script. Returns false if the notification is not about scripts, or not only about
+/// scripts.
 bool notify_script(const Session&, Scripts&, std::string_view method, View params);
 
 /// True if a request is about a script.

@@ -11,7 +11,8 @@ namespace robochart::lsp {
 
 /// The name without its modules.
 [[nodiscard]] std::string_view short_name(std::string_view qualified);
-/// The place of the name in a declaration; the beginning of the declaration if the name is not in it.
+/// The place of the name in a declaration; the beginning of the declaration if the declaration does not contain the
+/// name.
 [[nodiscard]] Span name_place(const SourceManager&, Span declaration, std::string_view name);
 
 /// A name at some place in a script.

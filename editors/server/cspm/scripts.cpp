@@ -112,7 +112,7 @@ void Scripts::read(ScriptDocument& document) {
     document.reading = std::move(reading);
 }
 
-/// If open files include each other, the first counts as the whole script.
+/// If open files include each other, the first file is the main file of the script.
 bool Scripts::is_part_of_another(const ScriptDocument& document) const {
     return std::ranges::any_of(documents_, [&](const auto& entry) {
         const ScriptDocument& other = *entry.second;

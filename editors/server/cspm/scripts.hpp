@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CSPM scripts that an editor has open. A script is read together with the files that it includes; open texts
-// override those on disk. An open file that another open file includes is read as part of that file, because its names
+// The CSPM scripts that an editor has open. A script is read together with the files that it includes. Open texts
+// override files on disk. An open file that another open file includes is read as part of that file, because its names
 // may be declared there.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace robochart::lsp {
 
-/// True if a document contains CSPM. Its name decides, or the language identifier from the editor.
+/// True if a document contains CSPM, according to its name or to the language identifier from the editor.
 [[nodiscard]] bool is_script(std::string_view uri, std::string_view language = {});
 
 /// A script with all files that it includes, and the analysis so far.
@@ -36,13 +36,14 @@ struct ScriptReading {
 
 /// An open script.
 struct ScriptDocument : OpenText {
-    std::string file;                        ///< its file, with links resolved
+    std::string file;                        ///< the file of the document, with links resolved
     std::unique_ptr<ScriptReading> reading;  ///< the document read with its includes; null after a change
 };
 
 class Scripts {
 public:
-    /// Reading and checking poll the budget, if given. If the budget ends them, the next request repeats them.
+    /// Reading and checking poll the budget, if one is given. If the budget ends this work, the next request repeats
+    /// it.
     explicit Scripts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] ScriptDocument* find(std::string_view uri);

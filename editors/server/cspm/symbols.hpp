@@ -6,8 +6,8 @@
 
 namespace robochart::lsp {
 
-/// The declarations of a text in textual order: DocumentSymbols, or SymbolInformation for editors that support only
-/// that.
+/// The declarations of a text in textual order, as DocumentSymbols, or as SymbolInformation for editors that do not
+/// support DocumentSymbols.
 [[nodiscard]] Json script_symbols(const ScriptReading&, SourceId, const std::string& uri, Encoding, bool hierarchical);
 
 }  // namespace robochart::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The callers of an operation, and the calls of an operation or machine. As for definitions, a call refers to every
+// The callers of an operation, and the calls of an operation or machine. As in go-to-definition, a call refers to every
 // operation with the name of the called signature.
 #include <algorithm>
 #include <utility>

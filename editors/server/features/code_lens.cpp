@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
-// editor runs them, because they may take long and need its windows.
+// editor runs the commands, because they may take a long time and need the editor's windows.
 
 #include "editors/server/features/capabilities.hpp"
 #include "editors/server/features/features.hpp"
@@ -10,8 +10,8 @@ namespace robochart::lsp {
 
 namespace {
 
-/// The lenses of one document. Each has a command that the editor supports; its arguments are the document's URI and a
-/// name.
+/// The lenses of one document. A lens has a command that the editor supports, with the document's URI and a name as
+/// arguments.
 class Lenses {
 public:
     Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}

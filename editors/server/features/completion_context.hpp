@@ -41,7 +41,7 @@ enum class Wanted {
     member,        ///< the beginning of a member of the body
     continuation,  ///< after a complete operand: an infix operator or the next member
     source,        ///< a node that a transition may leave
-    target,        ///< a node that it may enter
+    target,        ///< a node that a transition may enter
     event,
     interface,
     type,

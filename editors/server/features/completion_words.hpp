@@ -15,7 +15,7 @@ struct Snippet {
     std::string_view text;
 };
 
-/// The keywords that begin a member of a body. In a transition, only those after its last clause.
+/// The keywords that begin a member of a body. In a transition, only keywords that may follow its last clause.
 [[nodiscard]] std::vector<std::string_view> member_words(Block block, std::string_view last_clause);
 [[nodiscard]] const std::vector<std::string_view>& assertion_member_words();
 /// The keywords that may follow a complete operand.

@@ -57,7 +57,7 @@ int item_kind(const ScriptName& name) {
 }
 
 /// True for internal names: definitions of control states and numbers of transitions. `D__`, `VS_O__` and similar names
-/// in capitals are meant for blocks.
+/// in capitals are not internal, because blocks use them.
 bool is_inner(const std::string& name) {
     const bool small = std::ranges::any_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
     return name.starts_with("TID") || (small && name.ends_with("__"));

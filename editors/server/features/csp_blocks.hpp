@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Features inside CSP blocks of assertion files: the names of the script that contains the block.
+// Features inside CSP blocks of assertion files, for names of the script that contains the block.
 #pragma once
 
 #include <optional>

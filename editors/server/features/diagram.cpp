@@ -86,8 +86,8 @@ bool is_of(const Subject& subject, SourceId source) {
     return std::ranges::any_of(subject.files, [&](const frontend::File* file) { return file->source == source; });
 }
 
-/// The component with this name or with a name that ends with it. Components of the document are preferred, and full
-/// names before others.
+/// The component with this name or with a name that ends with it. Components of the document are preferred to others,
+/// and full names to parts of names.
 const Subject* subject_called(const std::vector<Subject>& subjects, const std::string& name, SourceId source) {
     const Subject* best = nullptr;
     int rank = 0;
@@ -197,8 +197,8 @@ DrawnDiagram draw_now(Session& session, const Target& target, const Subject& sub
     return result;
 }
 
-/// The kept diagram to show while the text has errors: that of the requested component, otherwise the latest one of the
-/// document; null if there is none.
+/// The stored diagram to show while the text has errors: that of the requested component, otherwise the latest diagram
+/// of the document; null if there is none.
 const KeptDiagram* stand_in(const KeptDiagrams& kept, const std::string& uri, const Choice& choice,
                             const std::string& component) {
     const KeptDiagram* found = choice.certain ? kept.find_last(uri, choice.subject->name) : nullptr;
@@ -248,7 +248,7 @@ Json component_diagram(Session& session, View params) {
     KeptDiagram& entry = kept.find_or_add(uri, kind_of(*choice.subject), choice.subject->name);
     DrawnDiagram now = draw_now(session, target, *choice.subject, entry.memory);
     Json answer = answer_of(now, entry.name, wanted.theme, false);
-    // A diagram of a text with errors may lack parts, so it is not kept.
+    // A diagram of a text with errors may lack parts, so it is not stored.
     if (!broken) entry.drawn = std::move(now);
     return answer;
 }

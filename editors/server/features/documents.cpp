@@ -47,7 +47,7 @@ void did_close(Session& session, View params) {
     session.workspace.close(params["textDocument"]["uri"].text());
 }
 
-/// The open text is already known, so saving has no effect.
+/// The server already has the open text, so saving has no effect.
 void did_save(Session&, View) {}
 
 void did_change_watched_files(Session& session, View params) {

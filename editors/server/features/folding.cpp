@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Foldable ranges: braces over several lines, comments, runs of imports.
+// Foldable ranges: braces over several lines, comments, and consecutive imports.
 #include "editors/server/features/features.hpp"
 #include "frontend/syntax/lexer.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Information about the name at the pointer: its declaration with the comment, and the rules that report it. For a
-// keyword, its meaning.
+// Shows information about the name at the pointer: its declaration with the comment, and the rules that report it. For
+// a keyword, shows its meaning.
 #include <fmt/format.h>
 
 #include <optional>

@@ -46,7 +46,7 @@ private:
         return error == std::errc() && end == text.data() + text.size() ? Whole(value) : std::nullopt;
     }
 
-    /// Division and remainder are left out, because the finite instantiation clips and rounds them.
+    /// Division and remainder are not computed, because the finite instantiation clips and rounds them.
     static Whole combine_values(BinaryOp op, Whole left, Whole right) {
         std::int64_t value = 0;
         if (!left || !right) return std::nullopt;
@@ -57,7 +57,7 @@ private:
         return overflow ? std::nullopt : Whole(value);
     }
 
-    /// A constant that is defined by itself, or through too many others, has no value here.
+    /// The value of a constant. A constant that is defined by itself, or through too many others, has none.
     Whole of_name(const Declaration* target) {
         const auto* constant = dynamic_cast<const Variable*>(target);
         if (constant == nullptr || constant->kind != DeclKind::constant || !constant->initial) return std::nullopt;

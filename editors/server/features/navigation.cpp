@@ -24,8 +24,8 @@ Json locations_of(const Session& session, Project& project, const std::vector<co
 
 }  // namespace
 
-/// A declaration of a library is in its installed file. For a call, the definitions of the operation are results as
-/// well as the called signature.
+/// Finds the places of declarations. A declaration of a library is in its installed file. For a call, the results are
+/// the called signature and the definitions of the operation.
 Json definition_locations(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);

@@ -27,7 +27,7 @@ public:
         if (holds && span.begin < span.end) spans_.insert({span.end - span.begin, span.begin});
     }
 
-    /// The spans from the smallest outwards, each inside the next. If two overlap, the smaller one is kept.
+    /// The spans from the smallest outwards, each inside the next. If two spans overlap, the smaller one is used.
     [[nodiscard]] std::vector<Span> nested_spans() const {
         std::vector<Span> result;
         for (const auto& [length, begin] : spans_) {

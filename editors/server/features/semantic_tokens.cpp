@@ -120,7 +120,7 @@ Json semantic_legend() {
     return Json::object({{"tokenTypes", std::move(names)}, {"tokenModifiers", std::move(extras)}});
 }
 
-/// Five numbers per name: line and column relative to the name before, length, type, modifiers.
+/// The result has five numbers per name: line and column relative to the name before, length, type, modifiers.
 Json semantic_tokens(Session& session, View params) {
     const Target target = target_of(session, params);
     const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);

@@ -9,10 +9,11 @@
 
 namespace robochart::lsp {
 
-/// Applies a notification about one of these texts. Returns false if it is about something else.
+/// Applies a notification about a scenario, a mapping or a swarm. Returns false if the notification is about another
+/// text.
 bool notify_plain(const Session&, PlainTexts&, std::string_view method, View params);
 
-/// True if a request is about one of them.
+/// True if a request is about a scenario, a mapping or a swarm.
 [[nodiscard]] bool asks_for_plain(PlainTexts&, View params);
 /// The answer to the request; null for requests that only models support.
 [[nodiscard]] Json answer_for_plain(const Session&, PlainTexts&, std::string_view method, View params);

@@ -15,7 +15,8 @@
 
 namespace robochart::lsp {
 
-/// True if a document contains one of these. Its name decides, or the language identifier from the editor.
+/// True if a document contains a scenario, a mapping or a swarm, according to its name or to the language identifier
+/// from the editor.
 [[nodiscard]] bool is_plain(std::string_view uri, std::string_view language = {});
 
 struct PlainText : OpenText {
@@ -25,7 +26,7 @@ struct PlainText : OpenText {
 
 class PlainTexts {
 public:
-    /// Reading polls the budget, if given. If the budget ends it, the next request repeats it.
+    /// Reading polls the budget, if one is given. If the budget ends the reading, the next request repeats it.
     explicit PlainTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] PlainText* find(std::string_view uri);

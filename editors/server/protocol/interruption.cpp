@@ -45,7 +45,7 @@ void Interruption::note_handled(View message) {
         if (found != cancelled_.end()) cancelled_.erase(found);
     }
     if (changes_texts(method)) ++handled_;
-    changes_ = std::max(changes_, handled_);  // if no thread reads ahead
+    changes_ = std::max(changes_, handled_);  // needed if no thread reads ahead
 }
 
 /// A request is answered from the texts at the time of the request, even if a change is already waiting. Findings that

@@ -20,7 +20,7 @@ public:
     enum class Reason { none, cancelled, modified, leaving };
 
     // For the reader thread:
-    /// Records that a message has arrived. It may end the current work before it is handled itself.
+    /// Records that a message has arrived. The message may end the current work before it is handled.
     void note_arrival(View message);
     /// Records that the input has ended.
     void input_ended();

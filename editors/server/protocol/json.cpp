@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses through nlohmann's event interface. Its own parser does not limit nesting, and it searches for an equal key
-// before it adds a member, which takes quadratic time.
+// Parses through nlohmann's event interface. nlohmann's own parser does not limit nesting, and it searches for an equal
+// key before it adds a member, which takes quadratic time.
 #include "editors/server/protocol/json.hpp"
 
 #include <fmt/format.h>

@@ -43,8 +43,8 @@ private:
 };
 
 /// Parses a text (RFC 8259). On failure returns null and sets `error` to the cause. Nesting is limited; time and memory
-/// are linear in the text. Integers beyond 64 bits are read as floating-point numbers. Members with equal keys are all
-/// kept, and lookup finds the first.
+/// are linear in the text. Integers beyond 64 bits are read as floating-point numbers. All members with equal keys are
+/// stored, and lookup finds the first.
 [[nodiscard]] Json read_json(std::string_view text, std::string& error);
 
 }  // namespace robochart::lsp

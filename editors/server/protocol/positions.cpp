@@ -67,7 +67,7 @@ PositionTable::PositionTable(const SourceManager& sources, SourceId source, Enco
     constexpr std::uint32_t spacing = 1024;
     for (std::uint32_t number = 1;; ++number) {
         const std::string_view line = sources.line_text(source, number);
-        if (line.data() == nullptr) break;  // behind the last line
+        if (line.data() == nullptr) break;  // this number is after the last line
         const auto begin = static_cast<std::uint32_t>(line.data() - text_.data());
         lines_.push_back({begin, begin + static_cast<std::uint32_t>(line.size())});
     }

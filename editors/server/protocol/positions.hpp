@@ -30,10 +30,10 @@ public:
 
     /// The line of a byte offset, from 0.
     [[nodiscard]] std::uint32_t line(std::uint32_t offset) const;
-    /// As the functions above. A span of another text is converted by them.
+    /// Like the functions above. For a span of another text, calls these functions.
     [[nodiscard]] Json lsp_position(std::uint32_t offset) const;
     [[nodiscard]] Json lsp_range(Span) const;
-    /// The number of bytes that `position` has looked at so far, for tests.
+    /// The number of bytes that `position` has read so far, for tests.
     [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
 
 private:

@@ -34,7 +34,7 @@ private:
     std::istream& in_;
     std::size_t length_ = 0;
     bool has_length_ = false;
-    std::string rejected_;  ///< why a complete message is rejected
+    std::string rejected_;  ///< the reason why a complete message is rejected
     bool lost_ = false;     ///< after a fault: searching for the next header
 };
 

@@ -10,9 +10,9 @@
 
 namespace robochart::lsp {
 
-/// The edits of blocks that belong to these edits of the model: parts of qualified names, and names that the script
-/// derives (`moveCall`, `set_x`). No value if the blocks would have errors after them; empty if no block contains the
-/// name.
+/// The edits of CSP blocks that these edits of the model require: parts of qualified names, and names that the script
+/// derives (`moveCall`, `set_x`). No value if the blocks would have errors after the edits. Empty if no block contains
+/// the name.
 [[nodiscard]] std::optional<std::vector<Edit>> edits_of_blocks(Project&, const std::string& old_name,
                                                                const std::string& new_name,
                                                                const std::vector<Edit>& edits_of_model,

@@ -58,7 +58,7 @@ struct Meaning {
     friend bool operator==(const Meaning&, const Meaning&) = default;
 };
 
-/// All names of a project. The files have the same order in both projects, and so have their names.
+/// All names of a project. The files, and so the names, have the same order in both projects.
 struct Names {
     std::vector<const Occurrence*> list;
     std::vector<Meaning> meanings;

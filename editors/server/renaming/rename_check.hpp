@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks on a copy of the project, before the editor gets an answer, whether a renaming keeps the meaning of every
-// name.
+// Checks on a copy of the project whether a renaming preserves the meaning of every name, before the editor gets the
+// answer.
 #pragma once
 
 #include <string>

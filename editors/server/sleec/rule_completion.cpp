@@ -89,7 +89,7 @@ private:
         return nullptr;
     }
 
-    /// Adds what can be compared with a measure: the values of its scale, or numbers.
+    /// Adds the values that can be compared with a measure: the values of its scale, or numbers.
     void add_compared_values() {
         const sleec::Measure* left = find_measure(word_before(word_before(2) == "}" ? 3 : 2));
         if (left != nullptr && left->type == MeasureType::scale) {

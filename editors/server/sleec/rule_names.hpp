@@ -21,8 +21,8 @@ struct RuleName {
 /// is unknown.
 [[nodiscard]] std::string about_rule_name(const sleec::RuleFile&, const RuleName&, bool markdown);
 
-/// The outline of definitions, rules, concerns and purposes: DocumentSymbols, or SymbolInformation for editors that
-/// support only that.
+/// The outline of definitions, rules, concerns and purposes, as DocumentSymbols, or as SymbolInformation for editors
+/// that do not support DocumentSymbols.
 [[nodiscard]] Json rule_outline(const RuleText&, const sleec::RuleFile&, const Client&);
 
 }  // namespace robochart::lsp

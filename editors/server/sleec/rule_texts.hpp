@@ -15,7 +15,7 @@
 
 namespace robochart::lsp {
 
-/// True if a document contains rules. Its name decides, or the language identifier from the editor.
+/// True if a document contains rules, according to its name or to the language identifier from the editor.
 [[nodiscard]] bool is_rules(std::string_view uri, std::string_view language = {});
 
 /// A text after parsing and checking.
@@ -31,7 +31,7 @@ struct RuleText : OpenText {
 
 class RuleTexts {
 public:
-    /// Reading polls the budget, if given. If the budget ends it, the next request repeats it.
+    /// Reading polls the budget, if one is given. If the budget ends the reading, the next request repeats it.
     explicit RuleTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
 
     [[nodiscard]] RuleText* find(std::string_view uri);

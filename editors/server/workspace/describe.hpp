@@ -12,7 +12,7 @@ namespace robochart::lsp {
 [[nodiscard]] std::string signature_text(const frontend::Declaration&);
 /// The text after the name in a list: a type, a target, or the contents. May be empty.
 [[nodiscard]] std::string detail_of(const frontend::Declaration&);
-/// The place of its declaration: "in stm `S`"; "" at package level.
+/// The element that contains the declaration: "in stm `S`"; "" at package level.
 [[nodiscard]] std::string parent_text(const frontend::Declaration&);
 /// The comment directly above a place, or after it on the same line, without comment marks; "" if there is none.
 [[nodiscard]] std::string comment_about(const SourceManager&, const frontend::File&, Span name);

@@ -7,8 +7,8 @@
 
 namespace robochart::lsp {
 
-/// The file of a library whose text is built into the program under the name `<library>/PACKAGE.rct`. It is searched
-/// for below the installation folder and in the source tree. "" if there is no file with exactly this text.
+/// The file of a library whose text is built into the program under the name `<library>/PACKAGE.rct`. The file is
+/// searched for below the installation folder and in the source tree. "" if there is no file with exactly this text.
 [[nodiscard]] std::string library_file(std::string_view name, std::string_view text);
 
 }  // namespace robochart::lsp

@@ -8,7 +8,7 @@
 
 namespace robochart::lsp {
 
-/// All occurrences of the project that refer to the same thing as this one, including itself, sorted by place.
+/// All occurrences in the project with the same target as this one, including this occurrence, sorted by place.
 [[nodiscard]] std::vector<const frontend::Occurrence*> same_name(Project&, const frontend::Occurrence&);
 
 }  // namespace robochart::lsp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Open texts in languages other than RoboChart: CSPM scripts, SLEEC rules. Changes and findings are handled alike for
-// all of them.
+// Open texts in languages other than RoboChart: CSPM scripts, SLEEC rules. Changes and findings are handled in the same
+// way for all languages.
 #pragma once
 
 #include <functional>

@@ -46,7 +46,8 @@ struct Client {
     bool markdown = false;
     bool watches_files = false;
     bool versioned_edits = false;
-    bool pulls_diagnostics = false;  ///< requests the diagnostics of open documents, so the server does not push them
+    /// True if the editor requests the diagnostics of open documents, so the server does not send them.
+    bool pulls_diagnostics = false;
     bool refreshes_diagnostics = false;  ///< repeats its requests for diagnostics when the server notifies it
     std::set<std::string> commands;  ///< code lens commands that it supports (editors/server/features/capabilities.hpp)
 };

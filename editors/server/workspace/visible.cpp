@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enumerates the visible names: from the place outwards, then the package, imports, and qualified names.
+// Enumerates the visible names: first from the place outwards, then those of the package, of imports, and qualified
+// names.
 #include "editors/server/workspace/visible.hpp"
 
 #include <algorithm>

@@ -12,8 +12,8 @@ namespace robochart::lsp {
 
 /// The declaration whose name has this span; null if there is none.
 [[nodiscard]] const frontend::Declaration* declared_at(const frontend::File&, Span name);
-/// The declarations of files that a file sees without qualification: of its package, of its imports, and of unnamed
-/// packages. Literals of visible enumerations are included.
+/// The declarations of other files that are visible in a file without qualification: those of its package, of its
+/// imports, and of unnamed packages. Literals of visible enumerations are included.
 [[nodiscard]] std::vector<const frontend::Declaration*> visible_from(const frontend::Model&, const frontend::File&);
 /// The declarations that may follow `A::B::`.
 [[nodiscard]] std::vector<const frontend::Declaration*> declarations_after(const frontend::Model&,

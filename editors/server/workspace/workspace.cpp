@@ -39,7 +39,7 @@ void Workspace::remove_folder(const std::string& path) {
     if (std::erase(folders_, plain_folder(path)) > 0) rebuild_projects();
 }
 
-/// Assigns all files again; open texts are kept.
+/// Assigns all files again. Open texts are not lost.
 void Workspace::rebuild_projects() {
     const std::vector<std::unique_ptr<Project>> before = std::exchange(projects_, {});
     for (const std::string& folder : folders_)

@@ -24,7 +24,7 @@ struct Document {
     std::string uri;  ///< as the editor writes it
     SourceId source = SourceId::none;
     bool is_assertions = false;
-    bool open = false;  ///< the text is the editor's
+    bool open = false;  ///< true if the text is that of the editor
     std::optional<std::int64_t> version;
     bool stale = true;                  ///< the text changed since it was parsed
     frontend::File* tree = nullptr;     ///< the tree in the project's model, after parsing
@@ -33,8 +33,8 @@ struct Document {
     std::string pulled;                 ///< the diagnostics that the editor last requested, while it is open
 };
 
-/// Files that see each other (language reference 1.3: folder = project), with the analysis results. Accessing the model
-/// brings it up to date: only changed files are read and parsed again, and only affected parts are resolved again.
+/// The files of one project (language reference 1.3: folder = project), with the analysis results. Access to the model
+/// updates it: only changed files are read and parsed again, and only affected parts are resolved again.
 class Project {
 public:
     /// An empty folder name means texts without a place on disk. Updates of the model poll the budget, if given. If the
