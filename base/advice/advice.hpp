@@ -9,7 +9,7 @@
 
 namespace robochart::diagnostics {
 
-/// A row of a language's table: a mistake of authors who know another notation, and what to write instead.
+/// A row of a language's table: a mistake of authors who know another notation, and the correct form.
 struct Advice {
     std::string_view expected;  ///< what the parser expected, in the words of its message; "" matches every expectation
     /// The tokens around the place, separated by blanks. `@` marks the place; the token after it is the one that was
@@ -28,7 +28,7 @@ struct AdviceWord {
 };
 
 /// The advice of the first row that matches; "" if none does. `word(n)` is the n-th token relative to the place: 0 is
-/// the token found there, -1 the one before it. It has WordKind::end beyond both ends of the text.
+/// the token at the place, -1 the token before it. Outside the text, it has the kind WordKind::end.
 [[nodiscard]] std::string_view advice_on(std::span<const Advice> rows, std::string_view expected,
                                          const std::function<AdviceWord(std::ptrdiff_t)>& word);
 

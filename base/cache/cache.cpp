@@ -106,7 +106,8 @@ void Cache::store_entry(const Digest& key, std::string_view content) {
     if (write_below(folder_, name, text).empty()) trim_folder(fmt::format("{}/{}", folder_, name.substr(0, 1)));
 }
 
-/// Removes the least recently used entries beyond the size limit, and incomplete files of processes that were killed.
+/// Removes the least recently used entries until the size limit is met, and incomplete files of processes that were
+/// killed.
 void Cache::trim_folder(const std::string& folder) const {
     struct Entry {
         fs::file_time_type used;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores results of earlier runs, addressed by the content that they were computed from. There is one file per entry,
-// in 16 folders by the first digit of the file's name. Each folder is limited to its share of the total size; the least
+// Stores results of earlier runs. The key of a result is a digest of its inputs. There is one file per entry, in 16
+// folders by the first digit of the file's name. Each folder is limited to its share of the total size; the least
 // recently used entries are removed first. Several processes may use one cache, because a file is always complete or
 // absent.
 #pragma once
@@ -17,14 +17,14 @@ namespace robochart::diagnostics {
 class Cache {
 public:
     /// `program` identifies the program that makes the entries; a program does not find the entries of another. The
-    /// folder is created if it does not exist. It is not used if it belongs to another user or if others may write to
-    /// it.
+    /// folder is created if it does not exist. The folder is not used if it belongs to another user or if others may
+    /// write to it.
     Cache(std::string folder, std::string program, std::uint64_t most_bytes);
 
     /// The entry of this key. A damaged entry is removed and not returned.
     [[nodiscard]] std::optional<std::string> find(const Digest& key);
-    /// Stores an entry. It is not an error if it cannot be written, because the cache only saves time. An entry larger
-    /// than a quarter of a folder's share is not stored.
+    /// Stores an entry. If the entry cannot be written, this is not an error, because the cache only saves time. An
+    /// entry larger than a quarter of a folder's share is not stored.
     void store_entry(const Digest& key, std::string_view content);
 
 private:

@@ -14,7 +14,8 @@ namespace robochart::diagnostics {
 /// Equal contents have equal digests. Different contents with equal digests cannot be found in practice.
 using Digest = std::array<std::uint8_t, 32>;
 
-/// Computes a digest of several parts. The length of each part is included, so that the boundaries matter.
+/// Computes a digest of several parts. The lengths of the parts are included, so that the digest depends on the
+/// boundaries.
 class Hasher {
 public:
     Hasher();

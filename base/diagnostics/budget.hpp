@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The resources of one run: time and memory. The run may also be interrupted. Every phase polls the budget. When a
-// limit is reached, an exception names it and the active phase. The budget also records what must be removed when the
-// run ends.
+// limit is reached, an exception names it and the active phase. The budget also records files and processes that must
+// be removed when the run ends.
 #pragma once
 
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ASCII control characters in the languages that the project writes. Those with a letter are written alike in all
-// languages (`\n`); the others are written as numbers, in the form of each language.
+// ASCII control characters in the languages that the project writes. A character with a letter has the same escape in
+// all languages (`\n`). The other characters are written as numbers, in the form of the language.
 #pragma once
 
 #include <optional>

@@ -17,7 +17,8 @@ enum class Severity { note, warning, error };
 
 /// One row of a rule table. All views point at static storage.
 struct Rule {
-    std::string_view code;  ///< the published code if there is one (STM6, J1), otherwise ours (RC-P01, CSPM-T03)
+    /// The published code if there is one (STM6, J1), otherwise a code of this project (RC-P01, CSPM-T03).
+    std::string_view code;
     Severity severity = Severity::error;
     std::string_view message;      ///< fmt pattern for the diagnostic's arguments, in order
     std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
@@ -51,7 +52,7 @@ struct Diagnostic {
 /// Collects diagnostics in any order and returns them sorted by source, place and code.
 class Diagnostics {
 public:
-    /// The number of findings kept of each severity; later ones are only counted.
+    /// The number of findings of each severity that are stored; later ones are only counted.
     static constexpr std::size_t max_kept = 200;
 
     /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
@@ -65,7 +66,7 @@ public:
         if (budget_ != nullptr) budget_->poll();
     }
 
-    /// Later warnings with this code are neither kept nor counted; errors always are.
+    /// From now on, warnings with this code are neither stored nor counted. Errors with this code are not suppressed.
     void allow_code(std::string code) { allowed_.insert(std::move(code)); }
 
     /// Adds the findings of another collection.
@@ -79,7 +80,7 @@ public:
     /// True if an error was found in this text.
     [[nodiscard]] bool has_errors_in(SourceId source) const { return wrong_.contains(source); }
     [[nodiscard]] bool empty() const { return items_.empty(); }
-    /// The number of findings that were counted but not kept.
+    /// The number of findings that were counted but not stored.
     [[nodiscard]] std::size_t dropped_count() const { return dropped_; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One escape function for each language. Each decodes the text once and escapes the characters that have a meaning in
-// the language.
+// Each language has one escape function. The function decodes the text once and escapes the characters that have a
+// meaning in the language.
 #include "base/diagnostics/escape.hpp"
 
 #include <fmt/format.h>

@@ -10,8 +10,8 @@
 
 namespace robochart::diagnostics {
 
-/// Text that may contain anything: quotes, line ends, zeros, bytes that are not UTF-8. Text joined with it becomes
-/// foreign, too. Only the functions below convert it.
+/// Text that may contain anything: quotes, line ends, zeros, bytes that are not UTF-8. Text that is joined with foreign
+/// text becomes foreign too. Only the functions below convert it.
 class ForeignText {
 public:
     ForeignText() = default;
@@ -35,7 +35,8 @@ private:
 /// Text for a terminal or a report: control characters, invisible characters, line ends and bytes that are not UTF-8
 /// become escapes such as "\n", "\x1b" or "\u202e".
 [[nodiscard]] std::string escape_for_display(const ForeignText&);
-/// Text of several lines for a terminal or a report: escaped as above, but line ends and tabulators are kept.
+/// Text of several lines for a terminal or a report. It is escaped as by the function above, except for line ends and
+/// tabulators.
 [[nodiscard]] std::string shown_lines(const ForeignText&);
 
 /// Text in a comment of C++, CMake or Python that ends with its line: one line that is not continued.
@@ -52,7 +53,7 @@ private:
 /// Character data, an attribute value or a comment of XML 1.0 (also SVG). Characters that XML does not allow are shown
 /// as escapes.
 [[nodiscard]] std::string xml_text(const ForeignText&);
-/// Character data of several lines for XML: escaped as above, but line ends are kept.
+/// Character data of several lines for XML. It is escaped as by the function above, except for line ends.
 [[nodiscard]] std::string xml_lines(const ForeignText&);
 
 /// Text between the double quotes of a Graphviz label or of an event in Aldebaran's format.

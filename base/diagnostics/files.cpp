@@ -114,7 +114,7 @@ std::string write_and_rename(const Descriptor& folder, const fs::path& path, std
     const Budget::Held held(budget, (parent / name).string());
     bool good = write_whole(file.get(), text);
     if (good && before != nullptr) {
-        // The owner is kept if that is permitted; the mode is always kept.
+        // The owner is preserved if that is permitted; the mode is always preserved.
         (void)!fchown(file.get(), before->st_uid, before->st_gid);
         good = fchmod(file.get(), before->st_mode & 07777U) == 0 && fsync(file.get()) == 0;
     }

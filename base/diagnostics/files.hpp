@@ -14,7 +14,7 @@
 namespace robochart::diagnostics {
 
 /// The files of a folder by path, and the subfolders that cannot be read, each with the cause. Names that begin with a
-/// dot are left out, and links to folders are not followed.
+/// dot are skipped, and links to folders are not followed.
 struct FilesBelow {
     std::vector<std::string> files;
     std::vector<std::pair<std::string, std::string>> unreadable;
@@ -30,11 +30,12 @@ struct FilesBelow {
 /// Returns the cause in words on failure, "" on success.
 [[nodiscard]] std::string write_below(const std::string& root, const std::string& relative, std::string_view text,
                                       Budget* budget = nullptr);
-/// Writes a file at a path given by the user. If the path is a link to a file, the link stays, and the file that it
-/// points to is replaced. The permissions of an existing file are kept, and the new file is on disk before the old one
-/// is removed.
+/// Writes a file at a path given by the user. If the path is a link to a file, the link is not changed, and the file to
+/// which it points is replaced. The new file has the permissions of the existing file, and it is on disk before the old
+/// file is removed.
 [[nodiscard]] std::string replace_file(const std::string& path, std::string_view text, Budget* budget = nullptr);
-/// True if the name is one that these two functions give to an incomplete file; such a file stays if the run is killed.
+/// True if the name has the form that these two functions use for incomplete files. Such a file remains if the run is
+/// killed.
 [[nodiscard]] bool is_unfinished(const std::string& name);
 
 /// A temporary folder with an unpredictable name that only this user may access. The destructor removes it.

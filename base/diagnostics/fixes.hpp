@@ -16,8 +16,8 @@ inline constexpr std::string_view suggestion_title = "did you mean";
 /// True if the fix may be applied without asking.
 [[nodiscard]] bool is_certain(const FixIt&);
 
-/// The certain fixes of one source in textual order, without overlaps: the first fix of each finding; earlier fixes are
-/// preferred.
+/// The certain fixes of one source in textual order, without overlaps. Only the first fix of a finding is used, and
+/// earlier fixes are preferred.
 [[nodiscard]] std::vector<FixIt> certain_fixes(const Diagnostics&, SourceId source);
 
 /// The text with the fixes applied. They must be sorted and must not overlap.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON for programs: nlohmann's ordered_json, whose keys keep their order, and its text.
+// JSON for programs: nlohmann's ordered_json, which preserves the order of keys, and its text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -27,7 +27,7 @@ struct TextStyle {
 /// All findings in sorted order, then a count ("2 errors, 1 warning"); "" if there are none.
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostics&, const TextStyle& = {});
 /// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
-/// docs/cli.md describes the fields. `limit`: why the check is incomplete; "" if it is complete.
+/// docs/cli.md describes the fields. `limit` is the reason why the check is incomplete; "" if it is complete.
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
 /// Data of a SARIF log in addition to the findings.
 struct SarifRules {

@@ -21,13 +21,13 @@ namespace robochart::diagnostics {
 [[nodiscard]] Json sarif_rule(std::string_view id, std::string_view title, std::string_view text,
                               std::string_view level);
 /// The fingerprint of a result. It distinguishes the result from others in the same file by rule and subject,
-/// independent of its position.
+/// independently of its position.
 [[nodiscard]] Json sarif_fingerprint(std::string_view rule, std::string_view subject);
 
 /// One run of the program.
 struct SarifRun {
     std::string version;
-    std::string what;  ///< verb and input; if two logs agree in it, readers keep only the later one
+    std::string what;  ///< verb and input; if two logs have the same text, readers use only the later log
     Json rules = Json::array();
     Json results = Json::array();
     Json notifications = Json::array();  ///< findings without a place, which are not results

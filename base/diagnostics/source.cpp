@@ -33,8 +33,8 @@ std::string too_large(std::uintmax_t bytes) {
     return fmt::format("too large: {} bytes, at most {} are read", bytes, SourceManager::max_bytes);
 }
 
-/// The reason why an open file is rejected; "" if it can be read. Something other than a regular file may have no end,
-/// or may block forever.
+/// The reason why an open file is rejected; "" if it can be read. A file that is not regular may have no end, or
+/// reading it may block forever.
 std::string rejection_reason(const struct stat& status) {
     if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
     if (S_ISFIFO(status.st_mode)) return "is a pipe, not a regular file";
@@ -87,7 +87,8 @@ std::optional<SourceId> SourceManager::load_file(const std::string& path, std::s
             error = std::strerror(errno);
         else
             text.append(buffer.data(), static_cast<std::size_t>(count));
-        if (text.size() > max_bytes) error = too_large(text.size());  // it grew, or its file system reports no sizes
+        // The file grew, or its file system reports no sizes.
+        if (text.size() > max_bytes) error = too_large(text.size());
         if (!error.empty()) return std::nullopt;
     }
     return add(path, std::move(text));

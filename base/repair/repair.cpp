@@ -185,14 +185,14 @@ private:
         return false;
     }
 
-    /// The texts at the beginning of the round, with the fixes made in it so far and this group.
+    /// The texts at the beginning of the round, with the fixes made in this round so far and the fixes of this group.
     [[nodiscard]] Texts texts_with(std::span<const Candidate> group) const {
         std::vector<Candidate> all = made_;
         all.insert(all.end(), group.begin(), group.end());
         return apply_candidates(before_, all);
     }
 
-    /// If there are hundreds of findings, not all are kept, so only their numbers are compared.
+    /// If there are hundreds of findings, not all are stored, so only their numbers are compared.
     [[nodiscard]] bool is_better(const Faults& then, std::size_t fixes) const {
         if (now_.dropped > 0 || then.dropped > 0) return then.count() + fixes <= now_.count();
         for (const Level level : levels) {

@@ -39,8 +39,8 @@ struct Repaired {
 
 /// Applies the certain fixes of findings in these texts: first those of syntax errors, then those of other errors, then
 /// those of warnings, because findings of one kind can hide those of the next. A group of fixes is applied if it
-/// removes at least one finding of its kind per fix and adds none of its kind or an earlier one. Otherwise each half of
-/// the group is tried. `is_syntax` is true for the rules of syntax.
+/// removes at least one finding of its kind per fix and adds no finding of this or an earlier kind. Otherwise each half
+/// of the group is tried. `is_syntax` is true for the rules of syntax.
 [[nodiscard]] Repaired repair(const Texts&, const ReadTexts&, const std::function<bool(const Rule&)>& is_syntax);
 
 }  // namespace robochart::diagnostics

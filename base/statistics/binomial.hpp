@@ -25,8 +25,8 @@ struct Interval {
 [[nodiscard]] double at_least(std::uint64_t successes, std::uint64_t trials, double probability);
 [[nodiscard]] double at_most(std::uint64_t successes, std::uint64_t trials, double probability);
 
-/// The greatest p such that P(X >= successes) <= error for every probability up to p. The true probability is below it
-/// with a chance of at most `error`. The bound is 0 if no trial succeeded.
+/// The greatest p such that P(X >= successes) <= error for every probability up to p. The true probability is less than
+/// this bound with a chance of at most `error`. The bound is 0 if no trial succeeded.
 [[nodiscard]] double lower_bound(std::uint64_t successes, std::uint64_t trials, double error);
 /// The least p such that P(X <= successes) <= error for every probability from p on. The bound is 1 if all trials
 /// succeeded.

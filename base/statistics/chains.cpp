@@ -75,7 +75,7 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
 
 namespace {
 
-/// Visits of a state after a given state: the counts of next states, now and at the last look.
+/// Visits of a state after a given state: the counts of next states, at present and at the last look.
 struct PairVisits {
     std::uint64_t visits = 0, looked_visits = 0;
     std::uint64_t next = TransitionCounts::looks_for_error(1).trials_of_next_look(0).value();
@@ -152,7 +152,7 @@ std::optional<OrderContradiction> order_contradiction(const std::vector<StateSeq
     for (const auto& [state, befores] : pairs) {
         if (befores.size() < 2) continue;
         // If only one next state is permitted, all intervals contain 1. For a next state that was never seen, all
-        // contain 0. Neither can contradict.
+        // contain 0. In neither case a contradiction is possible.
         if (permitted_of(permitted[state]) < 2) continue;
         for (const std::size_t next : seen_next(befores)) {
             if (poll) poll();

@@ -2,8 +2,8 @@
 // Markov chains estimated from sequences of states. Assume that the sequences are independent runs of one chain. Then
 // the successors of a state's visits, sequence by sequence and in order of time, are independent draws from its row,
 // because only earlier draws decide whether there is another visit. The number of visits also depends on the draws, so
-// an interval for a number of trials fixed in advance is not valid for all of them. Intervals at several looks that
-// share the error are valid (sequential.hpp), and the last look that was reached is used.
+// an interval for a fixed number of trials is not valid after all visits. Intervals at several looks that share the
+// error are valid (sequential.hpp), and the last look that was reached is used.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace robochart::statistics {
 /// The states of one run at consecutive, equidistant times, as numbers.
 using StateSequence = std::vector<std::size_t>;
 
-/// Counts how often each state followed each state, now and at the state's last look.
+/// Counts transitions between states, at present and at the last look of the source state.
 class TransitionCounts {
 public:
     explicit TransitionCounts(std::size_t states);
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::uint64_t count(std::size_t from, std::size_t to) const { return counts_[from * states_ + to]; }
     /// The number of visits with a successor.
     [[nodiscard]] std::uint64_t visit_count(std::size_t from) const { return visits_[from]; }
-    /// The count of this transition at the last look.
+    /// The count of this transition at the last look at its source state.
     [[nodiscard]] std::uint64_t count_at_last_look(std::size_t from, std::size_t to) const {
         return looked_[from * states_ + to];
     }

@@ -34,7 +34,7 @@ struct Sprt {
 /// any look.
 class Looks {
 public:
-    /// There are at most `most` trials; `most` is at least 1.
+    /// `most` is the maximal number of trials, at least 1.
     Looks(std::uint64_t most, double error) : most_(most), error_(error) {}
 
     /// The number of trials at the first look after `trials` trials; no value after the last look.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests whether two samples of trials can have the same probability, and adjusts several such tests.
+// Tests whether two samples of trials can have the same probability, and adjusts the p-values of several such tests.
 #pragma once
 
 #include <cstdint>

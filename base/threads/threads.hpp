@@ -20,8 +20,8 @@ namespace robochart::diagnostics {
 /// Threads with the numbers 1, 2, ...; the caller's own thread has number 0.
 class Threads {
 public:
-    /// Calls `work` with each number from 1 to `size` - 1, each in its own thread. `stop`, if given, must make all of
-    /// them return soon. It is called if a thread throws or cannot be started, by any thread and possibly several
+    /// Calls `work` with each number from 1 to `size` - 1, each in a separate thread. `stop`, if given, must make all
+    /// calls return soon. It is called if a thread throws or cannot be started, by any thread and possibly several
     /// times. If a thread cannot be started, throws LimitReached after the others have returned.
     Threads(unsigned size, std::function<void(unsigned number)> work, std::function<void()> stop = {});
     Threads(const Threads&) = delete;
@@ -53,7 +53,7 @@ private:
 
 /// Calls `work` with each number below `count` and with the number of the executing thread. At most `threads` threads
 /// are used, including the caller's. After an exception no further number is started. When all threads have returned,
-/// the exception of the least number that threw is rethrown. Throws LimitReached if a thread cannot be started.
+/// rethrows the exception of the least number whose call threw. Throws LimitReached if a thread cannot be started.
 void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t number, unsigned thread)>& work);
 
