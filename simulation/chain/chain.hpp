@@ -21,7 +21,7 @@ namespace robochart::simulation {
 struct ChainAsked {
     enum class Kind { within, time, average };
     Kind kind = Kind::within;
-    const Claim* claim = nullptr;  ///< the claim, if the question is one
+    const Claim* claim = nullptr;  ///< the claim, if the question comes from a claim
     std::string text;              ///< as written
     double confidence = 0;
     std::vector<bool> goal;         ///< for each state; empty for average

@@ -15,10 +15,10 @@ namespace robochart::simulation {
 struct ChainResult {
     std::vector<ChainAnswer> answers;  ///< one per question, in order; fewer if the run was interrupted
     std::size_t questions = 0;
-    std::string proof;                  ///< the proof that excludes transitions, or why there is none
+    std::string proof;                  ///< the proof that excludes transitions, or the reason why there is none
     std::size_t transitions = 0;        ///< between states of the chain
-    std::size_t excluded = 0;           ///< how many of them are excluded
-    std::size_t seen = 0;               ///< how many of them occurred in the trials for estimation
+    std::size_t excluded = 0;           ///< number of transitions that are excluded
+    std::size_t seen = 0;               ///< number of transitions that occurred in the trials for estimation
     std::uint32_t trials = 0;           ///< the number of trials for estimation; as many are used for checks
     bool order_asked = false;           ///< the order was tested on all trials
     std::optional<OrderFinding> order;  ///< the refutation of the chain for all questions
@@ -38,12 +38,12 @@ struct ChainResult {
 [[nodiscard]] std::string order_text(const ChainStates&, const ChainResult&);
 /// For each question: the answer, its bounds, and the check by fresh trials.
 [[nodiscard]] std::string answers_text(const ChainResult&);
-/// How the chain was estimated, in lines.
+/// A text about the estimation of the chain.
 [[nodiscard]] std::string study_text(const Scenario&, const ChainStates&, const ChainResult&);
 /// Summarises the results on one line.
 [[nodiscard]] std::string chain_summary(const ChainResult&);
-/// Writes a row for each permitted transition that occurred, or whose source state occurred. A row contains the counts,
-/// and the interval at the confidence of the first question.
+/// A row for each permitted transition whose source state occurred. The row contains the counts, and the interval at
+/// the confidence of the first question.
 [[nodiscard]] std::string transitions_csv(const ChainStates&, const statistics::Permitted&,
                                           const statistics::TransitionCounts&, double error);
 /// A row for each check of each answer.

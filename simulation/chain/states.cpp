@@ -224,7 +224,7 @@ std::optional<bool> ChainStates::holds_in(const Formula& formula, std::size_t st
             return result;
         }
         default:
-            return std::nullopt;  // it refers to the past
+            return std::nullopt;  // the formula refers to the past
     }
 }
 

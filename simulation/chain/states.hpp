@@ -65,9 +65,10 @@ public:
     /// determine it.
     [[nodiscard]] std::optional<std::vector<bool>> states_satisfying(const Formula& condition) const;
     /// The permitted transitions. The robots' steps restrict changes of robot numbers; other measures may change
-    /// without restriction. A robot's steps allow a change of the numbers exactly if, for every set of classes, at most
-    /// as many robots are in it as are in its successors afterwards (Hall's theorem for transports). If they allow no
-    /// successor of a state, all are permitted: a proof that time stops does not apply to code that continues.
+    /// without restriction. A robot's steps allow a change of the numbers if and only if, for every set of classes, the
+    /// number of robots in the set is at most the number of robots in its successors afterwards (Hall's theorem for
+    /// transports). If they allow no successor of a state, all successors are permitted, because a proof that time
+    /// stops does not apply to code that continues.
     [[nodiscard]] statistics::Permitted permitted_transitions(diagnostics::Budget* = nullptr) const;
 
 private:

@@ -19,7 +19,7 @@ enum class ClaimVerdict { holds, fails, open, estimated };
 struct ClaimOutcome {
     bool holds = false;
     double time = 0;       ///< s, at which the answer was known
-    bool stopped = false;  ///< its controller stopped before the answer was known
+    bool stopped = false;  ///< a controller stopped before the answer was known
 };
 
 /// The answers of the trials to a claim.
@@ -40,7 +40,7 @@ struct ClaimResult {
 /// Receives the trials of a claim one after another until it is decided.
 class ClaimJudge {
 public:
-    /// `comparisons`: how many tests share the error. Keeps a reference to the claim.
+    /// `comparisons` is the number of tests that share the error. Stores a reference to the claim.
     ClaimJudge(const Claim&, std::uint32_t comparisons);
 
     /// True if no more trials are needed, because the claim is decided or the maximum is reached.

@@ -48,8 +48,8 @@ private:
     std::string text_;
 };
 
-/// The symbols of robots in each state, with the ids `PREFIX` and the number of the state: a disk in the state's colour
-/// with a mark that points forward. `outline`: its width in radii.
+/// The symbols of robots in each state: a disk in the state's colour with a mark that points forward. The id is
+/// `prefix` followed by the number of the state. `outline` is the width of the outline in radii.
 [[nodiscard]] std::string robot_symbols(std::size_t states, double radius, double outline, const std::string& prefix);
 /// One entry per state, and one for the time between states, drawn with the symbols.
 [[nodiscard]] std::vector<LegendEntry> state_entries(const MachineStates&, double radius, const std::string& prefix);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilities as text. Bounds stay correct when rounded: a lower bound is rounded down, an upper bound up.
+// Probabilities as text. Rounded bounds are correct: a lower bound is rounded down, and an upper bound is rounded up.
 #pragma once
 
 #include <string>

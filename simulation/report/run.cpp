@@ -100,7 +100,7 @@ private:
         Done& done = trials_[trial];
         const auto stage = options_.stage(scenario_, trial, done.found);
         if (stage == nullptr) {
-            stop_ = true;  // the problem is the same in all trials
+            stop_ = true;  // the problem occurs in all trials
             return;
         }
         TrialOptions options;

@@ -58,13 +58,13 @@ struct RunResult {
     [[nodiscard]] bool has_stopped_trial() const;
     /// True if a band or a claim fails, or a controller stopped.
     [[nodiscard]] bool has_failed() const;
-    /// True if all trials are complete and observed, and all bands and claims hold. If the result neither holds nor
-    /// fails, a claim is open, or not everything was observed.
+    /// True if all trials are complete and observed, and all bands and claims hold. If the result is neither true nor
+    /// false, a claim is open or some trial was not completely observed.
     [[nodiscard]] bool all_hold() const;
 };
 
-/// The number of trials that run to their end: those of the scenario, unless there are only claims and nothing is
-/// stored.
+/// The number of trials that run to their end. It is the number of the scenario, or 0 if there are only claims and no
+/// trial is stored.
 [[nodiscard]] std::uint32_t whole_trials(const Scenario&, bool record);
 
 /// The number of trials whose positions are stored: all, but at most a hundred, and limited by memory.

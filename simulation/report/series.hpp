@@ -64,9 +64,9 @@ struct Charts {
 [[nodiscard]] Charts charts_of(const Scenario&, const std::vector<TrialResult>&, const Machines&,
                                std::size_t most_times = 240);
 
-/// Returns the smallest `every` with which the next function keeps at most `most` (at least two) times.
+/// Returns the smallest `every` for which kept_indices returns at most `most` times (at least two).
 [[nodiscard]] std::size_t thinning_factor(std::size_t count, std::size_t most);
-/// The indices of the recorded times that are kept: one in `every`, and the last.
+/// The indices of the recorded times that are used: one of every `every` times, and the last time.
 [[nodiscard]] std::vector<std::size_t> kept_indices(std::size_t count, std::size_t every);
 
 /// The length of a link in the scenario's first measure of clusters. If the scenario has no such measure, the length is

@@ -59,7 +59,7 @@ private:
     View view_;
     double dot_;
     std::string prefix_;
-    bool metres_;  ///< the axes are in metres
+    bool metres_;  ///< true if the axes are in metres
 };
 
 }  // namespace robochart::simulation

@@ -65,7 +65,7 @@ struct WorldPlan {
     std::vector<std::vector<BoundAct>> acts;  ///< the effects of each output
 };
 
-/// The plan of the first kind of robots. It contains the plans of the other kinds.
+/// The plan of the first kind of robots. It also contains the plans of the other kinds.
 struct Plan {
     const Scenario* scenario = nullptr;
     std::uint32_t inputs = 0;
@@ -74,7 +74,7 @@ struct Plan {
     std::vector<std::vector<Effect>> effects;  ///< the effects of each output
     std::vector<double> variables;             ///< initial values of the slots
     std::vector<std::uint32_t> messages;       ///< the slot that robots send for each sensor, or `no_slot`
-    std::optional<BoundSpeeds> speeds;         ///< the drive follows two variables
+    std::optional<BoundSpeeds> speeds;         ///< set if the drive follows two variables
     std::uint32_t requests = 0;
     std::vector<Plan> others;  ///< plans of the kinds in Scenario::others; `others` is empty in them
     std::optional<WorldPlan> environment;
@@ -82,7 +82,7 @@ struct Plan {
     [[nodiscard]] const Plan& of_kind(std::size_t kind) const { return kind == 0 ? *this : others[kind - 1]; }
 };
 
-/// The controllers that a scenario is bound to: those of its kinds of robots, in order, and that of its environment.
+/// The controllers to which a scenario is bound: those of its kinds of robots, in order, and that of its environment.
 struct Emissions {
     std::vector<const cpp_emit::DriveEmission*> kinds;
     const cpp_emit::DriveEmission* environment = nullptr;  ///< null: no environment

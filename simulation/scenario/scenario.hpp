@@ -96,7 +96,7 @@ struct Stimulus {
     std::optional<Name> named;  ///< a literal or constant of the model
 };
 
-/// `light NAME at (X, Y) moving to (X, Y) at SPEED`: it stays at the target.
+/// `light NAME at (X, Y) moving to (X, Y) at SPEED`. The light stays at the target.
 struct Light {
     Name name;
     Vector at;
@@ -163,9 +163,9 @@ struct Failure {
 /// A condition on an instant or on a trial. Instants are the start and the ends of control steps.
 struct Formula {
     enum class Kind {
-        compare,   ///< condition on an instant: a measure is between `low` and `high`
-        stays,     ///< condition on an instant: the part has been true continuously for `time`
-        at,        ///< condition on a trial, like those below: the part, on an instant, is true at `time`
+        compare,  ///< condition on an instant: a measure is between `low` and `high`
+        stays,    ///< condition on an instant: the part has been true continuously for `time`
+        at,  ///< condition on a trial, like the following ones: the part, a condition on an instant, is true at `time`
         within,    ///< true at some instant up to `time`
         until,     ///< the second part is true at some instant up to `time`, the first at every earlier one
         always,    ///< true at every instant
@@ -229,8 +229,9 @@ struct Variation {
     diagnostics::Span span;
 };
 
-/// How a chain distinguishes values of a measure: a fraction by the number of robots, or any measure by levels. The
-/// values up to and including each level, and those above the last, form one class each.
+/// The classes of a measure in a chain. A fraction is divided by the number of robots, and any measure by levels. With
+/// levels, there is a class for the values up to and including each level, and a class for the values above the last
+/// level.
 struct Distinction {
     std::size_t measure = 0;
     std::vector<double> levels;  ///< ascending; empty: by the number of robots
@@ -287,7 +288,7 @@ struct Controlled {
     std::vector<Name> ignored;           ///< events and operations that the scenario intentionally does not use
 };
 
-/// Differences of the drive from that of the first kind; no value: the same. All robots have the same radius.
+/// Differences of the drive from that of the first kind; no value means no difference. All robots have the same radius.
 struct OwnDrive {
     std::optional<double> axle, max_wheel, noise;
 };

@@ -163,8 +163,8 @@ void refuse_beyond(const Scenario& scenario, const char* simulator, diagnostics:
 
 namespace {
 
-/// Places the robots of a kind. If there are several regions, each gets an equal part; the first ones get one robot
-/// more. Returns false, with a finding, if they do not fit.
+/// Places the robots of a kind. If there are several regions, each gets an equal part; if the number cannot be divided,
+/// the first regions get one robot more. Returns false, with a finding, if they do not fit.
 bool place_robots(World& world, const Scenario& scenario, const RobotKind& kind,
                   diagnostics::Diagnostics& diagnostics) {
     const auto fixed = static_cast<std::size_t>(std::ranges::count_if(

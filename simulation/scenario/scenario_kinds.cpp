@@ -56,7 +56,7 @@ void ScenarioReader::robot_option() {
     }
 }
 
-/// All robots of the world have the same radius.
+/// Reports another radius, because all robots of the world have the same radius.
 void ScenarioReader::other_radius() {
     const diagnostics::Span begin = in_.last_span();
     (void)in_.read_positive(Dimension::length, "the radius");

@@ -64,7 +64,7 @@ private:
     // scenario_kinds.cpp: kinds of robots and the environment
     void parse_robots();
     void robot_option();
-    /// `axle`, `wheel` or `noise`; false if it is none of these.
+    /// Parses `axle`, `wheel` or `noise`; returns false for other options.
     bool drive_option(OwnDrive&);
     void other_radius();
     /// `for COMPONENT { ... }`, after the name of a further kind.
@@ -162,7 +162,7 @@ private:
     // scenario_checks.cpp: consistency
     void check_scenario();
     [[nodiscard]] diagnostics::Span span_of_item(std::string_view word) const;
-    /// How many times `part` fits into `whole`; reported if it is not a whole number.
+    /// The quotient of `whole` and `part`. Reports a finding if it is not a whole number.
     std::uint64_t divide_evenly(double whole, const char* whole_name, double part, const char* part_name,
                                 std::string_view word);
     void check_steps();

@@ -35,7 +35,7 @@ struct Compared {
     double adjusted = 1;  ///< adjusted by Holm's method, for all points of the claim together
 };
 
-/// The estimates in both tables; each claim is tested jointly at all its points.
+/// Compares the estimates in both tables. Each claim is tested jointly at all its points.
 [[nodiscard]] std::vector<Compared> compare_tables(const Scenario&, const SweepResult&, const std::vector<TableRow>&);
 /// True if the estimates differ at the joint confidence of the claim.
 [[nodiscard]] bool is_rejected(const Scenario&, const Compared&);

@@ -15,9 +15,9 @@ struct SweepPlot {
     std::string svg;
 };
 
-/// For each claim: the fraction of trials against the first variation, with bars for the joint and the pointwise
-/// interval and a line for the claimed value. For claims about a time, also the fraction of trials without success over
-/// time (Kaplan and Meier). With two variations, also a map of the points.
+/// The plots for each claim: the fraction of trials against the first variation, with bars for the joint and the
+/// pointwise interval and a line for the claimed value. For claims about a time, also the fraction of trials without
+/// success over time (Kaplan and Meier). With two variations, also a map of the points.
 [[nodiscard]] std::vector<SweepPlot> sweep_plots(const Scenario&, const SweepResult&);
 
 }  // namespace robochart::simulation

@@ -19,8 +19,8 @@ struct SweepResult {
     double seconds = 0;
     double cpu_seconds = 0;
 
-    /// The number of robots times control steps until the answers were known; and the same if every trial had run to
-    /// its end.
+    /// The number of robots times the number of control steps until the answers were known. The second function returns
+    /// this number as if every trial had run to its end.
     [[nodiscard]] std::uint64_t robot_steps(const Scenario&) const;
     [[nodiscard]] std::uint64_t whole_robot_steps(const Scenario&) const;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas on a trial, evaluated at each instant as it comes, so that a trial can end when its answer is known. The
-// semantics is that of bounded temporal logic on a run that continues (Bauer, Leucker, Schallhart, "Runtime
-// verification for LTL and TLTL", TOSEM 20, 2011), with three values: true, false, not yet known.
+// Formulas on a trial, which are evaluated at each instant during the trial, so that the trial can end when its answer
+// is known. The semantics is that of bounded temporal logic on a run that continues (Bauer, Leucker, Schallhart,
+// "Runtime verification for LTL and TLTL", TOSEM 20, 2011), with three values: true, false, not yet known.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ using MeasureNow = std::function<double(std::size_t measure)>;
 /// A formula on an instant.
 class Condition {
 public:
-    /// Keeps a reference to the formula.
+    /// Stores a reference to the formula.
     Condition(const Formula&, double control_step);
 
     /// Returns true if the formula is true after this number of steps. Must be called for each step, in order.
@@ -47,7 +47,7 @@ struct Answer {
 /// A formula on a trial.
 class Property {
 public:
-    /// Keeps a reference to the formula. `end`: the number of steps of the trial.
+    /// Stores a reference to the formula. `end`: the number of steps of the trial.
     Property(const Formula&, double control_step, std::uint64_t end);
 
     /// True if the instant after this number of steps must be evaluated.

@@ -58,7 +58,7 @@ struct Clusters {
 [[nodiscard]] double measure_value(const Scenario&, const Measure&, const Frame&);
 /// Finds the states of measures by name; reports unknown names.
 void find_states(Scenario&, const Machines&, diagnostics::Diagnostics&);
-/// The measures at one instant; each is computed at most once. Keeps references.
+/// The measures at one instant. A measure is computed at most once. The result stores references to the arguments.
 [[nodiscard]] MeasureNow measures_now(const Scenario&, const Frame&);
 
 /// The statistics of a scenario's bands, collected step by step.

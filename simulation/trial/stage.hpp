@@ -20,7 +20,7 @@ public:
     [[nodiscard]] virtual std::size_t size() const = 0;
     [[nodiscard]] virtual Pose pose(std::size_t robot) const = 0;
 
-    /// The sensors take their readings for this control cycle.
+    /// Takes the readings of all sensors for this control cycle.
     virtual void sense() = 0;
     [[nodiscard]] virtual Sight line_of_sight(std::size_t robot, const Sensor&) = 0;
     [[nodiscard]] virtual bool somebody_within(std::size_t robot, const Sensor&, double distance) = 0;

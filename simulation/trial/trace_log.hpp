@@ -29,7 +29,7 @@ struct TraceLogOptions {
 
 class TraceLog final : public Trace {
 public:
-    /// Keeps references to the emission and the scenario.
+    /// Stores references to the emission and the scenario.
     TraceLog(TraceLogOptions, const Scenario&, const cpp_emit::DriveEmission&, std::uint32_t trial);
     ~TraceLog() override;
     void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,

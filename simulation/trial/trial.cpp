@@ -343,8 +343,8 @@ private:
         working_[robot] = false;
     }
 
-    /// Sets the wheels; those of a robot with failed motors stand still. A speed that is not finite stops the trial,
-    /// because the world cannot compute with it.
+    /// Sets the wheels. The wheels of a robot with failed motors stand still. A speed that is not finite stops the
+    /// trial, because the world cannot compute with it.
     void set_wheels(std::size_t robot, Wheels wheels) {
         if (!std::isfinite(wheels.left) || !std::isfinite(wheels.right)) return stop_trial(robot, no_finite_number);
         stage_.set_wheels(robot, failed_[robot].motors ? Wheels{} : wheels);
@@ -457,8 +457,8 @@ private:
         return false;
     }
 
-    /// Returns the number of robots that are heard, or the message of one of them; no value if no robot sends a
-    /// message.
+    /// Returns the number of robots whose messages are received, or the message of one of them; no value if no message
+    /// is received.
     std::optional<std::int64_t> whole_reading(std::size_t robot, const BoundFeed& bound) {
         std::vector<std::uint32_t> heard =
             stage_.robots_within(robot, sensor_of_feed(bound), argument_value(robot, bound));
@@ -539,7 +539,8 @@ private:
         turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle_of(robot)};
     }
 
-    /// Continues a turn by dead reckoning: at the full rate while a whole step remains, then by the rest.
+    /// Continues a turn by dead reckoning: at the full rate while a whole step remains, and then by the rest of the
+    /// angle.
     void continue_motion(std::size_t robot) {
         if (courses_[robot].drive != nullptr) return follow_course(robot, courses_[robot]);
         Turn& turn = turns_[robot];

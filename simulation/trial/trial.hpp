@@ -31,8 +31,8 @@ public:
                                const rc_actions& outputs, rc_drive_result result) = 0;
     /// Called after each cycle; null: continue.
     [[nodiscard]] virtual const Objection* current_objection() const { return nullptr; }
-    /// Called at the end of the trial: true if everything relevant for objections was observed. If the result is false,
-    /// the absence of an objection proves less.
+    /// Called at the end of the trial. True if everything relevant for objections was observed. If the result is false,
+    /// the absence of an objection is not conclusive.
     [[nodiscard]] virtual bool is_conclusive() const { return true; }
 };
 
@@ -43,7 +43,7 @@ public:
     virtual ~Guard() = default;
     /// Makes the observer of a trial, which passes everything on to the observer made by `other`, if any.
     [[nodiscard]] virtual Maker make_observer(Maker other) = 0;
-    /// How much was observed, in lines.
+    /// Lines of text about the extent of the observation.
     [[nodiscard]] virtual std::string summary_lines() const = 0;
 };
 
@@ -61,8 +61,9 @@ struct Stop {
 
 struct TrialResult {
     std::uint64_t steps = 0;  ///< executed control steps
-    bool complete = false;    ///< neither stopped nor interrupted: at its end, or all claims are known
-    bool watched = true;      ///< the trace observed everything it needs, or there is no trace
+    /// The trial was neither stopped nor interrupted; it reached its end, or all answers are known.
+    bool complete = false;
+    bool watched = true;  ///< the trace observed everything it needs, or there is no trace
     std::optional<Stop> stop;
     std::vector<double> statistics;  ///< the statistic of each band; NaN: never reached
     std::vector<Answer> answers;     ///< the answer to each claim; a stopped trial counts against the claim
@@ -73,7 +74,8 @@ struct TrialResult {
 
 struct TrialOptions {
     bool record = true;  ///< store frames
-    /// The claims whose answers are awaited; the trial ends when all of them are known. Null: it runs to its end.
+    /// The claims whose answers are awaited. The trial ends when all these answers are known. Null: the trial runs to
+    /// its end.
     const std::vector<bool>* awaited = nullptr;
     std::uint64_t seed = 1;  ///< the seed of random choices of the controllers
     Trace* trace = nullptr;  ///< not owned

@@ -103,7 +103,7 @@ bool Race::run_iteration() {
     const std::uint64_t share = left / (number < planned ? planned - number + 1 : 1);
     const std::uint64_t wanted = share / (first_test + std::min<std::uint64_t>(first_test, number));
     const std::uint64_t elites = elites_.size();
-    // A race is useless if it starts with at most as many candidates as may survive.
+    // A race is useless if the number of its candidates is at most the number that may survive.
     if (wanted <= std::max(elites, number == 1 ? std::uint64_t{1} : survivor_count())) return false;
     const double progress = std::min(1.0, static_cast<double>(number - 1) / static_cast<double>(planned));
     RaceIteration now;
@@ -187,7 +187,8 @@ void Race::run_missing_trials(const std::vector<std::size_t>& alive, const std::
 }
 
 /// Runs the race of one iteration, within its share of the budget. The first seed is new, so that elites and other
-/// candidates are tested on it alike. The seeds that elites have seen come next, then further new ones.
+/// candidates are tested on it in the same way. Then come the seeds on which elites have run, and then further new
+/// seeds.
 void Race::run_competition(std::vector<std::size_t> alive, std::uint64_t share) {
     const std::uint64_t known = elites_.empty() ? 0 : seeds_;
     const std::uint64_t begin = trials_;

@@ -36,13 +36,13 @@ struct RaceTrial {
     friend auto operator<=>(const RaceTrial&, const RaceTrial&) = default;
 };
 
-/// The interface of the search to the world. An exception ends the search; the results so far are kept.
+/// The interface of the search to the world. An exception ends the search, and the results so far remain available.
 class RaceSubject {
 public:
     virtual ~RaceSubject() = default;
     /// True if trials of the candidate can be run. Called once for each candidate, in order of index.
     virtual bool is_usable(const Candidate&) = 0;
-    /// True if the candidate may be among the best. Called at most once for each candidate: when it leads, or when it
+    /// True if the candidate may be among the best. Called at most once for each candidate, when it is the best or
     /// would become one of the best.
     virtual bool admits_candidate(const Candidate&) = 0;
     /// The costs of the trials, in order. Lower is better.
@@ -64,7 +64,7 @@ struct RaceEntry {
 /// A record of one iteration.
 struct RaceIteration {
     std::uint64_t fresh = 0;     ///< number of new candidates
-    std::uint64_t unusable = 0;  ///< how many of these were unusable
+    std::uint64_t unusable = 0;  ///< number of these candidates that were unusable
     std::uint64_t seeds = 0;     ///< number of seeds on which the remaining candidates have run
     std::uint64_t trials = 0;
     std::uint64_t left = 0;     ///< number of remaining candidates
@@ -73,7 +73,7 @@ struct RaceIteration {
 
 class Race {
 public:
-    /// Keeps references. There must be at least one parameter.
+    /// Stores references to the arguments. There must be at least one parameter.
     Race(const std::vector<Parameter>&, const RaceOptions&, RaceSubject&);
 
     /// Runs until the budget does not suffice for another iteration, or there are no new candidates. `watch` is called

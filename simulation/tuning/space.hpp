@@ -16,7 +16,7 @@ namespace robochart::simulation {
 struct Parameter {
     std::string name;                 ///< "farRadius", "Keep::patience"
     std::string text;                 ///< as written: "0.05..0.5"
-    std::vector<std::string> listed;  ///< if not empty: these values, unordered
+    std::vector<std::string> listed;  ///< the values of a list, unordered; empty for a range
     std::int64_t low = 0;             ///< the lower bound of the range, in steps
     std::uint64_t count = 0;          ///< number of values of the range, at most 1,000,000
     int decimals = 0;                 ///< a step is 10^-decimals
@@ -34,8 +34,8 @@ enum class ParameterKind { whole, real, other };
 [[nodiscard]] bool is_varied(std::string_view value);
 
 /// Parses `LOW..HIGH` or `A,B,C`. A range of whole numbers contains all of them. A range of reals has the decimals of
-/// its bounds, and as many more as are needed for at least a hundred steps. No value if the text is wrong; `error`
-/// contains the reason.
+/// its bounds, and more decimals if these are necessary for at least a hundred steps. No value if the text is wrong;
+/// `error` contains the reason.
 [[nodiscard]] std::optional<Parameter> read_parameter(const std::string& name, const std::string& text, ParameterKind,
                                                       std::string& error);
 

@@ -11,7 +11,7 @@
 
 namespace robochart::simulation {
 
-/// One trial to run; refers to its arguments.
+/// One trial to run. Stores references to its arguments.
 struct TuningTrial {
     const Plan* plan = nullptr;
     const Drives* drives = nullptr;
@@ -22,9 +22,10 @@ struct TuningTrial {
 /// searches, and from the first 2^32 of the scenario itself, on which claims are judged.
 [[nodiscard]] std::uint64_t tuning_seed(const Scenario&, std::uint64_t search, std::uint64_t number);
 
-/// The cost of a trial. For each claim, the seconds until its property was known to have the claimed value, or ten
-/// times the scenario's duration if it does not have it (the penalty of PAR10, as in Hutter, Hoos, Leyton-Brown,
-/// Stützle, "ParamILS", JAIR 36, 2009). A trial that a controller stops before has the penalty.
+/// The cost of a trial. For each claim, the cost is the time in seconds until its property was known to have the
+/// claimed value. If it does not have this value, the cost is ten times the scenario's duration (the penalty of PAR10,
+/// as in Hutter, Hoos, Leyton-Brown, Stützle, "ParamILS", JAIR 36, 2009). A trial that a controller stops before has
+/// the penalty.
 [[nodiscard]] double trial_cost(const Scenario&, const std::vector<Answer>&);
 
 /// Runs each trial until its answers are known, and returns the costs in order. `threads`: 0 means one per core.

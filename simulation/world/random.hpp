@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pseudo-random numbers of a trial: xoshiro256++ 1.0 (Blackman, Vigna: "Scrambled linear pseudorandom number
-// generators", ACM TOMS 47, 2021). Its state is filled from the seed by SplitMix64 (Steele, Lea, Flood, OOPSLA 2014),
-// as its authors recommend. The same seed gives the same numbers on every machine.
+// generators", ACM TOMS 47, 2021). SplitMix64 (Steele, Lea, Flood, OOPSLA 2014) fills the state from the seed, as the
+// authors of xoshiro256++ recommend. The same seed gives the same numbers on every machine.
 #pragma once
 
 #include <array>

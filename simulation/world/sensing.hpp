@@ -30,14 +30,15 @@ struct Bearing {
 
 struct RangeAndBearing {
     double range = 80;      ///< cm between centres
-    bool occlusion = true;  ///< a robot in between hides those behind it
+    bool occlusion = true;  ///< a robot hides the robots that are in the same direction and farther away
     double noise = 0;       ///< standard deviation of the distance, cm
     double loss = 0;        ///< fraction of messages that are lost
 };
 
 struct LightRing {
-    std::uint32_t sensors = 8;  ///< evenly around the body, the first half a gap to the left of the heading
-    double leak = 0;            ///< probability that light reaches a sensor through the body, about one half in ARGoS
+    /// Sensors are evenly distributed around the body; the first is half a gap to the left of the heading.
+    std::uint32_t sensors = 8;
+    double leak = 0;  ///< probability that light reaches a sensor through the body, about one half in ARGoS
 };
 
 struct ProximityRing {
@@ -51,7 +52,7 @@ class Sensing {
 public:
     explicit Sensing(World& world) : world_(world) {}
 
-    /// The radio of a robot fails: it hears no robot, and no robot hears it.
+    /// Makes the radio of a robot fail: it neither sends nor receives messages.
     void silence(std::size_t robot);
 
     /// Updates the positions of the robots.

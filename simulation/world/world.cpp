@@ -11,8 +11,8 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Pairs are listed up to this distance beyond contact, in cm; two robots at full speed cover it in about two control
-/// steps.
+/// Lists of pairs contain robots up to this distance from contact, in cm. Two robots at full speed cover it in about
+/// two control steps.
 constexpr double margin = 6;
 /// The largest displacement by pushes in one physics step that the pair list tolerates, in cm.
 constexpr double slack = 1;

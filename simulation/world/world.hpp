@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built-in world: disks with differential drive in a plane with walls. The world is kinematic: a robot moves as its
-// wheels turn; overlapping disks are pushed apart in equal parts, and out of walls. The results depend only on the
-// seed; the method by which neighbours are found does not change a single bit of them. The data are stored as a
-// structure of arrays.
+// wheels turn. Overlapping disks are pushed apart by equal distances, and disks are pushed out of walls. The results
+// depend only on the seed; the method by which neighbours are found does not change a single bit of them. The data are
+// stored as a structure of arrays.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct WorldOptions {
     Body body;
     double control_step = 0.1;         ///< s
     std::uint32_t physics_steps = 10;  ///< the number of physics steps in a control step
-    /// From this number of robots on, pairs are looked up in cells; the results are the same.
+    /// From this number of robots on, pairs are found by cells. The results are the same.
     std::size_t cells_from = 40;
 };
 

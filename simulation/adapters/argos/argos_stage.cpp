@@ -201,7 +201,8 @@ private:
     static void place(const Robot& robot, Vector position, double heading) {
         argos::CQuaternion turn;
         turn.FromEulerAngles(argos::CRadians(heading), argos::CRadians(0), argos::CRadians(0));
-        // At this time, later robots are still at their old places. Overlaps do not matter until all robots are placed.
+        // At this time, later robots are still at their old places, so overlaps are ignored until all robots are
+        // placed.
         robot.body->MoveTo(point(position, 0), turn, false, true);
     }
 
@@ -218,8 +219,8 @@ private:
         return {other ? Seen::robot : Seen::wall, std::max(0.0, met.TOnRay * reach - body_radius)};
     }
 
-    /// Drives the robot of the scenario as ARGoS' robot: its body has the same speeds, although the distance of the
-    /// wheels differs.
+    /// Drives ARGoS' robot so that its body has the speeds of the scenario's robot, although the distance of the wheels
+    /// differs.
     void drive(const Robot& robot, Wheels wheels) {
         const Body& body = scenario_.world.body;
         const auto real = [&](double wheel) {

@@ -10,8 +10,8 @@
 namespace robochart::simulation {
 
 /// ARGoS moves its own e-pucks (dynamics2d) and reads their light and range-and-bearing sensors. Rays in its physics
-/// engine give lines of sight and proximity. Features that it lacks are rejected (RC-M15). ARGoS is a singleton: one
-/// scenario per process, one trial at a time.
+/// engine give lines of sight and proximity. Features that it lacks are rejected (RC-M15). ARGoS is a singleton, so a
+/// process can run only one scenario, and one trial at a time.
 [[nodiscard]] std::unique_ptr<Stage> argos_stage(const Scenario&, std::uint32_t trial, diagnostics::Diagnostics&);
 
 /// The name under which the adapter's controller is registered with ARGoS, and the first part of the robots' names.
