@@ -122,7 +122,7 @@ TEST(Agreeing, VerdictsByHand) {
     expect_agreement(folder, rows);
 }
 
-/// Models of questions that users of other tools asked. The verdicts follow from the rules of the semantics.
+/// Models about which users of other tools asked questions. The verdicts follow from the rules of the semantics.
 const std::vector<Row> models_of_questions{
     // An inner transition without a trigger and an outer transition with a trigger: either may come first. The
     // environment may refuse a call, and time waits for it.

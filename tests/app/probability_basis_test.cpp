@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What answers to probabilistic assertions rest on: bounds of the finite instantiation for each set of constants,
-// constants that nothing gives a value, and random paths.
+// The basis of answers to probabilistic assertions: bounds of the finite instantiation for each set of constants,
+// constants without a given value, and random paths.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

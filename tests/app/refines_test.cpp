@@ -297,7 +297,7 @@ assert STOP [T= STOP
                       HasSubstr("1 of 4 checks hold, 3 inconclusive")));
 }
 
-// 61 * 59 * ... * 37 states, and two claims that are decided at once.
+// A process with 61 * 59 * ... * 37 states, and two claims that are decided immediately.
 const std::string too_large = R"(channel a, b, c, d, e, f, g : {0..60}
 C(ch, n, m) = ch!n -> C(ch, (n + 1) % m, m)
 Big = C(a,0,61) ||| C(b,0,59) ||| C(c,0,53) ||| C(d,0,47) ||| C(e,0,43) ||| C(f,0,41) ||| C(g,0,37)
@@ -337,7 +337,7 @@ TEST(Refines, OneThatReachesTheMemoryLimitDoesNotEndTheOthers) {
                                HasSubstr("1 of 3 checks hold, 1 fail, 1 inconclusive")));
 }
 
-// What the session of the script keeps is given back as well: terms and values.
+// The memory of the script's session (terms and values) is freed as well.
 TEST(Refines, NeitherDoesOneWhoseTermsReachIt) {
     const TemporaryFile script("longer.csp", R"(channel a : {0..99}
 N(s) = a?x -> N(s ^ <x>)
@@ -350,7 +350,7 @@ assert Small :[deadlock free]
     EXPECT_THAT(ran.out, HasSubstr("1 of 2 checks hold, 1 inconclusive"));
 }
 
-// P may go on with the hidden `a` for ever: in the failures model nothing is known of what it refuses.
+// P can perform the hidden `a` forever, so the failures model contains no refusals of this state.
 TEST(Refines, WhatTheFailuresModelDoesNotLookAtIsSaid) {
     const TemporaryFile script("restless.csp", R"(channel a, b
 P = a -> P [] b -> P
@@ -374,7 +374,7 @@ assert RUN({a,b}) [F= P
     EXPECT_THAT(run({"cspm", script.path()}).out, HasSubstr("rests on: it can go on internally for ever"));
 }
 
-// A search that is kept in files has one turn, so the next ones wait for it.
+// Only one search at a time can store its states in files, so the following claims wait for it.
 TEST(Refines, WhatWasNotBegunIsSaid) {
     const TemporaryFile script("large.csp", too_large);
     const Folder folder;

@@ -244,7 +244,7 @@ void Replay::values_of(const json& step, const std::string& name) {
     if (!there) fault(name + " has not the values " + step["values"].dump());
 }
 
-/// Whether the states offer it: a transition by its own hidden event, other offers by their values.
+/// Whether the states make this offer: a transition is compared by its own hidden event, other offers by their values.
 bool Replay::offered(const json& offer, const States& states) {
     std::set<std::string> keys;
     for (const auto& [key, meaning] : emission_.provenance.events)

@@ -232,8 +232,8 @@ stm M { requires O event pick : nat var n : nat initial i probabilistic p
     transition t4 { from B to F } transition t5 { from C to F } }
 )";
 
-/// The same answers determine alternatives that are drawn, also without --choices. An input called `pick` keeps its
-/// name. The controller may terminate before its record ends.
+/// Answers of the same form select randomly drawn alternatives, also without --choices. An input called `pick` keeps
+/// its name. The controller may terminate before its record ends.
 TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
     build_console(chances, false);
     const std::string output = run_console("\npick=7 pick_=1\n", "--record run.record");

@@ -252,7 +252,8 @@ timed assertion Taken : event a is not missed in late::Late::A
                                                    {"Taken [timed]: holds", {{"timeStops", ""}}}}));
 }
 
-// No door opens: nothing is asked of who has opened one, and where time stops no second ends without an answer.
+// `open` never occurs, so the rule Never requires nothing. Time stops before the deadline of Soon, so Soon is not
+// violated.
 TEST(RuleBasis, TimeThatStopsAndRulesThatAskForNothingAreNamed) {
     const auto found = checked(
         {{"late.rct",

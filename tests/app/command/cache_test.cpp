@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Forty of a hundred places: at least 1,600 pairs of states.
+/// Each of the two counters has at least 40 states, so their interleaving has at least 1,600.
 const char* const script = R"(cat > s.csp <<'END'
 channel up, down, left, right
 N(a, b, n) = n < 40 & a -> N(a, b, n + 1) [] n > 0 & b -> N(a, b, n - 1)

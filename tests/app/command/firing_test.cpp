@@ -49,8 +49,8 @@ transition t3 { from B to B trigger e condition x == 1 } })");
     EXPECT_THAT(out, Not(HasSubstr("t3")));
 }
 
-// Both guards may be true, and the step does not show which transition was taken. One transition being taken says
-// nothing about the other.
+// Both guards may be true, and the step does not show which transition was taken. The check cannot conclude that the
+// other transition is never taken.
 TEST(Firing, IsUnknownIfAStepMayBeOneOfSeveralTransitions) {
     const std::string out = checked(R"(stm S { event e initial i var x : nat
 state A { } state B { }
@@ -70,7 +70,7 @@ transition t3 { from B to A trigger e } })",
     FAIL() << out;
 }
 
-/// Never sends `o`.
+/// This machine never sends `o`.
 const std::string silent = R"(stm Silent { event o initial i state A { } state B { entry send o }
 transition t0 { from i to A } transition t1 { from A to B condition false } transition t2 { from B to A } }
 )";
@@ -89,7 +89,7 @@ controller C { event e sref s = S sref u = Silent connection C on e to s on e co
     EXPECT_THAT(out.substr(out.find("state machine S\n")), HasSubstr("every transition fires"));
 }
 
-// One definition with two instances.
+// The controller contains two instances of one machine.
 TEST(Firing, IsAskedOfEachInstance) {
     const std::string out = checked(silent + R"(stm S { event e initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e } transition t2 { from B to A } }

@@ -115,7 +115,7 @@ transition t0 { from i to A } transition t1 { from A to B trigger e action send 
     EXPECT_THAT(end, HasSubstr("<dt>the specification allows</dt><dd>input e</dd>"));
 }
 
-// For readers who cannot see the picture.
+// The page describes each diagram as text, for readers who cannot see the picture.
 TEST(Html, DiagramsAreThereAsText) {
     const TemporaryFile file("m.rct", R"(package p stm S { event e initial i var x : nat state A { } junction j
 transition t0 { from i to A } transition t1 { from A to j trigger e condition x < 1 } transition t2 { from j to A } }
@@ -277,7 +277,7 @@ const std::string shown =
     "'#ID figure[data-machine=\"' + machine + '\"] .on > title'), (title) => title.textContent.trim().split(' "
     "').at(-1)))]\n";
 
-/// The same data from the JSON: the active states of each machine, in the order of the figures.
+/// The active states of each machine according to the JSON, in the order of the figures.
 std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
                                                 const std::vector<std::string>& components) {
     std::vector<std::vector<std::string>> result(components.size());

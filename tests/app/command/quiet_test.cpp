@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `-q`: what a verb was asked for and what is wrong, and no notes.
+// `-q` prints the requested answer and the errors, but no notes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

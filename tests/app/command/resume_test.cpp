@@ -55,8 +55,8 @@ protected:
                                      folder_ / "script.csp", again ? "--resume" : "--checkpoint", folder_ / "kept",
                                      options, after));
     }
-    /// The same, with a signal after some seconds. `timeout -s KILL` also kills itself, so it ends before the command
-    /// has released its locks; the shell waits until the command is gone.
+    /// Does the same as `decide`, and sends a signal after this number of seconds. `timeout -s KILL` also kills itself,
+    /// so it ends before the command has released its locks; the shell waits until the command is gone.
     Ran decide_until(double seconds, const char* signal, const std::string& options) const {
         return decide("", options, fmt::format("& sleep {}; kill -s {} $!; wait $!", seconds, signal));
     }

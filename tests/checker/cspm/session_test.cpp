@@ -105,8 +105,8 @@ assert System :[has trace [F]]: <done, done>
     EXPECT_EQ(shown.steps.size(), whole.at(1).verdict.counterexample.value().steps.size()) << "the shortest run";
 }
 
-// A hidden step of a reader keeps the writer out, so no confluence proof for it succeeds. Each failed proof examines
-// thousands of states of the lock and the readers, so the search must stop trying.
+// A hidden step of a reader excludes the writer, so no proof that the step is confluent succeeds. Each failed proof
+// examines thousands of states of the lock and the readers, so the search must stop trying.
 TEST(SessionTest, AReductionWhoseProofsFailIsGivenUp) {
     const std::string text = R"(R = {1..8}
 channel begin, read, end : R

@@ -134,8 +134,8 @@ TEST(Reduction, ChangesNoAnswerAndNoRun) {
     EXPECT_LT(fails * 20, 19 * wanted);
 }
 
-/// Six processes with four hidden steps each, which then perform one event together: 5^6 states. The reduction keeps at
-/// most those on one path through the hidden steps.
+/// Six processes with four hidden steps each, which then perform one event together: 5^6 states. After the reduction at
+/// most the states on one path through the hidden steps remain.
 class HiddenSteps : public testing::Test {
 protected:
     HiddenSteps() {

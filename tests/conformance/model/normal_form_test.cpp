@@ -168,7 +168,7 @@ TEST(NormalForm, OneOrderOfReadingLosesNothing) {
     }
 }
 
-// The same comparison on a case study; FDR would get this text.
+// Compares text and system for a case study; the text is the one that FDR would get.
 TEST(NormalForm, TextAndSystemAgreeOnAggregation) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.first_module());

@@ -145,8 +145,8 @@ TEST(Swarm, WhoDrivesApartIsLost) {
 /// move one cell. Then each robot, in any order, takes the steps of its machine until the machine waits for time.
 struct Robot {
     int heading = 0;  // 0 east, 1 north, 2 west, 3 south
-    int doing = 0;    // 0 stands, 1 drives, 2 turns
-    int control = 0;  // 0 waits to count in Forward, 1 in Coherence, 2 in TurningBack, 3 in Turning
+    int doing = 0;    // 0: stopped, 1: driving, 2: turning
+    int control = 0;  // 0: in Forward, before the next count; 1: in Coherence; 2: in TurningBack; 3: in Turning
     int before = 0;   // the last count
     auto operator<=>(const Robot&) const = default;
 };
@@ -166,7 +166,7 @@ bool are_near(const World& world) {
 /// The states in which a robot may be after its time unit.
 std::vector<Robot> next_states(Robot robot, int heard) {
     std::vector<Robot> result;
-    if (robot.control >= 2) {  // it has turned by now, and continues to drive
+    if (robot.control >= 2) {  // it has finished its turn, and continues to drive
         robot.control = robot.control == 2 ? 1 : 0;
         robot.doing = 1;
         return {robot};

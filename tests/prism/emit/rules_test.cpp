@@ -324,7 +324,8 @@ TEST(Rules, R14AnOperationIsCalledAndWaitedFor) {
             "[] add_scpc_8 = Action_16 -> (add_y' = add_n) & (add_scpc_8' = add_f) & (add_lock_7' = add_LOCK_FREE);",
             "const int add_TERMINATED_11 = add_f;", "add_n : [0..2];", "add_y : [0..2];",
             "add_scpc_8 : [0..4] init add_INACTIVE_10;"}));
-    // i; entering A with the operation inactive, at i, B, the action, f; A. No further step is possible there: a loop.
+    // The states: i; entering A with the operation inactive, at i, at B, in the action, at f; and A. No further step is
+    // possible in A, so it gets a loop.
     expect_size(parts, {7, 7});
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t tried = 400;
 
-/// The frequency of each word in the output of `structure`; names are in backquotes and not counted.
+/// The frequency of each word in the output of `structure_text`; names are in backquotes and not counted.
 std::map<std::string, std::size_t> words_of(const std::string& text) {
     static const std::regex quoted("`[^`]*`|«[^»]*»");
     static const std::regex word("[A-Za-z0-9-]+");

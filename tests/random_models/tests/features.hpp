@@ -17,7 +17,7 @@ struct Features {
     std::set<std::string> compositions;
 };
 
-/// Adds the features of an output of `structure`.
+/// Adds the features of an output of `structure_text`.
 void add_features(const std::string& structure, Features& features);
 
 /// The words of the first set that are missing in the second, one per line.

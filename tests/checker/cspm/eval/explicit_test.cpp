@@ -19,7 +19,7 @@ lts::Graph explored(lts::TransitionSystem& system) {
     return lts::explore(system, [](std::size_t) {}).graph;
 }
 
-/// The same graph with the event numbers of another table.
+/// Returns the graph with the event numbers of another table.
 lts::Graph renumber_events(const lts::Graph& graph, const process::EventTable& from, process::EventTable& to) {
     lts::Graph result;
     for (lts::StateIndex state = 0; state < graph.size(); ++state) {

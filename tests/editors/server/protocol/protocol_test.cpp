@@ -124,7 +124,7 @@ TEST(Positions, EncodingIsNegotiated) {
     EXPECT_EQ(chosen({"utf-32"}), "utf-32");
 }
 
-/// The same position in both encodings.
+/// One position has different numbers in the two encodings.
 TEST(Positions, AreThoseAgreedUpon) {
     for (const bool utf8 : {false, true}) {
         const Json general =

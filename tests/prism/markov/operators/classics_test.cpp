@@ -50,8 +50,8 @@ TEST(Classics, ASlowChainIsSolvedToTheLastDigits) {
     }
 }
 
-/// The same chain with a second choice in every state before an end, which is to stay. A maximising scheduler never
-/// stays forever. The loops are end components without value.
+/// The chain of the previous test; in every state except the ends a second choice is to stay. A maximising scheduler
+/// never stays forever. The loops are end components without value.
 TEST(Classics, ASlowMdpWithLoops) {
     for (const State length : {10U, 20U, 40U}) {
         Description description = slow_chain(length);

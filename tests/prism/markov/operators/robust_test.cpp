@@ -236,7 +236,7 @@ UncertainChain chain_of_intervals(const std::vector<std::vector<statistics::Inte
     return chain;
 }
 
-/// The same with balls around the frequencies; the error is divided among the states.
+/// An uncertain chain with balls around the observed frequencies; the error is divided among the states.
 UncertainChain chain_of_balls(const statistics::TransitionCounts& counts, double error) {
     UncertainChain chain;
     for (std::size_t from = 0; from < counts.state_count(); ++from) {

@@ -16,7 +16,8 @@
 namespace robochart::markov {
 namespace {
 
-/// The same equations twice. Every choice leads outside with positive probability, so every policy leaves.
+/// A system of equations with exact numbers, and the same system with enclosures of these numbers. Every choice leads
+/// outside with positive probability, so every policy leaves.
 struct Twins {
     std::vector<Rational> exact_numbers;
     std::vector<Interval> numbers;
