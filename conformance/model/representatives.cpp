@@ -22,7 +22,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Maximal number of attempts to find an unused value.
+/// The maximal number of attempts to find an unused value.
 constexpr std::size_t attempts = 64;
 
 /// Makes values that differ in every part: each leaf gets the next value of its carrier. `shift` is the offset of the

@@ -240,7 +240,7 @@ private:
     }
 
     /// The event in NF_c(M). If the component only passes a value on, a value inside the finite instantiation replaces
-    /// a value outside. With any other value outside, the run is undecided.
+    /// a value outside. If any other value is outside, the run is undecided.
     std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
