@@ -117,7 +117,7 @@ class Tab {
         return this.#browser.ask(method, params, this.#session);
     }
 
-    /** The value of an expression in the page; of a promise, what it becomes. */
+    /** The value of an expression in the page; if the value is a promise, its result. */
     async evaluated(expression) {
         const { result, exceptionDetails } = await this.ask("Runtime.evaluate", {
             expression, awaitPromise: true, returnByValue: true,
@@ -126,7 +126,7 @@ class Tab {
         return result.value;
     }
 
-    /** Opens a file, with script or without; `loads`: the files that it may load. */
+    /** Opens a file, with or without scripts; `loads`: the files that the page may load. */
     async open(file, scripted = true, loads = []) {
         const url = pathToFileURL(resolve(file)).href;
         this.#opened.push(url, ...loads.map((each) => pathToFileURL(resolve(each)).href));
@@ -145,17 +145,17 @@ class Tab {
         await this.ask("Input.dispatchKeyEvent", { type: "keyUp", key });
     }
 
-    /** `dark` or `light`; `media`: "print" as on paper. */
+    /** Sets the preferred colours, `dark` or `light`; `media`: "print" displays the page as printed. */
     scheme(value, media = "") {
         return this.ask("Emulation.setEmulatedMedia", { media, features: [{ name: "prefers-color-scheme", value }] });
     }
 
-    /** A reader who prefers less motion. */
+    /** Sets the preference for reduced motion. */
     calm() {
         return this.ask("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
     }
 
-    /** What should not be: each message of the console, exception, violation of the policy, and request but the pages. */
+    /** The problems: console messages, exceptions, violations of the policy, and requests other than for the opened files. */
     problems() {
         return this.#browser.events.map((event) => this.#problem(event)).filter((text) => text !== undefined);
     }
@@ -170,7 +170,7 @@ class Tab {
     }
 }
 
-/** What `play` returns; it gets the tab of a new browser, and another one where that fails. */
+/** Calls `play` with the tab of a new browser, and again with another browser if the first one fails; returns its result. */
 export async function inChromium(play) {
     for (let attempt = 1; ; ++attempt) {
         const browser = new Browser();

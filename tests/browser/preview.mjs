@@ -17,7 +17,7 @@ const [program, model] = process.argv.slice(2);
 const client = fileURLToPath(new URL("../../editors/vscode/client/", import.meta.url));
 const { elementAt, pageOf } = createRequire(import.meta.url)(join(client, "diagram.js"));
 
-/** The language server, spoken to as editors do. */
+/** A client of the language server, which sends the messages of an editor. */
 class Server {
     #process = spawn(program, ["lsp"], { stdio: ["pipe", "pipe", "ignore"] });
     #read = Buffer.alloc(0);

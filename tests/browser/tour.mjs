@@ -10,7 +10,10 @@ import { inChromium } from "./chromium.mjs";
 const [page, json] = process.argv.slice(2);
 const report = JSON.parse(readFileSync(json, "utf8"));
 
-/** The next steps, at most 50: a sentence; of each machine its name and its filled states; milliseconds. */
+/**
+ * An expression that takes the next steps, at most 50. For each step its value contains the sentence of the status line,
+ * the name and the filled states of each machine, and the milliseconds.
+ */
 const walked = (id, first) => `(() => {
     const claim = document.getElementById(${JSON.stringify(id)});
     const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));

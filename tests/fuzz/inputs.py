@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the command is run on: for each verb its arguments, with a mutated input in a folder."""
+"""Makes the input of each run: the arguments of a verb, and a folder with a mutated input."""
 import dataclasses
 import re
 import shutil
@@ -14,7 +14,7 @@ class Input:
     arguments: list
     json_wanted: bool = False
     typed: bytes = b""  # on standard input
-    accepted: bool = True  # the front end finds nothing wrong in what was mutated
+    accepted: bool = True  # the front end accepts the mutated text
 
 
 class Workshop:
@@ -30,7 +30,7 @@ class Workshop:
         return self.rng.random() < probability
 
     def place(self, kind, where, changed=True):
-        """Writes a seed of this kind, mutated unless it is said otherwise, with what lies beside it; returns its name."""
+        """Writes a seed of this kind and the files that it needs; mutates the seed if `changed`. Returns its name."""
         seed = self.seeds.pick(self.rng, kind, self.must_be_right or self.chance(0.9))
         where.mkdir(exist_ok=True)
         for each in seed.beside:
@@ -43,7 +43,7 @@ class Workshop:
         return name
 
     def mutate(self, kind, original, where, name):
-        """Changes a text; where it must be right, until the front end finds nothing wrong in it."""
+        """Changes a text. If the result must be valid, tries up to 20 times until the front end accepts it."""
         rng, words = self.rng, self.seeds.words[kind]
         carefully = self.chance(0.5)
         attempts = 20 if self.must_be_right else 1
@@ -66,7 +66,7 @@ class Workshop:
         return ["--max-states", str(self.rng.choice([1, 10, 1000]))] if self.chance(0.2) else []
 
     def answer(self, formats=("json",), files=("json",)):
-        """How the answer is printed, and into which files; and whether that is JSON."""
+        """The options for the format and the output files of the answer, and whether standard output is JSON."""
         arguments = []
         if self.chance(0.15):
             kind = self.rng.choice(files)
@@ -94,7 +94,7 @@ def components(model):
 
 
 def claim_model(rng, model):
-    """Claims for models that have none."""
+    """Adds claims to a model that has none."""
     names = components(model)
     if names and not any(path.suffix == ".assertions" for path in model.iterdir()):
         claims = [f"assertion Claim{i} : {rng.choice(names)} {rng.choice(PROPERTIES)}\n" for i in range(3)]
@@ -232,7 +232,7 @@ RULES = ["when {a} then {b} within {n} seconds", "when {a} then not {b} within {
 
 
 def rules_about(rng, model):
-    """Rules in the names of a model."""
+    """Rules that use the names of a model."""
     text = b"".join(path.read_bytes() for path in sorted(model.iterdir())).decode(errors="replace")
     events = re.findall(r"\bevent\s+(\w+)", text) + re.findall(r"^\s*(\w+)\s*\(", text, re.MULTILINE) + ["unknown"]
     measures = re.findall(r"\bvar\s+(\w+)\s*:\s*boolean", text)
@@ -295,7 +295,7 @@ def prism(shop):
 # Scenarios.
 
 def shortened(text):
-    """A scenario whose trials are few and soon over."""
+    """Changes a scenario so that it has few and short trials."""
     text = re.sub(rb"\b([\d.]+) s\b", lambda time: time.group() if time.group(1) in (b"0.01", b"0.1", b"1") else b"1 s", text)
     text = re.sub(rb"duration [\d.]+ s", b"duration 2 s", text)
     text = re.sub(rb"trials \d+", b"trials 3", text)
@@ -308,7 +308,7 @@ ODD_VALUES = ["2", "-1..1", "0..99999999999", "1e999", "", "1..", "5..1", "true"
 
 
 def open_constant(rng, model):
-    """Makes a number of a machine a constant, if the model has none."""
+    """Replaces a number in a machine by a constant, if the model has no constant."""
     texts = {path: path.read_bytes().decode(errors="replace") for path in sorted(model.iterdir()) if path.suffix == ".rct"}
     if any(CONSTANT.search(text) for text in texts.values()):
         return
@@ -324,7 +324,7 @@ def open_constant(rng, model):
 
 
 def claim_scenario(text):
-    """A claim for scenarios that have none."""
+    """Adds a claim to a scenario that has none."""
     if b"probability" in text or b"}" not in text:
         return text
     end = text.rindex(b"}")
@@ -333,7 +333,7 @@ def claim_scenario(text):
 
 
 def a_scenario(shop, tuned):
-    """A scenario with its model, one of which is mutated, or both."""
+    """A scenario with its model; the scenario, the model or both are mutated."""
     folder = shop.folder / "world"
     what = shop.rng.choice(["model", "scenario", "both"])
     name = shop.place("scenario", folder, changed=what != "model")
@@ -396,7 +396,7 @@ def edit(shop):
     return shop.finished(["lsp"], typed=stream)
 
 
-# By the names that --verbs takes: how often it is chosen where nothing else is said, and what makes its input.
+# By the names that --verbs accepts: the default weight of the verb, and the function that makes its input.
 VERBS = {
     "validate": (3, validate),
     "validate --fix": (1, validate_and_fix),

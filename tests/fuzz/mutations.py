@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How texts are changed: bytes, lines, words, names and literals that mean something elsewhere, deep nesting."""
+"""Mutates texts: bytes, lines, words, names and literals with a meaning in other languages, deep nesting."""
 import re
 
 HOSTILE_NAMES = [
@@ -60,7 +60,7 @@ def swap_words(rng, text, words):
 
 
 def alike_word(rng, text, words):
-    """A word becomes another that stands behind the same word elsewhere in the text, so that it may stay well-formed."""
+    """Replaces a word by one that follows the same word elsewhere in the text, so that the text may stay well-formed."""
     found = list(WORD.finditer(text))
     behind = {}
     for before, match in zip(found, found[1:]):
@@ -89,7 +89,7 @@ def other_operator(rng, text, words):
 
 
 def hostile_name(rng, text, words):
-    """One name becomes another in the whole text, so that it may stay well-formed."""
+    """Replaces one name by another in the whole text, so that the text may stay well-formed."""
     names = sorted(set(re.findall(rb"\b[A-Za-z_][A-Za-z_0-9]*\b", text)))
     if not names:
         return text

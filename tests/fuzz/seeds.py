@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inputs that are mutated: files of the given folders and of the pages of rules, each with those beside it that it needs."""
+"""The inputs that are mutated: files of the given folders and of the pages of rules, each with the other files that it needs."""
 import dataclasses
 import json
 import pathlib
@@ -15,7 +15,7 @@ LARGEST_SEED = 40_000
 LONGEST_READING = 20  # seconds
 MODEL = (".rct", ".assertions")
 
-# What is mutated, by kind: the endings of its files, and of those beside it without which it means nothing.
+# The kinds of inputs: the extensions of their files, and the extensions of the files in the same folder that they need.
 KINDS = {
     "model": (MODEL, ()),
     "script": ((".csp",), ()),
@@ -31,7 +31,7 @@ WRONG = "file:///read/~.scenario"
 
 
 class Reader:
-    """Asks the front end whether a text is right."""
+    """Asks the front end whether a text is valid."""
 
     def __init__(self, command):
         self.command = command
@@ -51,8 +51,8 @@ class Reader:
         return code >= 0 and code not in refused
 
     def server_reads(self, text, name):
-        """The language server finds no error in it. It reads the text alone, without its model. It says nothing of texts that are
-        right, so a wrong one is opened with it: once that is found wrong, all has been said."""
+        """Whether the language server finds no error in the text, without its model. The server reports nothing about valid
+        texts. So an invalid text is opened after it: when its error is reported, the server has finished with both."""
         try:
             texts = [(f"file:///read/{name}", text.decode()), (WRONG, "scenario")]
         except UnicodeDecodeError:
@@ -76,7 +76,7 @@ NOTIFICATIONS = ("initialized", "exit", "textDocument/didOpen", "textDocument/di
 
 
 def messages(calls):
-    """Calls of the language server as it reads them."""
+    """The bytes of these calls in the protocol of the language server."""
     stream = b""
     for number, (method, parameters) in enumerate(calls):
         message = {"jsonrpc": "2.0", "method": method, "params": parameters or {}}
@@ -93,7 +93,7 @@ BLOCK = re.compile(r"^```(\w+)(?: file=(\S+))?\n(.*?)^```$", re.MULTILINE | re.D
 
 
 def unpack_pages(pages, folder):
-    """The examples of the pages of rules, each in a folder of its own."""
+    """Writes the examples of the pages of rules, each into its own folder."""
     for page in sorted(pages.glob("*.md")):
         for part, text in enumerate(re.split(r"^## (?:Wrong|Right)$", page.read_text(), flags=re.MULTILINE)[1:]):
             blocks = [(language, name, body) for language, name, body in BLOCK.findall(text) if language in PAGE_ENDINGS]
@@ -111,7 +111,7 @@ class Seed:
 
 
 class Seeds:
-    """All of them, by kind, and the words that those of a kind are made of."""
+    """All seeds by kind, and the words that occur in the seeds of each kind."""
 
     def __init__(self, roots, reader):
         self.reader, self.known, self.paths, self.words = reader, {}, {}, {}
@@ -121,7 +121,7 @@ class Seeds:
             self.words[kind] = sorted({word for path in self.paths[kind] for word in mutations.WORD.findall(path.read_bytes())})
 
     def pick(self, rng, kind, right):
-        """One that is right, or one that is not."""
+        """A random seed that is valid, or one that is invalid. If 50 attempts find none, returns the last seed."""
         for _ in range(50):
             seed = self.seed_of(kind, rng.choice(self.paths[kind]))
             if seed.right == right:
@@ -129,7 +129,7 @@ class Seeds:
         return seed
 
     def seed_of(self, kind, path):
-        """The file alone where that is right, otherwise with what lies beside it."""
+        """The file alone if it is valid, otherwise with other files of its folder."""
         if path not in self.known:
             self.known[path] = self.find(kind, path)
         return self.known[path]

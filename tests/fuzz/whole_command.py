@@ -3,11 +3,11 @@
 """Mutates real inputs and runs the whole command on them: every verb, under small limits, with hostile names, signals and
 outputs that cannot be written.
 
-What is promised of every run: it ends by itself with a documented exit code (0 to 4), within its limits of time and memory;
-no sanitizer complains; what is no success says something; JSON and XML that it writes are well-formed, and no output has
-control characters or bytes that are no UTF-8; nothing is written outside its output folder, and nothing but finished files
-inside; no child outlives it.
-Each run that breaks a promise is kept in a folder of its own with the command that shows it.
+The properties of every run: it exits with a documented exit code (0 to 4), within its limits of time and memory. No
+sanitizer reports an error. A run that does not succeed prints a message. Its JSON and XML is well-formed, and no output
+contains control characters or bytes that are not UTF-8. It writes no files outside its output folder, and only finished
+files inside. No child process outlives it.
+The folder of each run that violates a property is kept, with the command that reproduces the violation.
 """
 import argparse
 import collections
@@ -48,12 +48,12 @@ class Limits:
 
 
 def compiles(verb):
-    """It runs compilers, whose time counts as its own."""
+    """Whether the verb runs compilers, whose time counts as its own."""
     return verb.startswith(("conform", "verify", "simulate", "tune"))
 
 
 USUAL = Limits(2, 400, 3.5, 20, 520)
-# Sanitized code is slower, and most of its memory is the sanitizer's.
+# Code with sanitizers is slower, and the sanitizers use most of its memory.
 SANITIZED = Limits(6, 1500, 14, 90, 1900)
 SANITIZERS = {"ASAN_OPTIONS": "detect_leaks=0:quarantine_size_mb=16:allocator_may_return_null=0",
               "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
@@ -61,7 +61,7 @@ COMPLAINTS = re.compile(rb"ERROR: \w+Sanitizer|runtime error: ")
 
 
 def cpu_seconds(process):
-    """Of the program and the children that it has waited for, as long as it runs."""
+    """CPU seconds of the running program and of the children that it has waited for; 0 if it has ended."""
     try:
         with open(f"/proc/{process.pid}/stat", encoding="ascii", errors="replace") as stat:
             return sum(int(ticks) for ticks in stat.read().rpartition(")")[2].split()[11:15]) / os.sysconf("SC_CLK_TCK")
@@ -82,7 +82,7 @@ def resident_mib(process):
 
 @dataclasses.dataclass
 class Run:
-    """What was seen of one run."""
+    """The observations of one run."""
     verb: str
     input: inputs.Input
     folder: pathlib.Path
@@ -93,7 +93,7 @@ class Run:
     cpu: float = 0
     resident: int = 0
     left_running: bool = False  # a child outlived it
-    fresh: frozenset = frozenset()  # files and folders that were not there before
+    fresh: frozenset = frozenset()  # files and folders that the run has created
 
     def out(self):
         return b"" if self.full else (self.folder / "stdout").read_bytes()
@@ -137,7 +137,7 @@ def run_once(bench, verb, made, folder, rng):
 
 
 def broken_promise(run, limits):
-    """In words; None where all promises were kept."""
+    """A violated property in words; None if there is none."""
     return broken_ending(run) or broken_limit(run, limits) or broken_output(run) or broken_files(run)
 
 
@@ -167,9 +167,9 @@ def broken_limit(run, limits):
     return None
 
 
-# What a terminal obeys, or a reader does not see. JSON may hold the latter.
+# Control characters of terminals, and invisible characters. JSON may contain the latter.
 UNSEEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
-# These print texts of the user as they are.
+# These verbs print texts of the user unchanged.
 VERBATIM = ("format", "lsp", "validate --fix")
 BINARY = (".png", ".pdf")
 
@@ -182,7 +182,7 @@ def unescaped(text):
     return f"the character {found.group()!r}" if found else None
 
 
-# The model calls an operation outside its precondition: generated code differs because the model is wrong.
+# The model calls an operation whose precondition is false: generated code differs because of an error in the model.
 FAULTS_OF_MODELS = "RC-K11"
 
 
@@ -197,7 +197,7 @@ def differing(report):
 
 
 def code_is_wrong(run):
-    """Generated code differs from the model, and no fault of the model is given as the cause."""
+    """Whether generated code differs from the model, and the report does not name an error of the model as the cause."""
     if run.input.json_wanted:
         try:
             return any(each.get("code") != FAULTS_OF_MODELS for each in differing(json.loads(run.out())))
@@ -249,7 +249,7 @@ def broken_files(run):
 
 @dataclasses.dataclass
 class Bench:
-    """What all runs share."""
+    """The parts that all runs share."""
     command: str
     reader: kept_seeds.Reader
     seeds: kept_seeds.Seeds
@@ -291,7 +291,7 @@ def keep(bench, run, seed, broken):
 
 
 def chosen_verbs(text):
-    """`rules MODEL=3,conform=1`: verbs with their weights; all of them where nothing is said."""
+    """Verbs with their weights from a text such as `rules MODEL=3,conform=1`; all verbs if the text is empty."""
     if not text:
         return {verb: weight for verb, (weight, _) in inputs.VERBS.items()}
     chosen = {}
@@ -304,7 +304,7 @@ def chosen_verbs(text):
 
 
 def summary(outcomes):
-    """A line for each verb: how many inputs it had, how many of them were right, and how its runs ended."""
+    """A line for each verb: its numbers of inputs and of accepted inputs, and the exit codes of its runs."""
     by_verb = collections.defaultdict(list)
     for outcome in outcomes:
         by_verb[outcome.verb].append(outcome)
@@ -334,7 +334,7 @@ def main():
 
 
 def attack(options, scratch):
-    command = str(scratch / "program")  # a build in the meantime changes nothing here
+    command = str(scratch / "program")  # later builds do not affect this run
     shutil.copy2(options.command, command)
     kept_seeds.unpack_pages(options.pages, scratch / "pages")
     reader = kept_seeds.Reader(command)

@@ -12,7 +12,7 @@ const lines = readFileSync(0, "utf8").split("\n").filter((each) => each !== "");
 
 async function play(tab) {
     const printed = [];
-    /** After what the browser still does for the change of the address. */
+    /** Performs an action that changes the address; resolves when the browser has handled the change. */
     const moved = (action) =>
         tab.evaluated(`new Promise((done) => { addEventListener("hashchange", () => setTimeout(done), { once: true }); ${action} })`);
     const commands = {
