@@ -10,7 +10,7 @@ import { readFileSync } from "node:fs";
 const ELK = createRequire(import.meta.url)(process.argv[2]);
 const elk = new ELK();
 
-/** Where lines are horizontal here and vertical there, and meet within both; the ends do not count. */
+/** The number of points at which a horizontal and a vertical segment cross; their ends do not count. */
 function crossings(lines) {
     const across = [];
     const down = [];
@@ -39,10 +39,10 @@ const length = (lines) =>
         0,
     );
 
-/** The box that an end of a line is at: the one on whose border a square is. */
+/** The box at an end of a line; for a square of an event, the box on whose border it is. */
 const boxOf = (picture, end) => (picture.boxes[end].eventOf < 0 ? end : picture.boxes[end].eventOf);
 
-/** The lines of a picture by the box that they are in. */
+/** The lines of a picture, by the box that contains them. */
 function levelsOf(picture) {
     const levels = new Map();
     for (const line of picture.lines) {
@@ -88,7 +88,7 @@ const ways = ["DOWN", "RIGHT"].flatMap((direction) =>
     })),
 );
 
-/** The fewest crossings, and the length of that way. */
+/** The layout with the fewest crossings (and then the shortest lines): its number of crossings, and its length. */
 async function elkBest(picture, outer, lines) {
     let best = { crossings: Infinity, length: Infinity };
     for (const options of ways) {
