@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The predefined functions (FDR manual, chapter CSPM, Built-In Definitions), except those that evaluate their arguments
-// only as far as they need them (takes_by_need, Evaluator::call_builtin).
+// only as far as they need them (takes_by_need, ByNeed::call).
 #pragma once
 
 #include "checker/cspm/eval/process_terms.hpp"
