@@ -61,8 +61,8 @@ private:
 };
 
 /// Removes the remembered variables from the parameters of the functions, except for functions that evaluate them.
-/// Termination becomes `end__ -> SKIP`, which also ends the memories. Precondition: no parameter is dead
-/// (drop_dead_parameters), and a shared variable changes only by its events.
+/// Termination becomes `end__ -> SKIP`, which also ends the memories. Precondition: every parameter is live
+/// (find_parameters), and a shared variable changes only by its events.
 void move_to_memories(std::vector<Function>& functions, cspm::ExprPtr& initial, const FamilyCalls& calls,
                       const std::vector<Remembered>& variables);
 
