@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides concerns and purposes (LEGOS). A concern must be impossible, and a purpose possible, if all rules are obeyed.
-// Also decides whether a rule can be broken while all others are obeyed. docs/rules-language.md, "Concerns and
-// purposes", "Questions about rules".
+// Also decides whether a rule can be broken while all others are obeyed. See docs/rules-language.md, "Questions about
+// rules".
 #pragma once
 
 #include <optional>

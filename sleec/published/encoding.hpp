@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SLEEC-TK's semantics of rules, as processes of tock-CSP (arXiv 2307.03697; docs/rules-language.md, "As SLEEC-TK has
-// it"), including its faults: an active rule refuses its trigger, `>=` on a scale is `>`, defeaters inside defeaters
-// are dropped, and the measures are constant during the search for conflicts.
+// SLEEC-TK's semantics of rules, as processes of tock-CSP (arXiv 2307.03697; docs/rules-language.md, "The semantics of
+// SLEEC-TK"), including its faults: an active rule refuses its trigger, `>=` on a scale is `>`, defeaters inside
+// defeaters are dropped, and the measures are constant during the search for conflicts.
 #pragma once
 
 #include <string>
