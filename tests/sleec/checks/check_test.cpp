@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and types in rules: docs/rules-language.md, "Definitions" and "Conditions".
+// Names and types in rules (docs/rules-language.md, "Two dialects").
 #include <gtest/gtest.h>
 
 #include "tests/sleec/support.hpp"
