@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks the high-voltage controller from scratch, then again after edits of its smaller machines, with cached results of
-earlier runs (docs/cli.md, "Again and again").
+earlier runs (docs/cli.md, "Answers of earlier runs").
 
 Prints the processor time of each run, and the speedup over the run from scratch. Exits with 1 if an answer differs from
 that of a run without a cache, with 77 without the model."""
