@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generates the code of one machine: enumerations of its places, the struct of its state, and its functions (control,
-// during actions, transitions, time). core_file assembles these texts.
+// during actions, transitions, time). cpp_emit/files/core_file.cpp assembles these texts.
 #pragma once
 
 #include <string>
