@@ -12,7 +12,7 @@
 
 namespace robochart::cspm::types {
 
-/// A finding. It is thrown and caught by the declaration that contains the error.
+/// A finding as an exception. The check of the declaration that contains the error catches it.
 struct TypeFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
