@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Deterministic automata for formulas of LTL. A condition is a disjunction of conjunctions of parts or their negations.
-// A part is a co-safe formula, or G of a co-safe formula. Safe formulas and F of safe ones are negations of parts.
-// Co-safe: Kupferman and Vardi, Model Checking of Safety Properties, 2001. G of a co-safe formula holds if the copies
-// of the formula that begin in each state are all fulfilled eventually. The copies are tracked in batches, and the
-// automaton is marked when a batch is fulfilled and the next one begins (Esparza, Kretinsky and Sickert, A Unified
-// Translation of Linear Temporal Logic to omega-Automata, 2020).
+// A part is a co-safe formula, or G of a co-safe formula. The negation of a safe formula, or of F of a safe formula, is
+// such a part. Co-safe: Kupferman and Vardi, Model Checking of Safety Properties, 2001. G of a co-safe formula holds if
+// the copies of the formula that begin in each state are all fulfilled eventually. The copies are tracked in batches,
+// and the automaton is marked when a batch is fulfilled and the next one begins (Esparza, Kretinsky and Sickert, A
+// Unified Translation of Linear Temporal Logic to omega-Automata, 2020).
 #pragma once
 
 #include <map>
