@@ -66,7 +66,7 @@ private:
         }
     }
 
-    /// Declares names for the frame of the site's unit and for the frames of the operations that lend it variables.
+    /// Declares names for the frame of the site's unit, and for the frames of the operations whose variables it uses.
     void bind_frames(const Place& place, const std::string& reference) {
         const Running& running = place.calls.back();
         out_.line(fmt::format("{}f = {};", reference, running.frame));

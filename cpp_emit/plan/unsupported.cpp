@@ -116,7 +116,8 @@ private:
         check_type(function.result, function.name, {});
     }
 
-    /// Checks the preconditions that code tests. Testing a precondition must not require testing the same precondition.
+    /// Checks the preconditions that generated code has to test. Testing a precondition must not require testing the
+    /// same precondition.
     void check_preconditions() {
         for (const FunctionHook& hook : component_.functions) {
             if (!hook.guarded) continue;
