@@ -160,7 +160,8 @@ void add_rule(const diagnostics::Rule* rule, Judgement& result) {
     result.rules.insert(rule);
 }
 
-/// Adds the rules of an outcome. Rules on additional properties only count if the model is schedulable.
+/// Adds the rules that a report on conformance names. Rules on additional properties only count if the model is
+/// schedulable.
 void take(const app::ConformanceReport& report, Judgement& result) {
     const conformance::Result& found = report.result;
     add_rule(found.explanation.rule, result);

@@ -33,8 +33,8 @@ Answers compare_refinements(const std::vector<Edge>& specification, const std::v
     return {refine::refines(s, i, refine::Model::failures_divergences, {}), tick_tock_refines(s, i, tock, {})};
 }
 
-/// A process in which time shows whether a was refused. After a time unit in which a was refused, b is offered forever.
-/// After a time unit in which a was offered and not taken, only time passes.
+/// A process whose behaviour after a time unit shows whether a was refused before. After a time unit in which a was
+/// refused, b is offered forever. After a time unit in which a was offered and not taken, only time passes.
 const std::vector<Edge> late_offer = {{0, "tau", 1}, {0, "tau", 2},  {1, "tock", 3}, {2, "a", 5},   {2, "tock", 4},
                                       {3, "b", 3},   {3, "tock", 3}, {4, "tock", 4}, {5, "tock", 5}};
 

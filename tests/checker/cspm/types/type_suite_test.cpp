@@ -33,7 +33,8 @@ TEST(TypeSuiteTest, PublishedScriptsAreTypedAsFdrTypesThem) {
     const auto folder = shared / "suite" / "cspm";
     int seen = 0;
     for (const auto& [phase, expectation, file] : published_scripts(folder)) {
-        // Scripts of the parser's phase may fail in later phases. Scripts of later phases must pass the earlier ones.
+        // Scripts of the parser's phase may fail in later phases. Scripts that belong to later phases must pass the
+        // earlier phases.
         if (phase == "parser" || only_printed(file)) continue;
         ++seen;
         const Checked checked(folder / file);
