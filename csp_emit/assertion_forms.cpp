@@ -146,7 +146,7 @@ ExprPtr missing_process(const WatchedCopy& watch, const Emitted& emitted, const 
     const ExprPtr taken = b::dot({b::name(watch.event_of_copy(event)), b::name("in")});
     const ExprPtr left = b::name("k__");
     const auto counting = [&](const ExprPtr& value) { return b::call(name, {value}); };
-    const ExprPtr anew = counting(b::number(ir::checked_add(units, 1).value_or(units)));
+    const ExprPtr anew = counting(b::number(ir::number_after(units)));
     const auto above = [&](std::int64_t value) { return b::binary(cspm::ExprKind::greater, left, b::number(value)); };
     const ExprPtr refused = b::if_(above(units), counting(b::number(units)), counting(left));
     const ExprPtr less = counting(b::binary(cspm::ExprKind::minus, left, b::number(1)));

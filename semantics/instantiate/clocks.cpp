@@ -79,7 +79,7 @@ std::int64_t clock_saturation(const System& system, const Instantiation& instant
                               ClockId clock) {
     Saturation saturation(system, instantiation);
     saturation.read_machine(machine, clock);
-    return checked_add(saturation.largest(), 1).value_or(saturation.largest());
+    return number_after(saturation.largest());
 }
 
 }  // namespace robochart::ir

@@ -62,7 +62,7 @@ private:
     void read_comparison(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||
                            expr.kind == (length_first ? ExprKind::less_equal : ExprKind::greater_equal);
-        const std::int64_t needed = above ? checked_add(number, 1).value_or(number) : number;
+        const std::int64_t needed = above ? number_after(number) : number;
         if (needed > longest_) found_.push_back({SequenceLimit::Kind::length, expr.span, 0, needed});
     }
 

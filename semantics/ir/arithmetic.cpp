@@ -27,6 +27,10 @@ std::optional<std::int64_t> checked_add(std::int64_t left, std::int64_t right) {
     return narrow_to_64_bits(Wide{left} + right);
 }
 
+std::int64_t number_after(std::int64_t value) {
+    return checked_add(value, 1).value_or(value);
+}
+
 std::optional<std::int64_t> checked_subtract(std::int64_t left, std::int64_t right) {
     return narrow_to_64_bits(Wide{left} - right);
 }

@@ -8,6 +8,8 @@
 namespace robochart::ir {
 
 [[nodiscard]] std::optional<std::int64_t> checked_add(std::int64_t, std::int64_t);
+/// value + 1; the largest number if that does not fit.
+[[nodiscard]] std::int64_t number_after(std::int64_t value);
 [[nodiscard]] std::optional<std::int64_t> checked_subtract(std::int64_t, std::int64_t);
 [[nodiscard]] std::optional<std::int64_t> checked_multiply(std::int64_t, std::int64_t);
 /// 10^exponent.

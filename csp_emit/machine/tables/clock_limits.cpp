@@ -65,12 +65,8 @@ private:
 };
 
 /// The largest number stays as it is: no run is long enough for a clock to pass it.
-ExprPtr number_after(std::int64_t value) {
-    return b::number(ir::checked_add(value, 1).value_or(value));
-}
-
 ExprPtr plus_one(const ExprPtr& value) {
-    if (value->kind == Op::integer) return number_after(value->number);
+    if (value->kind == Op::integer) return b::number(ir::number_after(value->number));
     return b::binary(Op::plus, value, b::number(1));
 }
 
@@ -96,7 +92,7 @@ ExprPtr ClockLimits::limit_of(const ir::Machine& opened, const std::string& cloc
                 sets.push_back(variables.empty() ? b::set({value}) : b::set_comprehension({value}, variables));
         }
     }
-    if (sets.empty()) return number_after(literal);
+    if (sets.empty()) return plus_one(b::number(literal));
     sets.push_back(b::set({b::number(literal)}));
     const std::string name = names_.unique_name("CLID_" + flatten_name(clock) + "_max");
     const ExprPtr largest = b::call("clock_type_max", {b::call("Union", {b::set(sets)})});
