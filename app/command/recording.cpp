@@ -31,10 +31,8 @@ std::vector<std::string> names_set_by(const std::vector<std::string>& settings) 
     return names;
 }
 
-/// True if one of the names is the path, or the end of the path after a "::".
 bool is_named(const std::string& path, const std::vector<std::string>& names) {
-    return std::ranges::any_of(names,
-                               [&](const std::string& name) { return path == name || path.ends_with("::" + name); });
+    return std::ranges::any_of(names, [&](const std::string& name) { return ir::is_named_by(path, name); });
 }
 
 /// The source of values that --const overrides.

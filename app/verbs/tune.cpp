@@ -353,7 +353,7 @@ private:
         if (!address) return ParameterKind::other;
         const ir::System& system = project_of(address->controller).system;
         for (const ir::NamedConstant& each : ir::named_constants(system)) {
-            if (each.path != address->constant && !each.path.ends_with("::" + address->constant)) continue;
+            if (!ir::is_named_by(each.path, address->constant)) continue;
             const ir::TypeKind kind = system.type(each.type).kind;
             return kind == ir::TypeKind::real                                   ? ParameterKind::real
                    : kind == ir::TypeKind::nat || kind == ir::TypeKind::integer ? ParameterKind::whole

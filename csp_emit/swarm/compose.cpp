@@ -279,7 +279,7 @@ private:
         std::vector<ir::NamedConstant> meant;
         std::vector<std::string> known;
         for (const ir::NamedConstant& each : all) {
-            if (each.path == wanted || each.path.ends_with("::" + wanted)) meant.push_back(each);
+            if (ir::is_named_by(each.path, wanted)) meant.push_back(each);
             if (!each.has_value) known.push_back(each.path.substr(each.path.rfind(':') + 1));
         }
         if (meant.empty()) return report_unknown(swarm_.component.text, "constant that is open", constant.name, known);

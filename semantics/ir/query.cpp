@@ -173,6 +173,10 @@ ConstantSource constant_source(const Module* module, const Controller& controlle
     return {constant_name(controller.package, controller.path, own.name), &own};
 }
 
+bool is_named_by(const std::string& path, const std::string& name) {
+    return path == name || path.ends_with("::" + name);
+}
+
 std::vector<NamedConstant> named_constants(const System& system) {
     ConstantList list;
     for (const auto& machine : system.machines) list.add_all(machine.package, machine.path, machine.constants);

@@ -62,5 +62,7 @@ struct NamedConstant {
     bool has_value = false;  ///< the model gives a value
 };
 [[nodiscard]] std::vector<NamedConstant> named_constants(const System&);
+/// Whether a user may write `name` for the element with this path: the path itself, or its end after a `::`.
+[[nodiscard]] bool is_named_by(const std::string& path, const std::string& name);
 
 }  // namespace robochart::ir

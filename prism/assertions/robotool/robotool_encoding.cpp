@@ -12,6 +12,7 @@
 #include "prism/checks/check.hpp"
 #include "prism/session/experiment.hpp"
 #include "prism/syntax/printer.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::probability {
 namespace {
@@ -226,9 +227,8 @@ prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const 
         std::string element = name;
         for (const prism_emit::NameOf& each : emission_.names)
             if (each.kind == "constant" && each.name == name) element = each.element;
-        const auto meant = std::ranges::find_if(options_.constants, [&](const auto& option) {
-            return element == option.first || element.ends_with("::" + option.first);
-        });
+        const auto meant = std::ranges::find_if(
+            options_.constants, [&](const auto& option) { return ir::is_named_by(element, option.first); });
         if (meant == options_.constants.end())
             throw Wrong(
                 fmt::format("the constant {} has no value: give it one `with constants` or by --const", element));
