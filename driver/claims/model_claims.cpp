@@ -536,12 +536,12 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
 
 void check_assertions(Project& project, const SearchContext& search, ClaimResults& results) {
     // A preferences file that cannot be read is an error even if no claim needs it.
-    if (!search.settings.probability.preferences.empty() && !read_preferences(project, search.settings.probability))
-        return;
+    auto preferences = read_preferences(project, search.settings.probability);
+    if (!preferences) return;
     std::vector<WaitingClaim> claims;
     std::unique_ptr<ProbabilityClaims> probabilities;
     if (search.settings.swarm.file.empty()) {
-        probabilities = std::make_unique<ProbabilityClaims>(project, search, results);
+        probabilities = std::make_unique<ProbabilityClaims>(project, search, std::move(*preferences), results);
         report_unchecked(project, search, results);
     }
     std::vector<std::unique_ptr<TimeClaims>> times;

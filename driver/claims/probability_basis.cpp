@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/diagnostics/budget.hpp"
+#include "counterexample/values.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::driver {
@@ -73,24 +74,17 @@ Basis RowBasis::basis() const {
 
 namespace {
 
-/// True if one path is a suffix of the other.
-bool names_same(const std::string& one, const std::string& other) {
-    const auto ends = [](const std::string& path, const std::string& name) {
-        return path == name || path.ends_with("::" + name);
-    };
-    return ends(one, other) || ends(other, one);
-}
-
 /// A scalar value as text; "" for other values.
-std::string scalar_text(const ir::Type& type, std::int64_t scale, const ir::Value& value) {
+std::string scalar_text(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id,
+                        const ir::Value& value) {
+    const ir::Type& type = system.type(id);
     switch (type.kind) {
         case ir::TypeKind::boolean:
             return value.number != 0 ? "true" : "false";
         case ir::TypeKind::nat:
         case ir::TypeKind::integer:
-            return fmt::format("{}", value.number);
         case ir::TypeKind::real:
-            return fmt::format("{}", static_cast<double>(value.number) / static_cast<double>(scale));
+            return runs::value_text(system, instantiation, id, std::to_string(value.number));
         case ir::TypeKind::enumeration:
             if (const auto label = static_cast<std::size_t>(value.number); label < type.labels.size())
                 return type.labels[label];
@@ -119,11 +113,13 @@ Basis chosen_constants(const Project& project, const ir::Instantiation& instanti
         const auto value = instantiation.constants.find(constant.name);
         const bool has_path = constant.path.starts_with(component + "::");
         if (constant.has_value || !has_path || value == instantiation.constants.end()) continue;
-        const auto names_it = [&](const auto& given) { return names_same(constant.path, given.first); };
+        const auto names_it = [&](const auto& given) {
+            return ir::is_named_by(constant.path, given.first) || ir::is_named_by(given.first, constant.path);
+        };
         if (std::ranges::any_of(row.constants, names_it) || std::ranges::any_of(project.asked.constants, names_it))
             continue;
-        const ir::Type& type = project.system.type(constant.type);
-        add(result, chosen_constant(project, constant, scalar_text(type, instantiation.scale, value->second)));
+        const std::string text = scalar_text(project.system, instantiation, constant.type, value->second);
+        add(result, chosen_constant(project, constant, text));
     }
     return result;
 }

@@ -9,10 +9,10 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/diagnostics/escape.hpp"
 #include "driver/claims/probability_basis.hpp"
-#include "driver/model/preferences.hpp"
 #include "driver/settings/usage_error.hpp"
 #include "frontend/syntax/print.hpp"
 #include "prism/assertions/process/process_encoding.hpp"
@@ -104,8 +104,12 @@ bool uses_robotool(const SearchContext& search, const frontend::ProbabilisticAss
 
 class Decider {
 public:
-    Decider(Project& project, const SearchContext& search)
-        : project_(project), search_(search), all_(*project.model), budget_(limits_of_turn()) {}
+    Decider(Project& project, const SearchContext& search, prism_emit::Preferences preferences)
+        : project_(project),
+          search_(search),
+          preferences_(std::move(preferences)),
+          all_(*project.model),
+          budget_(limits_of_turn()) {}
 
     /// Throws LimitReached if a limit of the run is reached.
     void operator()(const Claim& claim, const Turn& turn, AssertionReport& report) {
@@ -173,9 +177,7 @@ private:
         if (subject_.kind != ir::ComponentKind::module)
             throw NotExpressed(fmt::format("RoboTool's encoding is one of modules, and `{}` is none", subject_.path));
         probability::RoboToolOptions wanted;
-        const auto preferences = read_preferences(project_, search_.settings.probability);
-        if (!preferences) throw probability::Wrong("the preferences cannot be read");
-        wanted.preferences = *preferences;
+        wanted.preferences = preferences_;
         wanted.constants = project_.asked.constants;
         wanted.max_states = search_.settings.limits.max_states;
         wanted.exact = search_.settings.probability.exact;
@@ -223,6 +225,7 @@ private:
 
     Project& project_;
     SearchContext search_;
+    prism_emit::Preferences preferences_;
     probability::Assertions all_;
     Turn turn_;
     diagnostics::Budget budget_;
@@ -236,8 +239,8 @@ private:
 }  // namespace
 
 struct ProbabilityClaims::Impl {
-    Impl(Project& project, const SearchContext& given)
-        : search(given), claims(claims_of(project, given)), decide(project, given) {}
+    Impl(Project& project, const SearchContext& given, prism_emit::Preferences preferences)
+        : search(given), claims(claims_of(project, given)), decide(project, given, std::move(preferences)) {}
 
     bool decide_in(const Turn& turn, std::size_t number, ClaimResults& results) {
         AssertionReport one = announced[number];
@@ -256,8 +259,9 @@ struct ProbabilityClaims::Impl {
     std::vector<AssertionReport> announced;  ///< the claims before anything was known about them
 };
 
-ProbabilityClaims::ProbabilityClaims(Project& project, const SearchContext& search, ClaimResults& results)
-    : impl_(std::make_unique<Impl>(project, search)), results_(results) {
+ProbabilityClaims::ProbabilityClaims(Project& project, const SearchContext& search, prism_emit::Preferences preferences,
+                                     ClaimResults& results)
+    : impl_(std::make_unique<Impl>(project, search, std::move(preferences))), results_(results) {
     const std::vector<Claim>& claims = impl_->claims;
     if (claims.empty()) return;
     const Scheduler scheduler = search.settings.probability.scheduler;

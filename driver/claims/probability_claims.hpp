@@ -8,14 +8,16 @@
 #include "driver/claims/turns.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/results/results.hpp"
+#include "prism/emit/emission.hpp"
 
 namespace robochart::driver {
 
 /// Decides the probabilistic claims of a model on the Markov models that the settings select.
 class ProbabilityClaims {
 public:
-    /// Lists the claims in the results. Stores references to its arguments.
-    ProbabilityClaims(Project&, const SearchContext&, ClaimResults&);
+    /// Lists the claims in the results. Stores references to the project and the results. `preferences`: the ranges of
+    /// RoboTool's encoding.
+    ProbabilityClaims(Project&, const SearchContext&, prism_emit::Preferences preferences, ClaimResults&);
     ~ProbabilityClaims();
     ProbabilityClaims(const ProbabilityClaims&) = delete;
     ProbabilityClaims& operator=(const ProbabilityClaims&) = delete;
