@@ -15,7 +15,7 @@ public:
     MpiProgram& operator=(const MpiProgram&) = delete;
     /// Waits for the other ranks.
     ~MpiProgram();
-    /// True if MPI allows several threads, of which only the thread that initialised MPI calls it.
+    /// True if MPI allows several threads, but only the thread that initialised MPI may call it.
     [[nodiscard]] static bool serves_threads();
     /// Ends all ranks at once.
     [[noreturn]] static void abort(int code);

@@ -21,7 +21,7 @@ namespace robochart::conformance {
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
-/// Converts a sequence of events of code and NF_c(M), or of NF_c(M) alone, to a run of which only the trace matters.
+/// Converts a sequence of events of code and NF_c(M), or of NF_c(M) alone, to a run. Only its trace matters.
 [[nodiscard]] refine::Counterexample trace_as_run(const std::vector<process::Event>& trace);
 /// Sets the rule and the run of a result that was found event by event (follower.hpp). The rule is that of a
 /// standstill, or null for code that differs. `trace` is the common trace of code and NF_c(M).

@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "librsvg2-bin, ffmpeg")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
-# The library is a package of its own, which depends on the program. The archive for all systems contains only the
+# The library is a separate package, which depends on the program. The archive for all systems contains only the
 # program.
 set(CPACK_COMPONENTS_ALL Unspecified development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

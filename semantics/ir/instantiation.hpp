@@ -47,7 +47,7 @@ struct Instantiation {
     /// Constants without a value in the model, and those that an option sets: qualified name as in CSP (`const_P_S_c`,
     /// see query.hpp) -> value. An entry here overrides the value in the model.
     std::map<std::string, Value> constants;
-    /// Composed types of which only some values are considered. Maps the number of the type to its values, ascending.
+    /// Composed types for which only some values are considered. Maps the number of the type to its values, ascending.
     /// Empty except for the conformance of components that only pass such values on
     /// (conformance/model/representatives.hpp).
     std::map<std::uint32_t, std::vector<Value>> representatives;

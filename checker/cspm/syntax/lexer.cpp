@@ -276,7 +276,7 @@ private:
         return tokens_.back().kind == Tok::l_brace && line_end_;
     }
 
-    // Reads the rest of the line after `print`. The line ends there, whatever the next line begins with.
+    // Reads the rest of the line after `print`. The line ends there, even if the next line could continue it.
     void read_print_line(std::size_t from) {
         emit_token(Tok::print, from, after);
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
