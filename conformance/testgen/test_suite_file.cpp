@@ -247,8 +247,8 @@ std::string insert_name(const std::string& text, const std::string& name) {
 /// single file.
 std::string same_word() {
     const std::string header = cpp_emit::adaptive_header();
-    const std::size_t begin = header.find("/// Numbers are compared by value");
-    if (begin == std::string::npos) throw std::logic_error("adaptive.hpp no longer says how words are compared");
+    const std::size_t begin = header.find("/// Compares words. Numbers are compared by value");
+    if (begin == std::string::npos) throw std::logic_error("adaptive.hpp no longer defines how words are compared");
     return replace_mark(header.substr(begin, header.find("\n\n", begin) - begin), "inline bool", "bool");
 }
 

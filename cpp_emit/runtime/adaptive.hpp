@@ -71,7 +71,7 @@ private:
     }
 };
 
-/// Numbers are compared by value: 0.50 is 0.5.
+/// Compares words. Numbers are compared by value, so 0.50 equals 0.5.
 inline bool same_word(const std::string& a, const std::string& b) {
     if (a == b) return true;
     std::istringstream x(a), y(b);
@@ -248,7 +248,8 @@ private:
         return all;
     }
 
-    /// Finds words to all states that can be distinguished, and builds the hypothesis from them. False: stopped.
+    /// Finds an access word for every state that can be distinguished, and builds the hypothesis from these words.
+    /// Returns false if the test was stopped.
     bool close() {
         std::map<std::vector<std::size_t>, std::size_t> rows;
         states_.assign(1, Word{});
@@ -268,7 +269,8 @@ private:
     }
 
     /// Chow 1978: all states, all words of at most `depth` symbols, all suffixes. A difference from the hypothesis
-    /// gives a suffix that distinguishes two of its states (Rivest, Schapire 1993). False: start again, or stopped.
+    /// gives a suffix that distinguishes two of its states (Rivest, Schapire 1993). Returns false if the loop must
+    /// start again, or if the test was stopped.
     bool agree(std::size_t depth) {
         std::deque<Word> words{{}};
         for (; !words.empty() && going(); words.pop_front()) {
@@ -296,8 +298,8 @@ private:
         return going();
     }
 
-    /// The product of hypothesis and model: every step of the hypothesis is allowed in all reachable pairs. False:
-    /// start again, or stopped.
+    /// Searches the product of hypothesis and model: every step of the hypothesis must be allowed in all reachable
+    /// pairs. Returns false if the loop must start again, or if the test was stopped.
     bool within() {
         std::map<std::pair<std::size_t, std::size_t>, Word> seen{{{0, 0}, {}}};
         std::deque<std::pair<std::size_t, std::size_t>> open{{0, 0}};
@@ -320,8 +322,7 @@ private:
         return at;
     }
 
-    /// Finds the place in the word at which the answers from the hypothesis' state begin to differ from those from its
-    /// own.
+    /// Finds the position in the word from which the answers of the hypothesis differ from those of the implementation.
     void learn(const Word& word) {
         const std::size_t last = ask(word).back();
         std::size_t state = 0;

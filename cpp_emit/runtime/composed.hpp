@@ -1,5 +1,5 @@
-// Sequences and sets as values of fixed size: no heap, equal values have equal bytes. Delivered with the generated
-// code. Copyright: see LICENSE (Apache-2.0).
+// Sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. Delivered with the
+// generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_COMPOSED_HPP
 #define ROBOCHART_COMPOSED_HPP
 

@@ -1,7 +1,7 @@
-// How a console program decides choices that the model leaves open: by the words of the cycle, by asking the user, or
-// by repeating a record of an earlier run. A record is text: one line for each cycle, with its words and its choices
-// with the number of alternatives. Delivered with generated code that asks (`emit cpp --choices`, probabilistic
-// junctions). Copyright: see LICENSE (Apache-2.0).
+// Decides choices of the model in a console program: by the words of the cycle, by asking the user, or by repeating a
+// record of an earlier run. A record is text: one line for each cycle, with its words and its choices with the number
+// of alternatives. Delivered with generated code that asks (`emit cpp --choices`, probabilistic junctions). Copyright:
+// see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_CONSOLE_CHOICES_HPP
 #define ROBOCHART_CONSOLE_CHOICES_HPP
 
@@ -16,7 +16,7 @@ namespace robochart {
 
 class ConsoleChoices {
 public:
-    /// `word` is the beginning of answers: "pick" for `pick=2`, which is counted from 0.
+    /// `word` is the word before "=" in answers: "pick" for `pick=2`. Alternatives are counted from 0.
     ConsoleChoices(std::string controller, const std::string& word)
         : controller_(std::move(controller)), prefix_(word + "=") {}
 
@@ -88,7 +88,7 @@ public:
         raised(prefix_ + std::to_string(picked) + "/" + std::to_string(count));
         return picked;
     }
-    /// The same if alternatives are drawn by their probabilities: those with probability zero are not offered.
+    /// Decides a probabilistic choice. Alternatives with probability zero are not offered.
     std::size_t choose(const double* chances, std::size_t count) {
         std::vector<std::size_t> ways;
         for (std::size_t way = 0; way < count; ++way)

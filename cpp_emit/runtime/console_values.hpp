@@ -1,4 +1,4 @@
-// How a console program prints and reads values: numbers as usual, declared types and values with parts as in logs
+// Prints and reads values in a console program: numbers as usual, declared types and values with parts as in logs
 // (robochart/trace.hpp): Red, (0.5,true), <1,2>. Delivered with generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_CONSOLE_VALUES_HPP
 #define ROBOCHART_CONSOLE_VALUES_HPP

@@ -15,7 +15,7 @@ struct MonitorValues {
     std::uint32_t count;
     std::int64_t scale;
     bool consecutive;  ///< value[i] is value[0] + i
-    bool passed_on;    ///< one of them may represent values outside: the model only passes them on
+    bool passed_on;    ///< a value may represent other values, because the model only passes them on
 };
 
 /// An input or output.
@@ -75,7 +75,7 @@ public:
         if (place == no_place) return lose();
         take(channel.column[place], output, 'w');
     }
-    /// The same, argument by argument: `start`, then `argument` for each, then `wrote_at`.
+    /// A write, argument by argument: call `start`, then `argument` for each argument, then `wrote_at`.
     static constexpr std::uint32_t start() noexcept { return 0; }
     template <class Value>
     constexpr std::uint32_t argument(std::uint32_t place, std::uint32_t output, std::uint32_t number,
@@ -86,7 +86,7 @@ public:
         if (place == no_place) return lose();
         take(tables_->output[output].column[place], output, 'w');
     }
-    /// The end of the cycle: its time units pass.
+    /// Ends the cycle; its time units pass.
     constexpr void end_of_cycle() noexcept {
         for (std::uint32_t t = 0; t < tables_->cycle_length; ++t) take(tables_->tock, 0, 't');
         if (verdict_ == MonitorVerdict::allowed) begun_ = state_;
@@ -107,7 +107,7 @@ public:
         if (kind_ == 'w') return tables_->output[channel_].name;
         return kind_ == 't' ? "the end of the cycle" : "termination";
     }
-    /// violated: its element in the model, "" for time and termination.
+    /// violated: the element of the event in the model; "" for time and termination.
     [[nodiscard]] constexpr const char* element() const noexcept {
         if (kind_ == 'r') return tables_->input[channel_].element;
         return kind_ == 'w' ? tables_->output[channel_].element : "";

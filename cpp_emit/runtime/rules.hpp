@@ -10,7 +10,7 @@ namespace robochart {
 
 /// The end of a window without a limit.
 inline constexpr std::int64_t rule_forever = INT64_MAX;
-/// Used instead of an event: the end of a second.
+/// The value that stands for the end of a second instead of an event.
 inline constexpr std::uint32_t rule_no_event = 0xffffffffU;
 
 /// A demand of a response: its event must happen, or must not happen, `from` to `to` seconds after the instant at which
@@ -96,7 +96,7 @@ public:
         return fate();
     }
 
-    /// Whether both have the same demands, and no history fulfils one and not the other.
+    /// Whether both obligations have the same demands, and every history fulfils both or neither.
     constexpr bool same_as(const RuleDuty& other) const noexcept {
         return asks_as(other) && elapsed_ == other.elapsed_ && broken_ == other.broken_;
     }

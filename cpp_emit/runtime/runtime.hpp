@@ -50,8 +50,8 @@
 #define ROBOCHART_MODEL_END
 #endif
 
-/// 1: the generated classes report their behaviour to a tracer (robochart/trace.hpp). It must have the same value
-/// wherever their headers are included.
+/// If 1, the generated classes report their behaviour to a tracer (robochart/trace.hpp). The macro must have the same
+/// value wherever the headers of the classes are included.
 #ifndef ROBOCHART_TRACE
 #define ROBOCHART_TRACE 0
 #endif
@@ -107,7 +107,7 @@ struct Buffer {
     }
 };
 
-/// The same for an event without a value.
+/// A buffer for an event without a value.
 struct Flag {
     std::uint8_t mark = 0;
 
@@ -227,7 +227,7 @@ constexpr double chance(Number probability) noexcept {
     return static_cast<double>(probability);
 }
 
-/// The default alternative of a probabilistic junction: the first with a positive probability.
+/// The default alternative of a probabilistic junction: the first one with a positive probability.
 constexpr std::size_t first_way(const double* chances, std::size_t count) noexcept {
     for (std::size_t way = 0; way < count; ++way)
         if (chances[way] > 0.0) return way;
@@ -410,7 +410,7 @@ public:
     /// Records that an action required before time passes was not performed.
     constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
-    /// A false precondition also uses up the steps of the cycle, so that no other machine goes on.
+    /// A false precondition also uses up the steps of the cycle, so that no other machine continues.
     constexpr void require(bool precondition) noexcept {
         if (precondition) return;
         violated_ = true;

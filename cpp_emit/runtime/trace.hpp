@@ -35,7 +35,7 @@ public:
     virtual void begin() noexcept {}
     /// The next piece of text for the log.
     virtual void text(const char* piece) noexcept = 0;
-    /// A transition was taken: its index in RunHeader::transitions.
+    /// Called when a transition is taken, with its index in RunHeader::transitions.
     virtual void taken(std::uint32_t /*transition*/) noexcept {}
     /// The cycle is over; its line of the log ends.
     virtual void end() noexcept {}

@@ -31,7 +31,7 @@ public:
         begin();
         return std::ferror(file_) == 0;
     }
-    /// Whether everything has been written so far.
+    /// Whether all writes so far have succeeded.
     [[nodiscard]] bool good() const { return file_ == nullptr || std::ferror(file_) == 0; }
 
     void begin() noexcept override {
@@ -51,7 +51,7 @@ public:
         if (file_ != nullptr) std::fflush(file_);
     }
 
-    /// How often each transition was taken.
+    /// The number of times that each transition was taken.
     [[nodiscard]] const std::vector<unsigned long>& counts() const { return counts_; }
     /// "3 of 4 transitions taken", then a line for each transition: count, name, place in the model.
     [[nodiscard]] std::string coverage() const {
