@@ -188,7 +188,7 @@ TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
         EXPECT_EQ(refused.exit, 2) << refused.out;
         return refused.err;
     };
-    EXPECT_THAT(changed("const paces=3"), HasSubstr("error[RC-L04]: the log is of a model with paces=3"));
+    EXPECT_THAT(changed("const paces=3"), HasSubstr("error[RC-L04]: the log is about a model with paces=3"));
     EXPECT_THAT(changed("const pace 3"), HasSubstr("error[RC-L01]: expected `const NAME=VALUE`"));
     EXPECT_THAT(changed("const pace="), HasSubstr("error[RC-L01]"));
     EXPECT_THAT(changed("const pace=-1"), HasSubstr("error[RC-L04]"));
