@@ -63,7 +63,7 @@ private:
         item.element = name(fmt::format("the name of the {}", describe_kind(item.kind)));
         if (!has_failed() && item.kind == ElementKind::operation && !item.published)
             report(rules::wrong_name, item.element.span,
-                   {item.element.text, "thing that is received", "the controller calls its operations itself"});
+                   {item.element.text, "received element", "the controller calls its operations itself"});
     }
 
     /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`.

@@ -24,11 +24,12 @@ bool is_digit(char c) {
 /// Rejects names other than a letter followed by letters, digits and single underscores, with no underscore at the end
 /// (REP 149, rosidl).
 std::string wrong_small_name(std::string_view name) {
-    if (name.empty() || !is_small(name.front())) return "it begins with a small letter";
+    if (name.empty() || !is_small(name.front())) return "it must begin with a small letter";
     for (const char c : name)
-        if (!is_small(c) && !is_digit(c) && c != '_') return "it has small letters, digits and underscores only";
+        if (!is_small(c) && !is_digit(c) && c != '_')
+            return "it may contain only small letters, digits and underscores";
     if (name.find("__") != std::string_view::npos || name.back() == '_')
-        return "it has no doubled underscore, and none at the end";
+        return "it must not contain a double underscore or end with an underscore";
     return "";
 }
 
@@ -46,21 +47,21 @@ constexpr std::size_t longest_name = 200;  // RMW: 247 for the whole topic, incl
 std::string wrong_package(std::string_view name) {
     if (name.size() > longest_name) return "it is too long";
     if (const std::string wrong = wrong_small_name(name); !wrong.empty()) return wrong;
-    return reserved_in_cpp(name) ? "C++ reserves it" : "";
+    return reserved_in_cpp(name) ? "it is reserved in C++" : "";
 }
 
 std::string wrong_message(std::string_view name) {
     if (name.size() > longest_name) return "it is too long";
-    if (name.empty() || !is_large(name.front())) return "it begins with a capital letter";
+    if (name.empty() || !is_large(name.front())) return "it must begin with a capital letter";
     for (const char c : name)
-        if (!is_small(c) && !is_large(c) && !is_digit(c)) return "it has letters and digits only";
-    return reserved_in_cpp(name) ? "C++ reserves it" : "";
+        if (!is_small(c) && !is_large(c) && !is_digit(c)) return "it may contain only letters and digits";
+    return reserved_in_cpp(name) ? "it is reserved in C++" : "";
 }
 
 std::string wrong_field(std::string_view name) {
     if (name.size() > longest_name) return "it is too long";
     if (const std::string wrong = wrong_small_name(name); !wrong.empty()) return wrong;
-    return reserved_in_cpp(name) ? "C++ reserves it" : "";
+    return reserved_in_cpp(name) ? "it is reserved in C++" : "";
 }
 
 std::string wrong_topic(std::string_view name) {
@@ -72,16 +73,16 @@ std::string wrong_topic(std::string_view name) {
         rest.remove_prefix(2);
     else if (rest.starts_with('/'))
         rest.remove_prefix(1);
-    if (rest.empty() || rest.back() == '/') return "it ends with a name";
+    if (rest.empty() || rest.back() == '/') return "it must end with a name";
     bool fresh = true;
     for (const char c : rest) {
-        if (fresh && is_digit(c)) return "none of its parts begins with a digit";
-        if (fresh && c == '/') return "it has no empty part";
+        if (fresh && is_digit(c)) return "no part may begin with a digit";
+        if (fresh && c == '/') return "it must not contain an empty part";
         if (!is_small(c) && !is_large(c) && !is_digit(c) && c != '_' && c != '/')
-            return "it has letters, digits, underscores and / only, and ~/ at the beginning";
+            return "it may contain only letters, digits, underscores and /, and ~/ at the beginning";
         fresh = c == '/';
     }
-    return rest.find("__") != std::string_view::npos ? "it has no doubled underscore" : "";
+    return rest.find("__") != std::string_view::npos ? "it must not contain a double underscore" : "";
 }
 
 std::string topic_part(std::string_view name) {

@@ -193,7 +193,7 @@ stm M { requires I uses E var s : Seq(nat) initial i
     std::string codes;
     for (const auto& each : diagnostics.sorted_findings())
         codes += std::string(each.rule->code) + " " + each.message() + "\n";
-    EXPECT_NE(codes.find("RC-G14 no ros2 project for 'M': std_msgs has no message for the event 'found'"),
+    EXPECT_NE(codes.find("RC-G14 no ros2 project is generated for 'M': std_msgs has no message for the event 'found'"),
               std::string::npos)
         << codes;
     EXPECT_NE(codes.find("the operation 'path'"), std::string::npos) << codes;

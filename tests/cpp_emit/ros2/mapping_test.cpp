@@ -73,11 +73,11 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"publish operation stop as std_msgs/Empty on \"t\" with depth 99999999999",
             "RC-R01 2:60 expected a number from 1 to 10000, found '99999999999'\n"},
         Row{"publish operation stop as std_msgs/Empty on \"t\" with reliable best_effort",
-            "RC-R03 2:63 the reliability is said twice\n"},
+            "RC-R03 2:63 the reliability is given twice\n"},
         Row{"publish operation stop as std_msgs/Empty on \"t\" with volatile volatile",
-            "RC-R03 2:63 the durability is said twice\n"},
+            "RC-R03 2:63 the durability is given twice\n"},
         Row{"publish operation stop as std_msgs/Empty on \"t\" with depth 1 depth 2",
-            "RC-R03 2:68 the depth is said twice\n"}));
+            "RC-R03 2:68 the depth is given twice\n"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Names, WrongMapping,
@@ -91,17 +91,18 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"receive variable obstacle as std_msgs/Empty on \"t\"",
             "RC-R02 2:18 'C' has no variable to receive 'obstacle'; write 'receive event obstacle'\n"},
         Row{"receive operation stop as std_msgs/Empty on \"t\"",
-            "RC-R04 2:19 'stop' is no name of a thing that is received: the controller calls its operations itself\n"},
+            "RC-R04 2:19 'stop' is not a valid name of a received element: the controller calls its operations "
+            "itself\n"},
         Row{"publish operation stop as std_msgs/Empty on \"t\" publish operation stop as std_msgs/Empty on \"u\"",
-            "RC-R03 2:67 operation 'stop' is said twice\n"},
+            "RC-R03 2:67 operation 'stop' is given twice\n"},
         Row{"publish operation move as geometry_msgs/Twist on \"cmd_vel\" { linear.x = lw angular.z = av }",
-            "RC-R08 2:19 'lv' of operation 'move' is in no field of its message\n"
+            "RC-R08 2:19 no field of the message contains 'lv' of operation 'move'\n"
             "RC-R02 2:73 operation 'move' has no parameter 'lw'; did you mean 'lv'?\n"},
         Row{"publish operation goal as geometry_msgs/Point on \"t\" { x = at.x y = at.z }",
-            "RC-R08 2:19 'at.y' of operation 'goal' is in no field of its message\n"
+            "RC-R08 2:19 no field of the message contains 'at.y' of operation 'goal'\n"
             "RC-R02 2:72 operation 'goal' has no field 'z'\n"},
         Row{"receive event obstacle as sensor_msgs/Range on \"t\" { vlaue = range }",
-            "RC-R07 2:15 nothing gives 'value' of event 'obstacle' its value\n"
+            "RC-R07 2:15 no field of the message provides 'value' of event 'obstacle'\n"
             "RC-R02 2:54 event 'obstacle' has no value 'vlaue'; did you mean 'value'?\n"},
         Row{"receive event bump as sensor_msgs/Range on \"t\" { value = range }",
             "RC-R02 2:50 event 'bump' has no value 'value'\n"}));
@@ -110,36 +111,38 @@ INSTANTIATE_TEST_SUITE_P(
     NamesOfRos, WrongMapping,
     ::testing::Values(
         Row{"publish operation stop as Std_msgs/Empty on \"t\"",
-            "RC-R04 2:27 'Std_msgs' is no name of a package: it begins with a small letter\n"},
+            "RC-R04 2:27 'Std_msgs' is not a valid name of a package: it must begin with a small letter\n"},
         Row{"publish operation stop as std__msgs/Empty on \"t\"",
-            "RC-R04 2:27 'std__msgs' is no name of a package: it has no doubled underscore, and none at the end\n"},
+            "RC-R04 2:27 'std__msgs' is not a valid name of a package: it must not contain a double underscore or end "
+            "with an underscore\n"},
         Row{"publish operation stop as class/Empty on \"t\"",
-            "RC-R04 2:27 'class' is no name of a package: C++ reserves it\n"},
+            "RC-R04 2:27 'class' is not a valid name of a package: it is reserved in C++\n"},
         Row{"publish operation stop as my_msgs/empty on \"t\"",
-            "RC-R04 2:35 'empty' is no name of a message: it begins with a capital letter\n"},
+            "RC-R04 2:35 'empty' is not a valid name of a message: it must begin with a capital letter\n"},
         Row{"publish operation stop as my_msgs/Em_pty on \"t\"",
-            "RC-R04 2:35 'Em_pty' is no name of a message: it has letters and digits only\n"},
-        Row{"publish operation stop as std_msgs/Empty on \"\"", "RC-R04 2:45 '' is no name of a topic: it is empty\n"},
+            "RC-R04 2:35 'Em_pty' is not a valid name of a message: it may contain only letters and digits\n"},
+        Row{"publish operation stop as std_msgs/Empty on \"\"",
+            "RC-R04 2:45 '' is not a valid name of a topic: it is empty\n"},
         Row{"publish operation stop as std_msgs/Empty on \"a//b\"",
-            "RC-R04 2:45 'a//b' is no name of a topic: it has no empty part\n"},
+            "RC-R04 2:45 'a//b' is not a valid name of a topic: it must not contain an empty part\n"},
         Row{"publish operation stop as std_msgs/Empty on \"a/\"",
-            "RC-R04 2:45 'a/' is no name of a topic: it ends with a name\n"},
+            "RC-R04 2:45 'a/' is not a valid name of a topic: it must end with a name\n"},
         Row{"publish operation stop as std_msgs/Empty on \"a/2b\"",
-            "RC-R04 2:45 'a/2b' is no name of a topic: none of its parts begins with a digit\n"},
+            "RC-R04 2:45 'a/2b' is not a valid name of a topic: no part may begin with a digit\n"},
         Row{"publish operation stop as std_msgs/Empty on \"a__b\"",
-            "RC-R04 2:45 'a__b' is no name of a topic: it has no doubled underscore\n"},
+            "RC-R04 2:45 'a__b' is not a valid name of a topic: it must not contain a double underscore\n"},
         Row{"publish operation stop as std_msgs/Empty on \"~a\"",
-            "RC-R04 2:45 '~a' is no name of a topic: it has letters, digits, underscores and / only, and ~/ at the "
-            "beginning\n"},
+            "RC-R04 2:45 '~a' is not a valid name of a topic: it may contain only letters, digits, underscores and /, "
+            "and ~/ at the beginning\n"},
         Row{"publish operation stop as std_msgs/Empty on \"a{node}\"",
-            "RC-R04 2:45 'a{node}' is no name of a topic: it has letters, digits, underscores and / only, and ~/ at "
-            "the beginning\n"},
+            "RC-R04 2:45 'a{node}' is not a valid name of a topic: it may contain only letters, digits, underscores "
+            "and /, and ~/ at the beginning\n"},
         Row{"publish operation stop as std_msgs/Empty on \"/rosout\"",
-            "RC-R04 2:45 '/rosout' is no name of a topic: it is a topic of ROS itself\n"},
+            "RC-R04 2:45 '/rosout' is not a valid name of a topic: it is a topic of ROS itself\n"},
         Row{"publish operation stop as my_msgs/Foo on \"t\" { class = 1 }",
-            "RC-R04 2:48 'class' is no name of a field: C++ reserves it\n"},
+            "RC-R04 2:48 'class' is not a valid name of a field: it is reserved in C++\n"},
         Row{"publish operation stop as my_msgs/Foo on \"t\" { a.Big = 1 }",
-            "RC-R04 2:50 'Big' is no name of a field: it begins with a small letter\n"}));
+            "RC-R04 2:50 'Big' is not a valid name of a field: it must begin with a small letter\n"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Fields, WrongMapping,
@@ -151,11 +154,11 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"publish operation stop as std_msgs/Int8 on \"t\" { data.x = 1 }",
             "RC-R05 2:55 the message int8 has no field 'x'\n"},
         Row{"publish operation stop as geometry_msgs/Twist on \"t\" { linear.x = 1 linear.x = 2 }",
-            "RC-R03 2:69 the field 'linear.x' is said twice\n"},
+            "RC-R03 2:69 the field 'linear.x' is given twice\n"},
         Row{"receive event seen as geometry_msgs/Point on \"t\" { value.x = x value.x = y value.y = y }",
-            "RC-R03 2:64 'value.x' is said twice\n"},
+            "RC-R03 2:64 'value.x' is given twice\n"},
         Row{"receive event seen as geometry_msgs/Point on \"t\" { value.x = x }",
-            "RC-R07 2:15 nothing gives 'value.y' of event 'seen' its value\n"},
+            "RC-R07 2:15 no field of the message provides 'value.y' of event 'seen'\n"},
         Row{"publish operation stop as geometry_msgs/Twits on \"t\"",
             "RC-R11 2:27 the fields of geometry_msgs/Twits are not known here; did you mean 'Twist'?\n"},
         Row{"publish operation stop as my_msgs/Foo on \"t\" { anything = 1 }",
@@ -165,20 +168,20 @@ INSTANTIATE_TEST_SUITE_P(
     Types, WrongMapping,
     ::testing::Values(
         Row{"publish operation lamp as std_msgs/Bool on \"t\" { data = l }",
-            "RC-R08 2:19 'l' of operation 'lamp' is in no field of its message\n"
+            "RC-R08 2:19 no field of the message contains 'l' of operation 'lamp'\n"
             "RC-R06 2:57 'l' is an enumeration Light, and the field 'data' is a bool\n"},
         Row{"publish operation flag as std_msgs/Int8 on \"t\" { data = b }",
-            "RC-R08 2:19 'b' of operation 'flag' is in no field of its message\n"
+            "RC-R08 2:19 no field of the message contains 'b' of operation 'flag'\n"
             "RC-R06 2:57 'b' is a boolean, and the field 'data' is a int8\n"},
         Row{"publish operation goal as geometry_msgs/PointStamped on \"t\" { point = at }",
-            "RC-R08 2:19 'at.x' of operation 'goal' is in no field of its message\n"
-            "RC-R08 2:19 'at.y' of operation 'goal' is in no field of its message\n"
+            "RC-R08 2:19 no field of the message contains 'at.x' of operation 'goal'\n"
+            "RC-R08 2:19 no field of the message contains 'at.y' of operation 'goal'\n"
             "RC-R06 2:71 'at' is a record Point, and the field 'point' is a message geometry_msgs/Point\n"},
         Row{"publish operation all as std_msgs/Float64MultiArray on \"t\" { data = s }",
-            "RC-R08 2:19 's' of operation 'all' is in no field of its message\n"
+            "RC-R08 2:19 no field of the message contains 's' of operation 'all'\n"
             "RC-R06 2:69 's' is a Seq(nat), and the field 'data' is an array float64[]\n"},
         Row{"receive event obstacle as std_msgs/String on \"t\" { value = data }",
-            "RC-R07 2:15 nothing gives 'value' of event 'obstacle' its value\n"
+            "RC-R07 2:15 no field of the message provides 'value' of event 'obstacle'\n"
             "RC-R06 2:52 'value' is a real, and the field 'data' is a string\n"},
         Row{"receive event list as std_msgs/Int8 on \"t\"",
             "RC-R06 2:15 the value of 'list' is a Seq(nat), and what a message can give it is a truth value, a number, "

@@ -11,7 +11,7 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// The findings, one per line: "RC-R04 3:15 'x' is no name of ...", "RC-R10 ..." for the model.
+/// The findings, one per line: "RC-R04 3:15 'x' is not a valid name of ...", "RC-R10 ..." for the model.
 struct Planned {
     Emission emission;
     std::string findings;
