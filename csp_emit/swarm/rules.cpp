@@ -12,11 +12,11 @@ const Rule syntax{
     "forward on OPERATION`, `feed EVENT with count(1) on OPERATION` and `accept recurrent linked(1)` "
     "(docs/emergence.md)."};
 const Rule unknown_name{"RC-V02", Severity::error, "{} has no {} '{}'{}",
-                        "A swarm names the component that each robot runs, and of it the operations, events and "
-                        "constants that its platform has to do with."};
+                        "A swarm names the component that each robot runs, and the operations, events and constants of "
+                        "this component that the swarm provides."};
 const Rule no_fit{"RC-V03", Severity::error, "{}",
-                  "Where robots are is known on a grid alone, and only where time passes do they move; what a robot "
-                  "senses has to be a value that the model calculates with."};
+                  "Robots have positions only if the swarm has a grid, and they move only while time passes. A sensed "
+                  "value must be in the range of its type in the model."};
 
 std::vector<const Rule*> all() {
     return {&syntax, &unknown_name, &no_fit};

@@ -49,7 +49,7 @@ TEST(BlockConstants, TheMachinesOwnNameDecidesInAllClaims) {
     const auto model = with_block("const_Gate_limit = 1\nconst_C_left_limit = 0", opens);
     EXPECT_THAT(testing::decide_obligations(*model, Time::untimed), ElementsAre("holds", "holds", "holds"));
     EXPECT_THAT(model->codes(), Contains("RC-C17"));
-    EXPECT_THAT(model->messages(), HasSubstr("const_C_left_limit = 0 does not count in claims about the controller"));
+    EXPECT_THAT(model->messages(), HasSubstr("const_C_left_limit = 0 does not apply to claims about the controller"));
     EXPECT_THAT(model->messages(), HasSubstr("const_Gate_limit = 1"));
     const auto shut = with_block("const_Gate_limit = 0\nconst_C_left_limit = 1", opens);
     EXPECT_THAT(testing::decide_obligations(*shut, Time::untimed), ElementsAre("fails", "fails", "fails"));

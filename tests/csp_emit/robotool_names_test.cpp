@@ -59,7 +59,7 @@ TEST(OldNames, AreReportedWithTodays) {
                                                  claim_text("refines Spec in the traces model"));
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ElementsAre("RC-C15", "RC-C15")) << m->messages();
-    EXPECT_THAT(m->messages(), HasSubstr("Lift_up is a name of RoboTool's that this script does not have: it is of an "
+    EXPECT_THAT(m->messages(), HasSubstr("Lift_up is a name of RoboTool, but this script does not have it: it is of an "
                                          "older generator; today it is Tower::Lift::up"));
 }
 
