@@ -10,54 +10,56 @@ using diagnostics::Severity;
 
 const Rule unexpected_token{
     "CSPM-P01", Severity::error, "expected {}, found {}",
-    "The text does not follow CSPM's grammar here. A line end closes an expression unless the "
-    "next line begins with an operator or the last line ended with one (FDR manual, chapter CSPM)."};
-const Rule bad_character{"CSPM-P02", Severity::error, "no CSPM token begins with {}",
-                         "CSPM is written with ASCII letters, digits and operators; other characters may stand in "
-                         "comments and strings only."};
+    "The text does not follow the grammar of CSPM here. The end of a line ends an expression, unless the line ends "
+    "with an operator or the next line begins with one (FDR manual, chapter CSPM)."};
+const Rule bad_character{
+    "CSPM-P02", Severity::error, "no CSPM token begins with {}",
+    "CSPM consists of ASCII letters, digits and operators. Other characters are allowed only in comments and strings."};
 const Rule foreign_name{"CSPM-P17", Severity::error,
-                        "'{}' is no name in CSPM: names are made of the letters a to z and A to Z, digits and _",
-                        "FDR reads ASCII letters only: write the name without accents."};
-const Rule open_comment{"CSPM-P03", Severity::error, "comment is not closed",
-                        "A block comment begins with {- and ends with -}; such comments nest. Note that `{-1}` begins "
-                        "one: write `{ -1}`."};
+                        "'{}' is not a name of CSPM: a name consists of the letters a to z and A to Z, digits and _",
+                        "FDR reads only ASCII letters. Write the name without accents."};
+const Rule open_comment{"CSPM-P03", Severity::error, "this comment is not closed",
+                        "A block comment begins with {- and ends with -}; such comments nest. `{-1}` also begins a "
+                        "comment: write `{ -1}`."};
 const Rule open_literal{"CSPM-P04", Severity::error, "{} is not closed on its line",
-                        "Strings end with \" and characters with ' on the line they begin."};
-const Rule big_number{"CSPM-P05", Severity::error, "number {} is too large",
-                      "Integers are limited to 64 bits, signed."};
-const Rule bad_property{"CSPM-P06", Severity::error, "unknown property or model '{}'",
-                        "After `:[` stands one of: deadlock free, divergence free, livelock free, deterministic, has "
-                        "trace (each with an optional model [T], [F], [FD], [R], [RD], [V], [VD]), tau priority, "
-                        "partial order reduce."};
+                        "A string ends with \" and a character with ' on the line on which it begins."};
+const Rule big_number{"CSPM-P05", Severity::error, "the number {} is too large",
+                      "Integers are signed and have 64 bits."};
+const Rule bad_property{
+    "CSPM-P06", Severity::error, "unknown property or model '{}'",
+    "`:[` is followed by one of: deadlock free, divergence free, livelock free, deterministic, has trace (each with an "
+    "optional model [T], [F], [FD], [R], [RD], [V], [VD]), tau priority, partial order reduce."};
 const Rule too_deep{"CSPM-P07", Severity::error, "nested too deeply (the limit is {} levels)",
-                    "Expressions may nest to a fixed depth only, so that hostile input cannot exhaust the stack. "
-                    "Name the inner parts."};
-const Rule not_associative{"CSPM-P08", Severity::error, "operator {} does not associate: add parentheses",
-                           "FDR reads neither `P [|A|] Q [|B|] R` nor `a == b == c`: these operators are not "
-                           "associative."};
-const Rule misplaced_declaration{"CSPM-P09", Severity::error, "{} cannot be declared {}",
-                                 "In a `let` only functions, values, annotations, transparent, external and timed "
-                                 "sections may be declared; modules may hold no assertions or print statements, timed "
-                                 "sections no print statements."};
-const Rule annotation_unused{"CSPM-P10", Severity::error, "type annotation for '{}', which is not declared here",
+                    "The depth of expressions is limited, so that hostile input cannot exhaust the stack. Give names "
+                    "to the inner parts."};
+const Rule not_associative{
+    "CSPM-P08", Severity::error, "operator {} is not associative: add parentheses",
+    "FDR reads neither `P [|A|] Q [|B|] R` nor `a == b == c`, because these operators are not associative."};
+const Rule misplaced_declaration{
+    "CSPM-P09", Severity::error, "{} cannot be declared {}",
+    "A `let` may declare only functions, values, annotations, transparent and external functions, and timed sections. "
+    "Modules may not contain assertions or print statements. Timed sections may not contain print statements."};
+const Rule annotation_unused{"CSPM-P10", Severity::error, "'{}' has a type annotation, but is not declared here",
                              "A type annotation belongs to a declaration in the same list of declarations."};
-const Rule annotation_repeated{"CSPM-P11", Severity::error, "second type annotation for '{}'",
-                               "Give each name one annotation; names of one channel declaration share theirs."};
-const Rule bad_annotation{"CSPM-P12", Severity::error, "the arguments of a function type stand in parentheses",
-                          "A type annotation of a function names its arguments in parentheses: `f :: (Int) -> Bool`."};
+const Rule annotation_repeated{
+    "CSPM-P11", Severity::error, "'{}' has a second type annotation",
+    "Give each name one annotation. The names of one channel declaration share their annotation."};
+const Rule bad_annotation{
+    "CSPM-P12", Severity::error, "the arguments of a function type must be in parentheses",
+    "The type annotation of a function lists the types of its arguments in parentheses: `f :: (Int) -> Bool`."};
 const Rule option_repeated{"CSPM-P13", Severity::error, "option '{}' is given twice",
-                           "Each option of an assertion may be given once."};
-const Rule bad_include{"CSPM-P14", Severity::error, "include needs a file name in double quotes",
+                           "Give each option of an assertion only once."};
+const Rule bad_include{"CSPM-P14", Severity::error, "include must be followed by a file name in double quotes",
                        "Write `include \"file.csp\"` on a line of its own."};
-const Rule include_failed{
-    "CSPM-P15", Severity::error, "cannot read '{}': {}",
-    "An included file is looked for beside the file that includes it; it is missing or cannot be read."};
+const Rule include_failed{"CSPM-P15", Severity::error, "cannot read '{}': {}",
+                          "The program looks for an included file in the folder of the file that includes it. The file "
+                          "does not exist or cannot be read."};
 const Rule include_cycle{"CSPM-P16", Severity::error, "file '{}' includes itself",
-                         "A file may not be included by itself, directly or through others."};
+                         "A file may not include itself, either directly or through other files."};
 
-const Rule arrow_comment{"CSPM-P18", Severity::warning, "`-->` begins a comment; a prefix is written `a -> P`",
-                         "Two hyphens begin a comment, which reaches to the end of the line, so the process behind the "
-                         "arrow is not read."};
+const Rule arrow_comment{
+    "CSPM-P18", Severity::warning, "`-->` begins a comment; a prefix is written `a -> P`",
+    "Two hyphens begin a comment, which extends to the end of the line. So the process after the arrow is not read."};
 
 std::span<const Rule* const> all_rules() {
     static constexpr std::array<const Rule*, 18> table{
