@@ -69,7 +69,7 @@ TEST_F(EmitPrism, SettingsThatAreNotFollowedAreNamed) {
     const Ran ran = emit({"--prefs", more / "all.prefs"});
     EXPECT_EQ(ran.exit, 0);
     EXPECT_THAT(ran.err, HasSubstr("warning[RC-E08]"));
-    EXPECT_THAT(ran.err, HasSubstr("MAX_SEQ_INS, TYPE_OVERRIDE are not followed"));
+    EXPECT_THAT(ran.err, HasSubstr("MAX_SEQ_INS, TYPE_OVERRIDE are ignored"));
     EXPECT_THAT(emit({"--prefs", folder_ / "good.prefs"}).err, Not(HasSubstr("RC-E08")));
 }
 

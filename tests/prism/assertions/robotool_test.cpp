@@ -369,7 +369,7 @@ TEST(RoboToolChain, MistakesOfAProbabilityHaveTheState) {
     const std::string found =
         rows_text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
                         "Game::hand::thrower::p set to 2"));
-    EXPECT_NE(found.find("2 is no probability"), std::string::npos) << found;
+    EXPECT_NE(found.find("2 is not a probability"), std::string::npos) << found;
     EXPECT_NE(found.find("in the state"), std::string::npos) << found;
 }
 

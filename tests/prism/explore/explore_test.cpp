@@ -69,7 +69,7 @@ TEST(PrismExplore, InfinityCompares) {
     EXPECT_THAT(failure_text([] { Explored("dtmc module M x:[0..2]; [] x/x > 5 -> true; endmodule"); }),
                 HasSubstr("0/0 has no value"));
     EXPECT_THAT(failure_text([] { Explored("dtmc module M x:[0..2]; [] true -> 1/x:(x'=1) + 1-1/x:true; endmodule"); }),
-                HasSubstr("Infinity is no probability"));
+                HasSubstr("Infinity is not a probability"));
 }
 
 /// No module synchronises with M on `a`, so the update of the command is not evaluated.
