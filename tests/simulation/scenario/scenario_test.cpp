@@ -287,7 +287,7 @@ TEST(Scenario, AControllersConstantHasOneName) {
     EXPECT_THAT(findings("all", "vary const pace in 1, 2 vary const all.pace in 1, 2"), HasSubstr("RC-M05"));
     EXPECT_EQ(findings("all", "vary const all.pace in 1, 2"), "");
     EXPECT_THAT(findings("environment", "vary const pace in 1, 2"),
-                HasSubstr("RC-M05 the name 'environment', which is that of what acts on the world, is said twice"));
+                HasSubstr("RC-M05 the name 'environment', which is that of what acts on the world, is given twice"));
 }
 
 /// At most all twelve robots can fail, not thirteen. If their number varies, the limit at each point is its number of

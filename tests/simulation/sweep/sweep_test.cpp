@@ -77,9 +77,9 @@ TEST(Vary, Failures) {
     EXPECT_EQ(at.failures.at(1).mean_time, 60);
     EXPECT_EQ(point_text(read.scenario, {0, 5}), "failures 0, mean time 5");
     EXPECT_THAT(ReadScenario(with("vary failures in 0 to 3")).findings,
-                HasSubstr("RC-M04 the scenario does not say what fails"));
+                HasSubstr("RC-M04 the scenario does not state what fails"));
     EXPECT_THAT(ReadScenario(with("vary mean time in 3 s")).findings,
-                HasSubstr("RC-M04 the scenario does not say what fails"));
+                HasSubstr("RC-M04 the scenario does not state what fails"));
 }
 
 TEST(Vary, Findings) {
