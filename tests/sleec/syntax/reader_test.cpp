@@ -123,7 +123,8 @@ TEST(SleecReader, KnowsTheDialectByWhatOnlyOneHas) {
 TEST(SleecReader, NamesWhatTheDialectOfTheFileLacks) {
     const Read read(with_definitions("R1 when Go and {near} then Stop\nR2 when Go and safe then Stop"));
     EXPECT_EQ(read.findings(), "SLEEC-P08:8");
-    EXPECT_NE(read.report().find("a measure without braces is not in the dialect of LEGOS"), std::string::npos);
+    EXPECT_NE(read.report().find("a measure without braces does not belong to the dialect of LEGOS"),
+              std::string::npos);
 }
 
 TEST(SleecReader, MarksItsExtensions) {
