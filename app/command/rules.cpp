@@ -36,14 +36,15 @@ const diagnostics::Rule no_component{
     "C++ is generated for modules, controllers or state machines. The model has none."};
 const diagnostics::Rule unwritable{
     "RC-A03", Severity::error, "{}",
-    "A file could not be written, below the folder given with --out or, by `format`, in place: the folder "
-    "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "
-    "complete; the file itself is as it was."};
+    "A file below the folder of --out, or a file that `format` rewrites, could not be written: the folder cannot be "
+    "created, the file or folder is not writable, or the disk is full. Files that were written before are complete. "
+    "The file itself is unchanged."};
 
 const diagnostics::Rule no_monitor{
-    "RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
-    "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
-    "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
+    "RC-A04", Severity::error, "{} has no cyclic automaton: {}",
+    "Monitors and test suites are generated from the complete normal form of a component. The component must have few "
+    "states, and its inputs and outputs must be numbers, truth values or literals. Smaller carriers (--range) reduce "
+    "the number of states."};
 
 }  // namespace rules
 
