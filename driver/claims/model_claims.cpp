@@ -528,7 +528,7 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
     };
     for (const auto& file : project.model->files) {
         for (const frontend::KeptPart& part : file->kept)
-            if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is of another tool", part.form));
+            if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is for another tool", part.form));
     }
 }
 

@@ -8,22 +8,21 @@ using enum diagnostics::Severity;
 
 const Rule unknown_name{
     "RC-N01", error, "there is no {} `{}` {}",
-    "Names are looked up in the machine's own declarations and the interfaces it uses or requires, then in the "
-    "package, its imports, and unnamed packages. A machine does not see what its controller declares."};
+    "Names are looked up in the declarations of the machine and the interfaces that it uses or requires, then in the "
+    "package, its imports, and unnamed packages. The declarations of a controller are not visible in its machines."};
 const Rule ambiguous_kind{"RC-N02", error, "`{}` is a {}, but a {} is needed here",
-                          "The name exists but stands for something that cannot be used at this place."};
-const Rule not_unique{
-    "RC-N03", warning, "`{}` is declared more than once",
-    "Two declarations of the same kind share one name; a reference to it means the first. Published as RP3, I3, "
-    "C5, STM5 and O1."};
-const Rule unknown_import{
-    "RC-N04", warning, "the import of `{}` has no effect: there is {}",
-    "An import names a package of the project or a toolkit, or one declaration of these. What is not there is not "
-    "missed before one of its names is used; often the package is misspelt, or its files lie in another folder."};
+                          "The name is declared, but as a kind of element that cannot be used here."};
+const Rule not_unique{"RC-N03", warning, "`{}` is declared more than once",
+                      "If two declarations of the same kind share a name, a reference means the first. The published "
+                      "rules call this RP3, I3, C5, STM5 and O1."};
+const Rule unknown_import{"RC-N04", warning, "the import of `{}` has no effect: there is {}",
+                          "An import names a package of the project, a toolkit, or one declaration of either. A "
+                          "missing package causes an error only when one of its names is used. Often the name is "
+                          "misspelt, or the files of the package are in another folder."};
 const Rule robosim_unread{
-    "RC-N05", note, "`{}` is declared in {}, and files of RoboSim are not read",
-    "A folder of RoboTool may hold models in RoboSim (`.rst`) beside those in RoboChart. They are not read, so that "
-    "what only they declare is unknown here. Declare it in a `.rct` file."};
+    "RC-N05", note, "`{}` is declared in {}, but RoboSim files are not read",
+    "A RoboTool folder may contain RoboSim models (`.rst`) in addition to RoboChart models. This tool does not read "
+    "them, so it does not know their declarations. Declare the element in a `.rct` file."};
 
 const std::vector<const Rule*>& of_names() {
     static const std::vector<const Rule*> rules = {&unknown_name, &ambiguous_kind, &not_unique, &unknown_import,

@@ -7,63 +7,58 @@ namespace robochart::frontend::rules {
 using enum diagnostics::Severity;
 
 const Rule s2{"S2", error, "state `{}` has more than one {} action",
-              "A state has at most one entry, one during and one exit action. Several steps are written as one action, "
+              "A state has at most one entry, one during and one exit action. Write several steps as one action, "
               "separated by `;`."};
-const Rule ij1{
-    "IJ1", error, "transition `{}` leads to the initial junction `{}`",
-    "An initial junction is where a machine or composite state begins; control never comes back to it. Let the "
-    "transition lead to the state after it."};
-const Rule ij2{"IJ2", error, "initial junction `{}` has {} outgoing transitions, it needs exactly one",
+const Rule ij1{"IJ1", error, "transition `{}` leads to the initial junction `{}`",
+               "A machine or composite state begins at its initial junction. Control never returns to it. Let the "
+               "transition lead to the state after the initial junction."};
+const Rule ij2{"IJ2", error, "initial junction `{}` has {} outgoing transitions, but it needs exactly one",
                "A machine or composite state begins by taking the only transition of its initial junction."};
 const Rule fs1{"FS1", error, "transition `{}` starts in the final state `{}`",
-               "Nothing follows a final state: reaching it ends the machine, operation or composite state."};
+               "A final state ends the machine, operation or composite state, so no transition can leave it."};
 const Rule fs2{"FS2", error, "final state `{}` has actions",
                "A final state has no entry, during or exit action. Put the action on the transition that leads to it."};
-const Rule fs3{"FS3", error, "final state `{}` has {}",
-               "A final state is a point: it contains no nodes and no transitions."};
+const Rule fs3{"FS3", error, "final state `{}` has {}", "A final state contains no nodes and no transitions."};
 const Rule j1{"J1", error, "junction `{}` has no outgoing transition",
-              "Control never rests in a junction, so there must be an outgoing transition."};
+              "Control never rests in a junction, so a junction needs an outgoing transition."};
 const Rule j2{"J2", error, "junction `{}` has no incoming transition",
-              "A junction that nothing leads to can never be passed; only initial junctions begin."};
-const Rule j3{
-    "J3", error, "transition `{}` has a trigger but does not start in a state",
-    "Control passes junctions without waiting, so a transition from one cannot await an event. Move the trigger "
-    "to the transition that leads to the junction."};
-const Rule t1{
-    "T1", error, "{} `{}` of transition `{}` is not in the same container",
-    "A transition connects two nodes of one machine or of one composite state; it never crosses the border of a "
-    "state."};
+              "A junction without an incoming transition is never reached, because only initial junctions start a "
+              "machine or state."};
+const Rule j3{"J3", error, "transition `{}` has a trigger but does not start in a state",
+              "Control passes junctions without waiting, so a transition from a junction cannot wait for an event. "
+              "Move the trigger to the transition that leads to the junction."};
+const Rule t1{"T1", error, "{} `{}` of transition `{}` is not in the same container",
+              "A transition connects two nodes of one machine or of one composite state. It never crosses the border "
+              "of a state."};
 const Rule t2{"T2", error, "the trigger of transition `{}` {} a value; a trigger only receives",
-              "A trigger is written `e` or `e?x`. Outputs (`e!v`) and synchronisations (`e.v`) belong into actions."};
+              "A trigger is written `e` or `e?x`. Write outputs (`e!v`) and synchronisations (`e.v`) in actions."};
 const Rule pj1{"PJ1", error, "transition `{}` starts in the probabilistic junction `{}` but has no probability",
-               "Each outgoing transition of a probabilistic junction is taken with a stated probability."};
+               "Each outgoing transition of a probabilistic junction must have a probability."};
 const Rule pj2{"PJ2", error, "transition `{}` starts in the probabilistic junction `{}` and cannot have a condition",
-               "The choice at a probabilistic junction is made by probability alone."};
+               "Only probabilities determine the choice at a probabilistic junction."};
 const Rule pj3{"PJ3", warning, "the probabilities of the transitions from `{}` add up to {}, not to 1",
                "The outgoing transitions of a probabilistic junction must cover all cases."};
 const Rule pj3_unknown{"PJ3", warning, "the probabilities of the transitions from `{}` cannot be added up here",
-                       "Some of them are not constant; make sure that they add up to 1."};
-const Rule pt1{"PT1", error, "transition `{}` has a probability but starts in `{}`, which is no probabilistic junction",
+                       "Some of the probabilities are not constant. Make sure that they add up to 1."};
+const Rule pt1{"PT1", error,
+               "transition `{}` has a probability but starts in `{}`, which is not a probabilistic junction",
                "Only outgoing transitions of a probabilistic junction have probabilities."};
-const Rule pt2{
-    "PT2", error, "the probability {} is not between 0 and 1",
-    "A probability is a number from 0 to 1, for example `probability 0.5`; those of one junction add up to 1."};
+const Rule pt2{"PT2", error, "the probability {} is not between 0 and 1",
+               "A probability is a number from 0 to 1, for example `probability 0.5`. The probabilities of one "
+               "junction add up to 1."};
 const Rule pt2_unknown{"PT2", warning,
                        "this probability cannot be computed here; make sure that it lies between 0 and 1",
                        "The expression is not constant, so its range was not checked."};
-const Rule stm3{"STM3", error, "state machine `{}` has {} initial junctions, it needs exactly one",
+const Rule stm3{"STM3", error, "state machine `{}` has {} initial junctions, but it needs exactly one",
                 "A state machine begins at its only initial junction."};
-const Rule stm3_inner{
-    "STM3", warning, "{} `{}` has {} initial junctions, it should have exactly one",
-    "A composite state or operation with nodes begins at its only initial junction; without one it can never be "
-    "entered properly."};
-const Rule stm4{
-    "STM4", error, "{} `{}` has no state and no final state",
-    "An initial junction needs a state to lead to: a machine, composite state or operation with nodes has a "
-    "state or a final state."};
+const Rule stm3_inner{"STM3", warning, "{} `{}` has {} initial junctions, but it should have exactly one",
+                      "A composite state or operation with nodes begins at its only initial junction."};
+const Rule stm4{"STM4", error, "{} `{}` has no state and no final state",
+                "The transitions from an initial junction must lead to a state. So a machine, composite state or "
+                "operation with nodes needs a state or a final state."};
 const Rule parameter_assigned{
     "PARAM", error, "parameter `{}` cannot be assigned",
-    "The parameters of an operation are fixed for the whole call. Declare a variable in the operation instead."};
+    "The parameters of an operation are constant during a call. Declare a variable in the operation instead."};
 
 const std::vector<const Rule*>& of_nodes() {
     static const std::vector<const Rule*> rules = {

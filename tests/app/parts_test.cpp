@@ -93,7 +93,7 @@ TEST(Project, AssertionsOfOtherToolsAreSaidNotChecked) {
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("m.assertions:2"));
-    EXPECT_THAT(ran.out, HasSubstr("`robocert assertion` is of another tool"));
+    EXPECT_THAT(ran.out, HasSubstr("`robocert assertion` is for another tool"));
     EXPECT_THAT(ran.out, HasSubstr("2 of 3 checks hold"));
     EXPECT_EQ(run({"check", folder.path(), "--assertion", "A"}).exit, 0);
     EXPECT_EQ(run({"validate", folder.path()}).exit, 0);

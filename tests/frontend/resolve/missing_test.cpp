@@ -110,7 +110,7 @@ TEST(Missing, TypesOfOneNameAreDistinguished) {
         "package right import left::* enumeration Side { near far } stm S { requires I initial i state A { entry "
         "move(Side::near) } transition t { from i to A } }");
     resolve(reading->model, reading->findings);
-    EXPECT_NE(reading->report().find("must be left::Side, this is right::Side"), std::string::npos)
+    EXPECT_NE(reading->report().find("must be left::Side, but this is right::Side"), std::string::npos)
         << reading->report();
 }
 

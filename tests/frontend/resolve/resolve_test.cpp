@@ -68,7 +68,7 @@ TEST(Types, OnlySetsOfNumbersHaveALeastAndAGreatestElement) {
             EXPECT_EQ(reading->codes(), "RC-T14@2") << function << argument << "\n" << reading->report();
         }
     const auto reading = resolved("import sequence_toolkit::* interface I { const c : ?Z = min({ true }) }");
-    EXPECT_NE(reading->report().find("must be Set(real), this is Set(boolean)"), std::string::npos)
+    EXPECT_NE(reading->report().find("must be Set(real), but this is Set(boolean)"), std::string::npos)
         << reading->report();
 }
 

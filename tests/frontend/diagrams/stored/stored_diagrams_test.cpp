@@ -313,9 +313,8 @@ TEST(StoredDiagrams, AreUsedFromNinetyFivePercentOn) {
                             "not have initial junction A0, transition t"));
     const Stored little(row_of_states(19), row_aird(19, 1));
     EXPECT_FALSE(little.diagram("S")->fits_model()) << "18 of 19 are less";
-    EXPECT_THAT(little.said("S"),
-                ElementsAre("RC-D02 the diagram of state machine S in p/representations.aird is not used: of its 19 "
-                            "elements 18 are in the model"));
+    EXPECT_THAT(little.said("S"), ElementsAre("RC-D02 the diagram of state machine S in p/representations.aird is not "
+                                              "used: only 18 of its 19 elements are in the model"));
     const Stored none_at_all(row_of_states(19), aird_text(""));
     const Picture own = none_at_all.draw("S");
     const Picture drawn = little.draw("S");
