@@ -103,7 +103,7 @@ void check_controller(const Component& controller, Diagnostics& out) {
         const auto [first, fresh] = defined.emplace(behind->name, part);
         if (!fresh)
             out.report(rules::c8, part->name_span, {controller.name, behind->name})
-                .notes.push_back({first->second->name_span, "it is defined here already"});
+                .notes.push_back({first->second->name_span, "it is already defined here"});
     }
 }
 

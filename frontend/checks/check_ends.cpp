@@ -50,9 +50,9 @@ private:
                 {end.event.span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(event, meant, events))});
         if (interface != nullptr)
             finding.notes.push_back(
-                {interface->name_span, fmt::format("interface `{}` declares `{}`; `uses {}` in `{}` makes all that it "
-                                                   "declares known",
-                                                   interface->name, event, names_.full_name(interface), behind->name)});
+                {interface->name_span,
+                 fmt::format("interface `{}` declares `{}`; `uses {}` in `{}` makes its declarations visible",
+                             interface->name, event, names_.full_name(interface), behind->name)});
     }
 
     /// True if the missing event has been reported already: at its use in the machine, or with another event of the

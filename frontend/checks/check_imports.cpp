@@ -42,8 +42,9 @@ private:
              entry != names_.entries().end() && entry->first.starts_with(inside); ++entry)
             if (entry->first.find("::", inside.size()) == std::string::npos)
                 members.push_back(entry->first.substr(inside.size()));
-        auto& finding = out_.report(rules::unknown_import, import.name.span,
-                                    {import.name.text(), fmt::format("no `{}` in package `{}`", member, package)});
+        auto& finding =
+            out_.report(rules::unknown_import, import.name.span,
+                        {import.name.text(), fmt::format("no declaration `{}` in package `{}`", member, package)});
         const std::string meant = diagnostics::nearest_spelling(member, members);
         if (!meant.empty())
             finding.fixes.push_back({import.name.spans.back(), meant,

@@ -73,7 +73,7 @@ void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const V
     for (const Declaration* wanted : missing) {
         finding.notes.push_back({wanted->name_span, fmt::format("`{}` is required here", wanted->name)});
         provided.for_each_named(wanted->name, [&](const Variable& other) {
-            finding.notes.push_back({other.name_span, fmt::format("this {} has the name but does not fit: {}",
+            finding.notes.push_back({other.name_span, fmt::format("this {} has the name, but does not fit: {}",
                                                                   to_text(other.kind), to_string(other.type))});
         });
     }

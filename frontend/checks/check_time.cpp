@@ -88,7 +88,7 @@ void check_transition(const NodeContainer& container, const Transition& transiti
         out.report(rules::tt1, transition.deadline->span, {transition.name});
     check_untimed(transition.deadline, "a deadline", out);
     check_untimed(transition.probability, "a probability", out);
-    if (transition.trigger) check_untimed(transition.trigger->predicate, "what a trigger accepts", out);
+    if (transition.trigger) check_untimed(transition.trigger->predicate, "a value that a trigger accepts", out);
     if (!transition.condition) return;
     check_condition(*transition.condition, out);
     check_entries(container, *transition.condition, out);

@@ -30,7 +30,7 @@ void report(std::string_view name, const Places& places, Diagnostics& out) {
         finding.notes.push_back({places[i], "declared again here"});
     if (places.size() > max_shown)
         finding.notes.push_back(
-            {places.back(), fmt::format("and at {} more places, last here", places.size() - max_shown)});
+            {places.back(), fmt::format("and at {} more places, the last one here", places.size() - max_shown)});
 }
 
 /// Collects names as they are declared. Each duplicate is reported once, in the order of names.

@@ -114,7 +114,8 @@ private:
         const std::string text = (names.size() == 1 ? "transition " : "transitions ") + list_names(names);
         auto& finding = out.report(rules::w_loop, cycle.front()->name_span, {text, names.size() == 1 ? "s" : ""});
         for (std::size_t i = 1; i < cycle.size(); ++i)
-            finding.notes.push_back({cycle[i]->name_span, i + 1 == cycle.size() ? "and back by this" : "on by this"});
+            finding.notes.push_back(
+                {cycle[i]->name_span, i + 1 == cycle.size() ? "back by this transition" : "on by this"});
     }
 
     const std::unordered_set<const Declaration*>& shared_;

@@ -52,7 +52,7 @@ private:
             const auto called = endless_.find(statement.declaration->name);
             if (called == endless_.end() || !reported_.insert(&statement).second) return;
             out_.report(rules::w_endless, statement.span, {statement.declaration->name})
-                .notes.push_back({called->second->name_span, "defined here, without a final state that is reached"});
+                .notes.push_back({called->second->name_span, "defined here, without a reachable final state"});
         });
     }
 

@@ -74,7 +74,8 @@ private:
         auto& finding = out.report(rules::w_unreachable, node.name_span, {std::string(to_text(node.kind)), node.name});
         for (const Transition* way : graph_.transitions_into(node)) {
             if (way->source == &node) continue;
-            finding.notes.push_back({way->name_span, "this transition leads to it, but its source is not reached"});
+            finding.notes.push_back(
+                {way->name_span, "this transition leads to the node, but its source is not reached"});
             return;
         }
     }

@@ -57,8 +57,8 @@ private:
         auto& finding =
             out_.report(rules::w_hidden_member, clause.name.span,
                         {variable.name, interface.name, std::string(to_text(first->second->kind)), context_.name});
-        finding.notes.push_back({first->second->name_span, fmt::format("`{}` means this one", variable.name)});
-        finding.notes.push_back({variable.name_span, "this one is hidden"});
+        finding.notes.push_back({first->second->name_span, fmt::format("`{}` means this declaration", variable.name)});
+        finding.notes.push_back({variable.name_span, "this declaration is hidden"});
     }
 
     void check_binders(const Machine& machine) {
@@ -96,7 +96,7 @@ private:
     void report(const Variable& variable, const Declaration& hidden) {
         out_.report(rules::w_shadows, variable.name_span,
                     {std::string(to_text(variable.kind)), variable.name, std::string(to_text(hidden.kind))})
-            .notes.push_back({hidden.name_span, "what is hidden is declared here"});
+            .notes.push_back({hidden.name_span, "the hidden element is declared here"});
     }
 
     const File& file_;

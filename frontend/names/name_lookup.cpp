@@ -62,8 +62,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     // Names that are missing for the same reason, a missing or unresolved import, are reported only once.
     const std::string package = importable ? full.substr(0, cut) : hidden == nullptr ? lost_import(place) : "";
     if (!package.empty() && !reported_.emplace(name.span.source, "import\n" + package).second) return nullptr;
-    diagnostics::Diagnostic& finding =
-        report_unknown(name, what, "in the project as seen from here", candidate_names(kinds));
+    diagnostics::Diagnostic& finding = report_unknown(name, what, "that is visible here", candidate_names(kinds));
     if (hidden != nullptr)
         finding.notes.push_back(
             {hidden->name_span, importable

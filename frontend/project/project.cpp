@@ -181,8 +181,9 @@ std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagno
         return {};
     }
     if (!is_folder && fs::path(path).extension() == ".csp") {
-        out.report(syntax::unreadable, {},
-                   {path, fmt::format("a CSPM script, and no model; `robochart-verify cspm {}` decides it", path)});
+        out.report(
+            syntax::unreadable, {},
+            {path, fmt::format("this is a CSPM script, not a model; check it with `robochart-verify cspm {}`", path)});
         return {};
     }
     const std::size_t errors = out.error_count();

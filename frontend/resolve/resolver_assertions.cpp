@@ -141,8 +141,8 @@ void AssertionResolver::report_unknown(const QualifiedName& name, const Way& way
         for (const CspBlock& block : file->csp_blocks)
             if (name.parts.size() == 1 && !block.name.starts_with('?') && defines_name(block, name.text()))
                 finding.notes.push_back(
-                    {block.name_span, fmt::format("the csp block `{}` defines it; an assertion names a block, which "
-                                                  "defines a process of its own name",
+                    {block.name_span, fmt::format("the csp block `{}` defines it, but an assertion must name a block "
+                                                  "that defines a process with its own name",
                                                   block.name)});
     if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, diagnostics::suggestion_verb(false)});
 }
@@ -293,7 +293,7 @@ void AssertionResolver::missed_event(Assertion& assertion) {
     }
     const std::string text = assertion.event.text();
     auto& finding = finder_.out().report(rules::missed_where, assertion.event.span,
-                                         {fmt::format("an event that `{}` has; `{}` is none", machine->name, text)});
+                                         {fmt::format("an event of `{}`, but `{}` is not one", machine->name, text)});
     const std::string meant = diagnostics::nearest_spelling(text, finder_.keys_of(scope.events));
     if (!meant.empty())
         finding.fixes.push_back({assertion.event.spans.back(), meant, diagnostics::suggestion_verb(false)});

@@ -13,25 +13,24 @@ using enum ForeignPlace;
 constexpr std::string_view to_machine = "a state machine begins with `stm` and its name";
 constexpr std::string_view to_record = "a type with fields is a `datatype`";
 constexpr std::string_view to_enumeration = "a type of named values is an `enumeration`";
-constexpr std::string_view to_trigger = "the event that a transition awaits stands behind `trigger`";
-constexpr std::string_view to_condition = "what must hold for a transition stands behind `condition`";
-constexpr std::string_view to_action = "what a transition does stands behind `action`";
-constexpr std::string_view to_during = "what a state does while it is active stands behind `during`";
-constexpr std::string_view to_entry = "what a state does when it is entered stands behind `entry`";
-constexpr std::string_view to_exit = "what a state does when it is left stands behind `exit`";
-constexpr std::string_view to_reset = "a clock `C` is reset by `#C`";
+constexpr std::string_view to_trigger = "the trigger of a transition is written after `trigger`";
+constexpr std::string_view to_condition = "the condition of a transition is written after `condition`";
+constexpr std::string_view to_action = "the action of a transition is written after `action`";
+constexpr std::string_view to_during = "the action of an active state is written after `during`";
+constexpr std::string_view to_entry = "the entry action of a state is written after `entry`";
+constexpr std::string_view to_exit = "the exit action of a state is written after `exit`";
+constexpr std::string_view to_reset = "`#C` resets the clock `C`";
 constexpr std::string_view to_wait = "`wait(n)` lets n time units pass";
-constexpr std::string_view to_send = "an event `e` is sent by `e`, with a value by `e!v`";
+constexpr std::string_view to_send = "`e` sends an event `e`, and `e!v` sends it with a value";
 constexpr std::string_view to_clock =
-    "time is measured by a clock: reset it (`#C`) on the way into the state, and ask `condition since(C) >= n`";
-constexpr std::string_view no_direction =
-    "an event has no direction: it is received where a trigger awaits it, and sent where an action names it";
+    "clocks measure time: reset a clock (`#C`) on the transition into the state, and test it with `condition since(C) "
+    ">= n`";
+constexpr std::string_view no_direction = "an event has no direction: a trigger receives it, and an action sends it";
 constexpr std::string_view no_loop =
-    "there are no loops in actions: a loop is a transition that leads back, with the condition to go on";
+    "actions have no loops: write a transition that leads back to the state, with the condition of the loop";
 constexpr std::string_view to_skip = "`skip` is the action that does nothing";
 constexpr std::string_view to_end = "an `if` ends with `end`";
-constexpr std::string_view to_operation =
-    "what a machine calls is declared in an interface, and defined by `operation`";
+constexpr std::string_view to_operation = "declare an operation in an interface, and define it with `operation`";
 
 constexpr std::array<ForeignWord, 107> rows{{
     {"statemachine", declaration, "stm", to_machine},
@@ -45,40 +44,40 @@ constexpr std::array<ForeignWord, 107> rows{{
     {"enum", declaration, "enumeration", to_enumeration},
     {"struct", declaration, "datatype", to_record},
     {"class", declaration, "datatype", to_record},
-    {"typedef", declaration, "type", "a type without structure is declared by `type` and its name"},
-    {"def", declaration, "function", "a function of values is a `function`, what machines call an `operation`"},
+    {"typedef", declaration, "type", "`type` and a name declare a type without structure"},
+    {"def", declaration, "function", "a `function` computes a value, and an `operation` is called by machines"},
     {"procedure", declaration, "operation", to_operation},
-    {"robot", declaration, "", "the robot is declared by `robotic platform` and its name"},
-    {"platform", declaration, "", "the robot is declared by `robotic platform` and its name"},
-    {"endmodule", declaration, "", "what is declared stands in braces: `module M { ... }`"},
+    {"robot", declaration, "", "`robotic platform` and a name declare the robot"},
+    {"platform", declaration, "", "`robotic platform` and a name declare the robot"},
+    {"endmodule", declaration, "", "the members of a declaration are in braces: `module M { ... }`"},
 
     {"statemachine", member, "stm", to_machine},
     {"input", member, "", no_direction, true},
     {"output", member, "", no_direction, true},
     {"inport", member, "", no_direction, true},
     {"outport", member, "", no_direction, true},
-    {"signal", member, "event", "what machines exchange is an `event`"},
-    {"chan", member, "event", "what machines exchange is an `event`"},
-    {"channel", member, "event", "what machines exchange is an `event`"},
-    {"timer", member, "clock", "time is measured by a `clock`"},
-    {"constant", member, "const", "a constant is declared by `const`"},
-    {"variable", member, "var", "a variable is declared by `var`"},
-    {"local", member, "var", "a variable is declared by `var`"},
+    {"signal", member, "event", "machines communicate by an `event`"},
+    {"chan", member, "event", "machines communicate by an `event`"},
+    {"channel", member, "event", "machines communicate by an `event`"},
+    {"timer", member, "clock", "a `clock` measures time"},
+    {"constant", member, "const", "`const` declares a constant"},
+    {"variable", member, "var", "`var` declares a variable"},
+    {"local", member, "var", "`var` declares a variable"},
     {"start", member, "initial", "a machine begins at an `initial` junction"},
     {"init", member, "initial", "a machine begins at an `initial` junction"},
     {"choice", member, "junction", "a choice between conditions is a `junction`"},
     {"edge", member, "transition", "a step from one state to another is a `transition`"},
     {"trans", member, "transition", "a step from one state to another is a `transition`"},
-    {"let", member, "var", "a variable is declared by `var`"},
+    {"let", member, "var", "`var` declares a variable"},
     {"void", member, "", "an operation has a name and parameters, and no result", true},
     {"operation", member, "", "in an interface an operation is declared by its name and parameters", true},
     {"implements", member, "",
      "a platform `provides` an interface, a machine `requires` its operations and `uses` its events"},
     {"history", member, "", "there is no history: a state is entered at its initial junction"},
-    {"fork", member, "", "there are no regions: machines of one controller run side by side"},
-    {"join", member, "", "there are no regions: machines of one controller run side by side"},
-    {";", member, "", "members are not separated by anything", true},
-    {",", member, "", "members are not separated by anything", true},
+    {"fork", member, "", "there are no regions: the machines of one controller run in parallel"},
+    {"join", member, "", "there are no regions: the machines of one controller run in parallel"},
+    {";", member, "", "members need no separator", true},
+    {",", member, "", "members need no separator", true},
 
     {"do", state_part, "during", to_during},
     {"doActivity", state_part, "during", to_during},
@@ -92,10 +91,10 @@ constexpr std::array<ForeignWord, 107> rows{{
     {"onexit", state_part, "exit", to_exit},
     {"onExit", state_part, "exit", to_exit},
     {"leave", state_part, "exit", to_exit},
-    {"region", state_part, "", "there are no regions: machines of one controller run side by side"},
-    {"within", state_part, "", "a statement that is over within n time units is `S <{ n }`"},
+    {"region", state_part, "", "there are no regions: the machines of one controller run in parallel"},
+    {"within", state_part, "", "`S <{ n }` is a statement with a deadline of n time units"},
     {"invariant", state_part, "",
-     "a state has no invariant: a transition whose condition asks a clock leaves it in time"},
+     "a state has no invariant: add a transition that leaves the state, with a condition on a clock"},
 
     {"on", clause, "trigger", to_trigger},
     {"upon", clause, "trigger", to_trigger},
@@ -125,23 +124,23 @@ constexpr std::array<ForeignWord, 107> rows{{
     {"for", statement, "", no_loop},
     {"repeat", statement, "", no_loop},
     {"return", statement, "", "an operation has no result: it ends in a `final` state"},
-    {"goto", statement, "", "another state is entered by a transition"},
+    {"goto", statement, "", "a transition leads to another state"},
 
     {"endif", if_end, "end", to_end},
     {"fi", if_end, "end", to_end},
 
-    {"and", infix, "/\\", "conditions are joined by `/\\`"},
-    {"or", infix, "\\/", "conditions are joined by `\\/`"},
-    {"mod", infix, "%", "the remainder is `%`"},
+    {"and", infix, "/\\", "join conditions with `/\\`"},
+    {"or", infix, "\\/", "join conditions with `\\/`"},
+    {"mod", infix, "%", "`%` is the remainder"},
     {"implies", infix, "=>", "`=>` is implication"},
 
     {"delay", operation, "wait", to_wait},
     {"sleep", operation, "wait", to_wait},
     {"Wait", operation, "wait", to_wait},
     {"pause", operation, "wait", to_wait},
-    {"print", operation, "", "what the robot shows is an operation that its platform provides"},
-    {"printf", operation, "", "what the robot shows is an operation that its platform provides"},
-    {"log", operation, "", "what the robot shows is an operation that its platform provides"},
+    {"print", operation, "", "for output, call an operation that the platform provides"},
+    {"printf", operation, "", "for output, call an operation that the platform provides"},
+    {"log", operation, "", "for output, call an operation that the platform provides"},
 
     {"null", event, "skip", to_skip},
     {"nop", event, "skip", to_skip},
@@ -176,54 +175,53 @@ constexpr std::array<ForeignWord, 17> types{{
 
 using diagnostics::Advice;
 
-constexpr std::string_view clock_form = "a clock is declared by its name alone, `clock C`: it counts time units from 0";
+constexpr std::string_view clock_form = "a clock is declared only by its name, `clock C`, and counts time units from 0";
 constexpr std::string_view transition_form =
     "a transition has the form `transition t { from A to B trigger e condition c action a }`; only `from` and `to` are "
     "needed";
 constexpr std::string_view state_form = "a state has the form `state S { entry a }`; its braces may be empty";
-constexpr std::string_view async_form = "a connection that does not wait ends with `(_async)`";
+constexpr std::string_view async_form = "an asynchronous connection ends with `(_async)`";
 constexpr std::string_view initial_form =
-    "a machine begins at a junction of its own: `initial i`, and `transition t { from i to S }`";
-constexpr std::string_view one_trigger = "a transition awaits one event: another one has a transition of its own";
+    "a machine begins at an initial junction: `initial i`, and `transition t { from i to S }`";
+constexpr std::string_view one_trigger = "a transition waits for one event: use another transition for another event";
 constexpr std::string_view trigger_form =
-    "an event is awaited by `trigger e`, its value is put into a variable by `trigger e?x`";
+    "`trigger e` waits for an event, and `trigger e?x` stores its value in a variable";
 constexpr std::string_view assignment_form = "an assignment is written `x = e`";
 constexpr std::string_view no_unit =
-    "a number has decimal digits and no unit: durations are counted in time units (how long one is, scenarios and "
-    "platforms say)";
-constexpr std::string_view point_form = "there are digits on both sides of the point: `0.5`, `1.0`";
+    "a number has decimal digits and no unit: durations are counted in time units, whose length depends on the "
+    "scenario or platform";
+constexpr std::string_view point_form = "a decimal number has digits on both sides of the point: `0.5`, `1.0`";
 constexpr std::string_view no_range =
-    "a type has no range: which values are checked is said by `--range T=0..5`, or by a block Instantiations";
+    "a type has no range: `--range T=0..5` or a block Instantiations sets the values that are checked";
 constexpr std::string_view comment_form = "a comment begins with `//`";
-constexpr std::string_view hash_form = "a comment begins with `//`; clocks are reset in transitions and actions";
+constexpr std::string_view hash_form = "a comment begins with `//`; `#` resets clocks in transitions and actions";
 constexpr std::string_view enumeration_form = "an enumeration has the form `enumeration E { A B }`";
 constexpr std::string_view record_form = "a type with fields has the form `datatype D { x : int y : real }`";
 constexpr std::string_view machine_form = "a state machine has the form `stm S { ... }`, without parameters or parents";
 constexpr std::string_view reference_form =
-    "a part declared elsewhere is referred to by `sref s = S` (machine), `cref c = C` (controller), `rref r = R` "
-    "(platform)";
+    "a reference has the form `sref s = S` (machine), `cref c = C` (controller) or `rref r = R` (platform)";
 constexpr std::string_view connection_form = "a connection has the form `connection a on e to b on f`";
 constexpr std::string_view parameter_form = "a parameter is written `x : int`";
 constexpr std::string_view if_form = "an `if` has the form `if c then S else T end`";
 constexpr std::string_view to_more_if =
-    "another `if` stands in the `else`, with an `end` of its own: `else if c then S end end`";
+    "write another `if` in the `else`, with a separate `end`: `else if c then S end end`";
 constexpr std::string_view assertion_form =
     "an assertion has the form `assertion A : P::M is deadlock-free` or `assertion A : P::M refines Q`";
-constexpr std::string_view one_claim = "each claim is an assertion of its own, which nothing ends but the next one";
-constexpr std::string_view property_form = "a property stands behind `is`: `P::M is deadlock-free`";
-constexpr std::string_view reachable_form = "this is claimed by `P::S::A is reachable in P::S`, or `is not reachable`";
+constexpr std::string_view one_claim = "each claim is a separate assertion, which ends where the next one begins";
+constexpr std::string_view property_form = "a property is written after `is`: `P::M is deadlock-free`";
+constexpr std::string_view reachable_form = "the claim is `P::S::A is reachable in P::S`, or `is not reachable`";
 constexpr std::string_view refinement_form =
-    "`P refines Q` claims that P does only what Q does, `P equals Q` that both do the same";
+    "`P refines Q` claims that Q allows the behaviour of P, and `P equals Q` that both have the same behaviour";
 constexpr std::string_view csp_form =
-    "what must happen when is said by a process: `csp Q csp-begin ... csp-end`, and `assertion A : P::M refines Q` "
+    "a process specifies the required behaviour: `csp Q csp-begin ... csp-end`, and `assertion A : P::M refines Q` "
     "(docs/claims-in-csp.md)";
 constexpr std::string_view probability_form =
-    "probabilities are asked for by `prob property A : Prob=? of [Finally ...]` (docs/assertions.md)";
+    "a query for a probability is `prob property A : Prob=? of [Finally ...]` (docs/assertions.md)";
 constexpr std::string_view path_form = "a path is `Finally p`, `Globally p`, `Next p` or `p Until q`";
-constexpr std::string_view constant_form = "constants are set by `with constant c of P::S set to 3`";
-constexpr std::string_view model_form = "a model is named in full: `in the traces model`";
+constexpr std::string_view constant_form = "`with constant c of P::S set to 3` sets a constant";
+constexpr std::string_view model_form = "write the name of a model in full: `in the traces model`";
 constexpr std::string_view block_form = "a block has the form `csp NAME csp-begin ... csp-end`";
-constexpr std::string_view time_form = "`timed` and `untimed` stand in front: `timed assertion A : ...`";
+constexpr std::string_view time_form = "`timed` and `untimed` come before `assertion`: `timed assertion A : ...`";
 constexpr std::string_view any_member = "`assertion`, `csp` or `import`";
 constexpr std::string_view any_claim = "`is`, `does`, `terminates`, `refines` or `equals`";
 constexpr std::string_view any_property = "a property such as `deadlock-free`";
@@ -249,7 +247,7 @@ constexpr std::array forms{
     Advice{any_claim, "@ divergence", property_form},
     Advice{any_claim, "@ deterministic", property_form},
     Advice{any_claim, "@ reachable", property_form},
-    Advice{any_claim, "NAME @ .", "what is in a package or component is named `P::M`"},
+    Advice{any_claim, "NAME @ .", "the name of an element of a package or component is `P::M`"},
     Advice{any_claim, "@ reaches", reachable_form},
     Advice{any_claim, "@ [", refinement_form},
     Advice{any_claim, "@ ==", refinement_form},
@@ -257,14 +255,14 @@ constexpr std::array forms{
     Advice{any_claim, "NAME @ (", csp_form},
     Advice{"`terminate` or `refine`", "@ deadlock", property_form},
     Advice{any_property, "@ livelock", "a model without livelock is `divergence-free`"},
-    Advice{any_property, "@ deadlock_free", "it is written `deadlock-free`, with a hyphen"},
-    Advice{any_property, "@ divergence_free", "it is written `divergence-free`, with a hyphen"},
+    Advice{any_property, "@ deadlock_free", "write `deadlock-free`, with a hyphen"},
+    Advice{any_property, "@ divergence_free", "write `divergence-free`, with a hyphen"},
     Advice{any_property, "@ never", reachable_form},
     Advice{any_property, "@ reached", reachable_form},
     Advice{any_property, "@ equivalent", refinement_form},
-    Advice{any_property, "@ clock", "clocks are named: `assertion A : clock P::S::C is initialised`"},
+    Advice{any_property, "@ clock", "name the clock: `assertion A : clock P::S::C is initialised`"},
     Advice{"`in`", "reachable @", reachable_form},
-    Advice{"`is`", "event NAME @ missed", "missed events are claimed by `event E is not missed in P::S`"},
+    Advice{"`is`", "event NAME @ missed", "the claim is `event E is not missed in P::S`"},
     Advice{"`the`", "in @", model_form},
     Advice{"`of`", "constant NAME @", constant_form},
     Advice{"`csp-begin`", "@", block_form},
@@ -274,10 +272,11 @@ constexpr std::array forms{
     Advice{"`]`", "[ F @", path_form},
     Advice{"`]`", "[ G @", path_form},
     // Declarations.
-    Advice{"", "package NAME @ {", "the package is named once, at the head of the file, without braces: `package p`"},
+    Advice{"", "package NAME @ {",
+           "the package clause comes once, at the beginning of the file, without braces: `package p`"},
     Advice{"", "import @ TEXT",
            "files of a folder are read together; `import p::*` makes the names of a package known"},
-    Advice{"", "type NAME @ =", "a type of its own is `type T`; types have no second names"},
+    Advice{"", "type NAME @ =", "`type T` declares a new type; types cannot have second names"},
     Advice{"", "enumeration NAME @", enumeration_form},
     Advice{"", "datatype NAME @", record_form},
     Advice{"", "clock NAME @ =", clock_form},
@@ -285,13 +284,14 @@ constexpr std::array forms{
     Advice{"", "stm NAME @", machine_form},
     Advice{"", "var NAME @ =", "a variable has a type: `var x : nat = 0`"},
     Advice{"", "const NAME @ =", "a constant has a type: `const c : nat = 3`"},
-    Advice{"", ": NAME @ [", "a sequence is of type `Seq(nat)`, a vector of 5 numbers of type `vector(real, 5)`"},
+    Advice{"", ": NAME @ [",
+           "the type of a sequence is `Seq(nat)`, and that of a vector of 5 numbers is `vector(real, 5)`"},
     Advice{"", ": NAME @ NUMBER", no_range},
     Advice{"a type", ": @ [", no_range},
     Advice{"a type", ": @ NUMBER", no_range},
     Advice{"`:` and a type", "( NAME @", parameter_form},
     Advice{"`:` and a type", ", NAME @", parameter_form},
-    Advice{"", ") @ :", "an operation has no result: a value comes back by an event or a shared variable"},
+    Advice{"", ") @ :", "an operation has no result: return a value by an event or a shared variable"},
     Advice{"a member of a controller", "@ NAME NAME", reference_form},
     Advice{"`=`", "sref NAME @", reference_form},
     Advice{"`=`", "cref NAME @", reference_form},
@@ -316,13 +316,13 @@ constexpr std::array forms{
     Advice{"", "trigger NAME @ ||", one_trigger},
     Advice{"", "trigger NAME @ \\/", one_trigger},
     Advice{"", "trigger NAME @ (", trigger_form},
-    Advice{"", "trigger @ !", "behind `trigger` stands what is awaited; what is sent stands behind `action`"},
+    Advice{"", "trigger @ !", "`trigger` only receives events; send an event after `action`"},
     // Statements and expressions.
     Advice{"", "NAME @ ==", assignment_form},
     Advice{"", "NAME @ <-", assignment_form},
     Advice{"", "NAME @ < -", assignment_form},
     Advice{"a statement", "@ !", to_send},
-    Advice{"", "send NAME @ to", "where an event goes is said by the connections of controller and module"},
+    Advice{"", "send NAME @ to", "the connections of the controller and the module determine the receiver of an event"},
     Advice{"`then`", "@", if_form},
     Advice{"", "@ elif", to_more_if},
     Advice{"", "@ elsif", to_more_if},
@@ -332,11 +332,11 @@ constexpr std::array forms{
     Advice{"", "sinceEntry @", "the time since state S was entered is `sinceEntry(S)`"},
     Advice{"", "sinceEntry ( @", "the time since state S was entered is `sinceEntry(S)`"},
     Advice{"", "@ ?", "a choice between values is `if c then a else b end`"},
-    Advice{"an expression", "* @ *", "there is no operator for powers: `x * x`"},
-    Advice{"an expression", "@ |", "there is no sign for the absolute value: `if x < 0 then -x else x end`"},
+    Advice{"an expression", "* @ *", "there is no operator for powers: write `x * x`"},
+    Advice{"an expression", "@ |", "there is no operator for the absolute value: write `if x < 0 then -x else x end`"},
     Advice{"an expression", "@ .", point_form},
     Advice{"the name of a field", "NUMBER . @", point_form},
-    Advice{"", "NUMBER % @", "`%` is the remainder; a share is a number from 0 to 1: `0.5`"},
+    Advice{"", "NUMBER % @", "`%` is the remainder; write a share as a number from 0 to 1: `0.5`"},
     Advice{"", "NUMBER @ s", no_unit},
     Advice{"", "NUMBER @ ms", no_unit},
     Advice{"", "NUMBER @ sec", no_unit},

@@ -250,7 +250,7 @@ void Lexer::read_string() {
         at_ = begin + 1;
         diagnostics::Diagnostic& finding = out_.report(syntax::open_string, span_from(begin));
         if (quote == '\'' && begin > 0 && (is_letter(text_[begin - 1]) || is_digit(text_[begin - 1])))
-            finding.notes.push_back({{}, "names have no prime: an assignment is written `x = e`"});
+            finding.notes.push_back({{}, "a name cannot contain a prime: an assignment is written `x = e`"});
         at_ = std::min(text_.size(), text_.find_first_of("\r\n", begin));
     } else {
         ++at_;

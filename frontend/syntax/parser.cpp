@@ -143,7 +143,7 @@ QualifiedName Parser::plain_name(std::string_view what) {
     last.spans.push_back(written.spans.back());
     last.span = written.spans.back();
     if (diagnostics::Diagnostic* finding = report(syntax::plain_name, written.span, {shorten_token(written.text())}))
-        finding->fixes.push_back({written.span, last.parts.front(), "leave out what it is in"});
+        finding->fixes.push_back({written.span, last.parts.front(), "remove the part that contains it"});
     return last;
 }
 
@@ -261,10 +261,10 @@ void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& findi
     bool by_indentation = false;
     const auto open = unclosed_brace(by_indentation);
     if (!open) return;
-    finding.notes.push_back(
-        {tokens_.token_at(*open).span, by_indentation ? "this `{` is probably the one that is not closed: the `}` "
-                                                        "that would close it stands further left"
-                                                      : "this `{` is not closed"});
+    finding.notes.push_back({tokens_.token_at(*open).span,
+                             by_indentation
+                                 ? "this `{` is probably not closed, because the matching `}` has a smaller indentation"
+                                 : "this `{` is not closed"});
 }
 
 /// Whether invalid characters were skipped before the next token. The message about them is then sufficient.

@@ -33,7 +33,7 @@ void Parser::interface_clause(Context& context) {
         if (!at_token(",")) return;
         const Token next = peek(1);
         if (next.is_word("uses") || next.is_word("requires") || next.is_word("provides"))
-            return pass_superfluous("members are not separated by anything");
+            return pass_superfluous("members need no separator");
         old_list(peek().span, word);
         advance_token();
     }
@@ -164,13 +164,13 @@ std::unique_ptr<Reference> Parser::parse_reference() {
     if (at_token(":") && peek(1).kind == TokenKind::identifier) {
         const Span colon = peek().span;
         diagnostics::Diagnostic* const finding =
-            report(syntax::other_notation, colon, {":", "what a reference refers to stands behind `=`"});
+            report(syntax::other_notation, colon, {":", "the target of a reference is written after `=`"});
         if (finding != nullptr) finding->fixes.push_back({colon, "=", "write"});
         quiet_until_ = 0;
         tokens_.correct_token(at_, TokenKind::symbol, "=");
     }
     expect_token("=");
-    reference->target_name = qualified_name("the name of what is referred to");
+    reference->target_name = qualified_name("the name of the target");
     reference->span = span_since(reference->span);
     return reference;
 }

@@ -96,7 +96,7 @@ std::unique_ptr<Declaration> Parser::record_type() {
     name(*type);
     const auto field = [&] {
         parse_variable(type->fields, DeclKind::field);
-        pass_separator("between the fields of a type stands a blank");
+        pass_separator("separate the fields of a type with a space");
     };
     catch_syntax_error([&] { parse_braces(field, 0); });
     type->span = span_since(type->span);
@@ -118,7 +118,7 @@ std::unique_ptr<Declaration> Parser::parse_enumeration() {
         }
         entry->span = span_since(entry->span);
         type->literals.push_back(std::move(entry));
-        pass_separator("between the literals of an enumeration stands a blank");
+        pass_separator("separate the literals of an enumeration with a space");
     };
     catch_syntax_error([&] { parse_braces(literal, 0); });
     type->span = span_since(type->span);
@@ -169,7 +169,7 @@ void Parser::type_before_name(Variable& variable) {
     const std::string own = fmt::format("{} : {}", name.text, variable.name);
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, span,
-               {fmt::format("{} {}", variable.name, name.text), "the type stands behind the name and a `:`"});
+               {fmt::format("{} {}", variable.name, name.text), "the type is written after the name and a `:`"});
     if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
     lost_names_.emplace_back(name.text);
     throw SyntaxError{};

@@ -69,7 +69,7 @@ void Parser::pass_sign_behind_word() {
     if (!goes_on && !(number && at_token(":"))) return;
 
     if (at_token(":") || (at_token("=") && !peek(1).is_word("=")))
-        pass_superfluous("what belongs to a word follows it at once");
+        pass_superfluous("a keyword is directly followed by its contents");
 }
 
 /// The second word is replaced by the intended one.
@@ -100,9 +100,9 @@ bool Parser::typed_like_c() {
     if (!declares) return false;
     const Span span = diagnostics::join_spans(first.span, second.span);
     const std::string own = fmt::format("var {} : {}", second.text, type_named(first.text));
-    diagnostics::Diagnostic* const finding =
-        report(syntax::other_notation, span,
-               {fmt::format("{} {}", first.text, second.text), fmt::format("a variable is declared `{}`", own)});
+    diagnostics::Diagnostic* const finding = report(syntax::other_notation, span,
+                                                    {fmt::format("{} {}", first.text, second.text),
+                                                     fmt::format("write the declaration of a variable as `{}`", own)});
     if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
     lost_names_.emplace_back(second.text);
     advance_token();
@@ -119,13 +119,13 @@ bool Parser::pseudo_state(DeclKind kind) {
     const Span both = diagnostics::join_spans(word, peek().span);
     if (kind == DeclKind::final) {
         diagnostics::Diagnostic* const finding =
-            report(syntax::other_notation, both, {"final state", "a final state is declared by `final` and its name"});
+            report(syntax::other_notation, both, {"final state", "`final` and a name declare a final state"});
         if (finding != nullptr) finding->fixes.push_back({both, "final", "write"});
         advance_token();
     } else {
-        report(syntax::other_notation, both,
-               {"initial state",
-                "`initial i` is a junction of its own, from which a transition leads to the first state"});
+        report(
+            syntax::other_notation, both,
+            {"initial state", "`initial i` is a separate junction, from which a transition leads to the first state"});
     }
     quiet_until_ = 0;
     return kind == DeclKind::initial;
@@ -137,7 +137,7 @@ bool Parser::foreign_operator() {
     const Token next = peek(1);
     const bool adjacent = next.span.begin == peek().span.end;
     if (adjacent && ((at_token("<") && next.is_word(">")) || (at_token("/") && next.is_word("=")))) {
-        replace_two_words("!=", "values that differ are compared with `!=`");
+        replace_two_words("!=", "`!=` tests whether two values differ");
         return true;
     }
     const bool called = adjacent && next.is_word("(");
@@ -213,7 +213,7 @@ bool Parser::called_reset(Transition& transition) {
     const Span span = diagnostics::join_spans(peek().span, peek(3).span);
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, span,
-               {fmt::format("reset({})", clock.text), fmt::format("a clock is reset by `#{}`", clock.text)});
+               {fmt::format("reset({})", clock.text), fmt::format("write `#{}` to reset a clock", clock.text)});
     if (finding != nullptr) finding->fixes.push_back({span, fmt::format("#{}", clock.text), "write"});
     quiet_until_ = 0;
     advance_token();
@@ -290,7 +290,7 @@ StmtPtr Parser::clock_set_to_zero() {
     statement->span = diagnostics::join_spans(name.span, peek(3).span);
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, statement->span,
-               {fmt::format("{} := 0", name.text), fmt::format("a clock is reset by `#{}`", name.text)});
+               {fmt::format("{} := 0", name.text), fmt::format("write `#{}` to reset a clock", name.text)});
     if (finding != nullptr) finding->fixes.push_back({statement->span, fmt::format("#{}", name.text), "write"});
     quiet_until_ = 0;
     statement->name = simple_name("the name of a clock");
@@ -317,7 +317,7 @@ StmtPtr Parser::braced_if(StmtPtr begun) {
 /// `{ S }` in the place of a statement
 StmtPtr Parser::braced_statement() {
     const Span begin = peek().span;
-    report(syntax::other_notation, begin, {"{", "statements stand without braces: `entry a(); b()`"});
+    report(syntax::other_notation, begin, {"{", "statements have no braces: `entry a(); b()`"});
     quiet_until_ = 0;
     expect_token("{");
     auto group = std::make_unique<Stmt>();
@@ -346,7 +346,7 @@ void Parser::bracketed_event(Event& event) {
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, span,
                {shorten_token(text.substr(span.begin, span.end - span.begin)),
-                "an event is declared `event e`, one that carries a value `event e : int`"});
+                "an event is declared `event e`, and an event with a value `event e : int`"});
     if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
     quiet_until_ = 0;
     for (std::size_t i = 0; i < first; ++i) advance_token();
@@ -365,7 +365,7 @@ void Parser::clock_with_value() {
     diagnostics::Diagnostic* const finding =
         report(syntax::other_notation, span,
                {shorten_token(text.substr(span.begin, span.end - span.begin)),
-                "a clock is declared by its name alone, and counts time units from 0"});
+                "a clock is declared only by its name, and counts time units from 0"});
     if (finding != nullptr) finding->fixes.push_back({span, clock, "write"});
     quiet_until_ = 0;
     advance_token();
@@ -382,7 +382,7 @@ bool Parser::bare_async() {
     const std::string_view text = sources_.source_text(source_);
     diagnostics::Diagnostic* const finding = report(syntax::other_notation, span,
                                                     {std::string(text.substr(span.begin, span.end - span.begin)),
-                                                     "a connection that does not wait ends with `(_async)`"});
+                                                     "an asynchronous connection ends with `(_async)`"});
     if (finding != nullptr) finding->fixes.push_back({span, "(_async)", "write"});
     quiet_until_ = 0;
     for (int i = 0; i < (bracketed ? 3 : 1); ++i) advance_token();
@@ -400,7 +400,7 @@ bool Parser::parse_percentage(Expr& number) {
     const std::string own = digits.substr(0, 1) + "." + digits.substr(1);
     const Span span = diagnostics::join_spans(number.span, peek().span);
     diagnostics::Diagnostic* const finding =
-        report(syntax::other_notation, span, {number.text + "%", "a share is a number from 0 to 1"});
+        report(syntax::other_notation, span, {number.text + "%", "write a share as a number from 0 to 1"});
     if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
     quiet_until_ = 0;
     number.kind = ExprKind::real;
@@ -446,8 +446,8 @@ void Parser::prism_query() {
     diagnostics::Diagnostic* const finding = report(
         syntax::other_notation, span,
         {shorten_token(text.substr(span.begin, span.end - span.begin)),
-         probability ? "a probability is asked for by `Prob=? of [Finally ...]` or bounded by `Prob>=0.9 of [...]`"
-                     : "a reward is asked for by `Reward {r} =? of [Reachable ...]`"});
+         probability ? "a query for a probability is `Prob=? of [Finally ...]`, and a bound is `Prob>=0.9 of [...]`"
+                     : "a query for a reward is `Reward {r} =? of [Reachable ...]`"});
     if (finding != nullptr && behind > 0 && probability) {
         const std::string bound = word.text.size() > 1 ? " " + std::string(word.text.substr(1)) : "";
         const std::string operation(text.substr(peek(1).span.begin, peek(bracket - 1).span.end - peek(1).span.begin));

@@ -72,7 +72,7 @@ void Parser::parse_node(NodeContainer& container, DeclKind kind) {
     if (pseudo_state(kind)) return parse_node(container, DeclKind::state);
     name(state);
     container.nodes.push_back(std::move(owned));
-    if (at_token(":") && peek(1).is_word("{")) pass_superfluous("what a node has stands in braces behind its name");
+    if (at_token(":") && peek(1).is_word("{")) pass_superfluous("the parts of a node are in braces after its name");
     if (kind == DeclKind::state && body_left_out()) return;
     if (kind == DeclKind::state || (kind == DeclKind::final && at_token("{")))
         catch_syntax_error([&] { state_body(state); });
@@ -92,7 +92,7 @@ void Parser::parse_action(State& state) {
     Action action;
     action.kind = at_token("entry") ? ActionKind::entry : at_token("during") ? ActionKind::during : ActionKind::exit;
     action.span = advance_token().span;
-    if (at_token("/")) pass_superfluous("an action follows its word at once: `entry skip`");
+    if (at_token("/")) pass_superfluous("an action directly follows its keyword: `entry skip`");
     pass_sign_behind_word();
     action.statement = parse_statement();
     action.span = span_since(action.span);
@@ -108,7 +108,7 @@ void Parser::parse_transition(NodeContainer& container) {
     name(transition);
     container.transitions.push_back(std::move(owned));
     if (at_token(":") && peek(1).is_word("{"))
-        pass_superfluous("what a transition does stands in braces behind its name");
+        pass_superfluous("the clauses of a transition are in braces after its name");
     if (at_token("from") || at_word("source")) {
         catch_syntax_error([&] { unbraced_transition(transition); });
         transition.span = span_since(transition.span);
@@ -152,7 +152,7 @@ void Parser::transition_body(Transition& transition, bool braced) {
         if (at_word("source")) (void)replace_foreign(ForeignPlace::clause);
         expect_token("from");
         transition.from = plain_name("the transition's source");
-        if (peek(1).is_word("to")) pass_separator("clauses of a transition are not separated by anything");
+        if (peek(1).is_word("to")) pass_separator("the clauses of a transition need no separator");
         if (at_word("target")) (void)replace_foreign(ForeignPlace::clause);
         expect_token("to");
         transition.to = plain_name("the transition's target");
@@ -165,7 +165,7 @@ void Parser::transition_body(Transition& transition, bool braced) {
         const bool clause_follows = next.is_word("trigger") || next.is_word("probability") || next.is_word("#") ||
                                     next.is_word("<{") || next.is_word("condition") || next.is_word("action") ||
                                     next.is_word("}");
-        if (clause_follows) pass_separator("clauses of a transition are not separated by anything");
+        if (clause_follows) pass_separator("the clauses of a transition need no separator");
         if (at_token("}")) break;
         const std::size_t begin = at_;
         const int clause = transition_clause(transition);

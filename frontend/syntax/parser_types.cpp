@@ -46,7 +46,7 @@ TypeExprPtr Parser::product_type() {
     while (accept_token("*")) {
         const bool loose = at_token("vector") || at_token("matrix");
         product->args.push_back(vector_type());
-        if (loose) needs_parentheses("a vector or matrix behind `*`", product->args.back()->span);
+        if (loose) needs_parentheses("a vector or matrix after `*`", product->args.back()->span);
     }
     product->span = span_since(begin);
     return product;

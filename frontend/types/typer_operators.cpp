@@ -88,7 +88,7 @@ diagnostics::Diagnostic& Typer::report_mismatch(const Expr& expr, const TypePtr&
     if (is_comparison(expr) && is_comparison(*expr.args[0]))
         finding.notes.push_back({{}, "`a < b < c` is written `a < b /\\ b < c`"});
     if (*expr.binary == BinaryOp::concat && left && right && is_number(left) && is_number(right))
-        finding.notes.push_back({{}, "`^` joins sequences; there is no operator for powers: `x * x`"});
+        finding.notes.push_back({{}, "`^` joins sequences; there is no operator for powers: write `x * x`"});
     return finding;
 }
 

@@ -60,7 +60,7 @@ bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_v
     const std::string where = component != nullptr ? fmt::format("in `{}`", component->name) : "here";
     const QualifiedName& missing = statement.kind == StmtKind::call ? statement.name : named.name;
     auto& finding = finder_.report_unknown(missing, what, where, {});
-    finding.notes.push_back({clock->second->name_span, fmt::format("a clock is reset by `#{}`", name)});
+    finding.notes.push_back({clock->second->name_span, fmt::format("write `#{}` to reset a clock", name)});
     finding.fixes = {{statement.span, "#" + name, "write"}};
     return true;
 }
@@ -189,7 +189,7 @@ void Typer::note_missing(const Missing& missing, std::string_view clause, std::s
     const Context& interface = *missing.interface;
     const std::string full = finder_.names().full_name(&interface);
     finding.notes.push_back(
-        {interface.name_span, fmt::format("interface `{}` declares `{}`; `{} {}` makes all that it declares known",
+        {interface.name_span, fmt::format("interface `{}` declares `{}`; `{} {}` makes its declarations visible",
                                           interface.name, name, clause, full)});
 }
 

@@ -140,7 +140,7 @@ private:
     }
 
     std::size_t add_node(std::size_t e, std::size_t layer, bool with_label = false) {
-        if (graph_.nodes.size() >= most_nodes) throw TooLarge("too many nodes and transitions to be drawn");
+        if (graph_.nodes.size() >= most_nodes) throw TooLarge("too many nodes and transitions for a diagram");
         Node node;
         node.edge = e;
         node.layer = layer;

@@ -301,8 +301,8 @@ private:
             error == XML_ERROR_NO_ELEMENTS || error == XML_ERROR_UNCLOSED_TOKEN || error == XML_ERROR_PARTIAL_CHAR;
         if (text_.empty()) return "it is empty";
         const bool at_end = XML_GetCurrentByteIndex(parser_.get()) >= static_cast<XML_Index>(text_.size());
-        if (short_text || at_end) return "the text ends before its last element does";
-        return fmt::format("it is no XML in UTF-8: {}", XML_ErrorString(error));
+        if (short_text || at_end) return "the text ends before the end of its last element";
+        return fmt::format("it is not XML in UTF-8: {}", XML_ErrorString(error));
     }
 
     Aird make_refusal(std::string why) const {
@@ -351,7 +351,7 @@ private:
     }
     static void XMLCALL on_document_type(void* data, const XML_Char*, const XML_Char*, const XML_Char*, int) {
         reader_of(data).run_guarded(
-            [] { throw Refused("it has a document type (DOCTYPE), which such files do not have"); });
+            [] { throw Refused("it has a document type (DOCTYPE), but diagram files have none"); });
     }
 
     struct Free {

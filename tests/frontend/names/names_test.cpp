@@ -34,7 +34,8 @@ TEST(Duplicates, OfAThousandShowAFew) {
     const auto reading = resolved(text + "}");
     EXPECT_EQ(reading->codes(), "RC-N03@3");
     EXPECT_EQ(reading->findings.sorted_findings().front().notes.size(), 8U);
-    EXPECT_NE(notes(*reading).find(": and at 992 more places, last here"), std::string::npos) << notes(*reading);
+    EXPECT_NE(notes(*reading).find(": and at 992 more places, the last one here"), std::string::npos)
+        << notes(*reading);
 }
 
 TEST(Duplicates, OfOneKindAreReportedBesideAnotherKind) {

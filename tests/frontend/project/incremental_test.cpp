@@ -172,7 +172,7 @@ TEST(Incremental, NotesIntoTheChangedFileMove) {
           "stm S { requires I var speed : real initial i state A { entry speed = 1.0 } "
           "transition t { from i to A } }\n"}});
     const std::string before = kept.resolve();
-    EXPECT_NE(before.find("this one is hidden"), std::string::npos) << before;
+    EXPECT_NE(before.find("this declaration is hidden"), std::string::npos) << before;
     kept.change(
         0, "stm M {\n\n\n initial i state A { } transition t { from i to A } }\ninterface I { var speed : nat }\n");
     const std::string after = kept.resolve();

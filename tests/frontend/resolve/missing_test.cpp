@@ -47,7 +47,7 @@ TEST(Missing, NothingIsMissing) {
 TEST(Missing, AForgottenClauseIsOneError) {
     std::string report;
     EXPECT_EQ(errors(project("requires Calls requires Data"), report), 1U) << report;
-    EXPECT_NE(report.find("interface `Signals` declares `go`; `uses Signals` makes all that it declares known"),
+    EXPECT_NE(report.find("interface `Signals` declares `go`; `uses Signals` makes its declarations visible"),
               std::string::npos)
         << report;
     EXPECT_EQ(errors(project("uses Signals requires Data"), report), 1U) << report;

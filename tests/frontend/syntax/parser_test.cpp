@@ -343,7 +343,7 @@ TEST(Parser, ABraceThatIsNotClosedIsPointedAt) {
     // No text is indented deeper than the state, so the following lines may belong to it, and the brace at the left
     // margin closes it.
     EXPECT_EQ(first_note("stm S {\n  state A { entry skip\n  transition u { from A to A }\n}\n"),
-              "2: this `{` is probably the one that is not closed: the `}` that would close it stands further left");
+              "2: this `{` is probably not closed, because the matching `}` has a smaller indentation");
     EXPECT_EQ(first_note("stm S { state A { entry x = 1 y } }"), "no note");
 }
 

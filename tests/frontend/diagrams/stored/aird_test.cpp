@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"depth", aird_text(aird_diagram("", nested(500))), "nested more than"},
         Hostile{"truncated", aird_text("").substr(0, 200), "ends before"},
         Hostile{"cut_in_a_tag", "<x><y a=\"1", "ends before"}, Hostile{"empty", "", "empty"},
-        Hostile{"no_xml", "module M { }", "no XML"}, Hostile{"crossed", "<x><y></x></y>", "mismatched"},
+        Hostile{"no_xml", "module M { }", "not XML"}, Hostile{"crossed", "<x><y></x></y>", "mismatched"},
         Hostile{"latin", "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?><x/>", "ISO-8859-1"},
         Hostile{"bytes", "<x a=\"\xff\xfe\"/>", "UTF-8"}, Hostile{"zero", std::string("<x>\0</x>", 8), "UTF-8"},
         Hostile{"huge_number", aird_text(aird_diagram("", shape(2002, "a", "x=\"99999999999999999999\""))),

@@ -618,10 +618,11 @@ TEST_F(StoredFiles, ThatCannotBeReadAreANote) {
     write("models/representations.aird", "<x>\n<y></x>");
     std::filesystem::create_directories(path("representations.aird"));
     EXPECT_EQ(rules::unreadable_diagrams.severity, diagnostics::Severity::note);
-    EXPECT_THAT(read(), ElementsAre(fmt::format("RC-D01 {0}:2 the diagrams of {0} are not used: it is no XML in UTF-8: "
-                                                "mismatched tag",
-                                                path("models/representations.aird")),
-                                    HasSubstr("is a folder, not a file")));
+    EXPECT_THAT(read(),
+                ElementsAre(fmt::format("RC-D01 {0}:2 the diagrams of {0} are not used: it is not XML in UTF-8: "
+                                        "mismatched tag",
+                                        path("models/representations.aird")),
+                            HasSubstr("is a folder, not a file")));
     EXPECT_EQ(found(), 0U);
 }
 
