@@ -318,7 +318,7 @@ MatchCode Resolver::compile_pattern(const Pattern& pattern) {
     result.kind = pattern.kind;
     result.number = pattern.number;
     if (pattern.kind == PatternKind::set && pattern.args.size() > 1) {
-        fail("a set pattern has one element at most", pattern.span);
+        fail("a set pattern has at most one element", pattern.span);
     }
     if (pattern.kind == PatternKind::string) {
         result.kind = PatternKind::sequence;

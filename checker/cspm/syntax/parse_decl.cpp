@@ -147,8 +147,7 @@ DeclPtr Parser::parse_channel() {
     result.names = parse_names();
     const bool typed =
         at_token(Tok::identifier) || at_token(Tok::l_brace) || at_token(Tok::l_paren) || at_token(Tok::dot);
-    if (typed)
-        fail("':'", "the type of what a channel carries stands behind a `:`, as in `channel c : T`", peek().span);
+    if (typed) fail("':'", "the type of a channel is written after a `:`, as in `channel c : T`", peek().span);
     if (accept(Tok::colon)) result.body = parse_expression();
     return finish_node(std::move(result), from);
 }

@@ -207,7 +207,7 @@ void Parser::half_refinement(const Expr& model, Span process) {
     const bool named = model.kind == ExprKind::name && !model.text.empty() && model.text.size() <= 3 &&
                        std::ranges::all_of(model.text, [](char c) { return c >= 'A' && c <= 'Z'; });
     if (named && !at_token(Tok::r_square))
-        fail("'<->' or '||'", "a refinement is written `[T=`, `[F=` or `[FD=`, without blanks, between two processes",
+        fail("'<->' or '||'", "a refinement is written `[T=`, `[F=` or `[FD=`, without spaces, between two processes",
              process);
 }
 

@@ -78,7 +78,7 @@ TypeId ExpressionTypes::expect_extendable(const Term& term, TypeId type, std::st
 void ExpressionTypes::expect_processes(const Term& term, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         expect_atom(*term.args[i], TypeKind::process,
-                    "the operator takes processes; an event stands before one: `a -> P`");
+                    "the operator takes processes; an event needs a process after it: `a -> P`");
     }
 }
 
@@ -336,8 +336,8 @@ TypeId ExpressionTypes::infer_prefix(const Term& term) {
     for (const FieldTerm& each : term.fields) parts.push_back(infer_field(each));
     diagnostics::Span span = inside_parentheses(event).syntax->span;
     if (!term.fields.empty()) span = diagnostics::join_spans(span, term.fields.back().span);
-    (void)unify(span, atom(TypeKind::event), store_.dot_type(parts), "what stands before `->` is an event");
-    expect_atom(*term.args[1], TypeKind::process, "what stands after `->` is a process");
+    (void)unify(span, atom(TypeKind::event), store_.dot_type(parts), "an event must precede `->`");
+    expect_atom(*term.args[1], TypeKind::process, "a process must follow `->`");
     return atom(TypeKind::process);
 }
 
@@ -358,7 +358,7 @@ TypeId ExpressionTypes::infer_process(const Term& term) {
     switch (term.syntax->kind) {
         case guard:
             expect_atom(*term.args[0], TypeKind::boolean, "a guard is a Bool");
-            expect_atom(*term.args[1], TypeKind::process, "what is guarded is a process");
+            expect_atom(*term.args[1], TypeKind::process, "a process must follow a guard");
             break;
         case external_choice:
         case internal_choice:

@@ -332,7 +332,7 @@ TypeId Inference::infer_fields(const Term& fields, Constraints constraints) {
     for (const Constraint each : {can_equal, can_input}) {
         if ((constraints & each) == 0) continue;
         terms_.constrain(fields.syntax->span, each, values,
-                         each == can_equal ? "what channels carry is compared" : "a field holds whole values");
+                         each == can_equal ? "the values of channels are compared" : "a field holds whole values");
     }
     return values;
 }
@@ -363,7 +363,7 @@ TypeId Inference::channel_fields(const Declaration& declaration) {
     const TypeId type = terms_.expect_type(*declaration.body, store_.dot_type(sets), "the annotation says so");
     terms_.set_span(declaration.body->syntax->span);
     const TypeId values = element_type(unifier_.evaluate_dots(type));
-    terms_.constrain(terms_.current_span(), can_equal, values, "what channels carry is compared");
+    terms_.constrain(terms_.current_span(), can_equal, values, "the values of channels are compared");
     terms_.constrain(terms_.current_span(), can_input, values, "a field holds whole values");
     return values;
 }

@@ -162,11 +162,11 @@ void NameResolver::clause_list(const std::vector<Clause>& list, std::vector<Clau
 
 void NameResolver::check_form(const Pattern& pattern) {
     if (pattern.kind == PatternKind::set && pattern.args.size() > 1) {
-        report(rules::bad_pattern, pattern.span, {"a set pattern has one element at most"});
+        report(rules::bad_pattern, pattern.span, {"a set pattern has at most one element"});
     }
     if (pattern.kind == PatternKind::concat && open_parts(*pattern.args[0]) == 1 && open_parts(*pattern.args[1]) == 1) {
         report(rules::bad_pattern, pattern.span,
-               {"one part of `^` at most may have any length, else a sequence can be split in several ways"});
+               {"only one part of `^` may have any length; otherwise a sequence can be split in several ways"});
     }
 }
 

@@ -146,7 +146,7 @@ void NameResolver::find_original(Item& item) {
         if (found.entry.symbol != nullptr) {
             report(rules::wrong_kind_of_name, decl.span, {decl.text, "a value", "a module"});
         } else {
-            const std::string hint = found.hint.empty() ? "an instance stands below its module" : found.hint;
+            const std::string hint = found.hint.empty() ? "an instance must follow its module" : found.hint;
             report_not_found(decl.text, decl.span, hint);
         }
     }

@@ -282,7 +282,7 @@ TypeFault Unifier::make_fault(TypeWriter& writer, TypeId expected, TypeId actual
                 left == TypeKind::event ? "an event" : fmt::format("a value of {}", writer.type_text(end));
             TypeFault few{&rules::too_few_fields, {whole, fields}, {}, here_};
             few.notes.push_back(
-                {here_, fmt::format("behind it stands `.` and a value of {}, in a prefix also `?x`", fields)});
+                {here_, fmt::format("it must be followed by `.` and a value of {}, or in a prefix by `?x`", fields)});
             return few;
         }
     }
