@@ -230,8 +230,8 @@ std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::Co
     if (defined) return "";
     const bool between_blocks = other.kind == ir::ComponentKind::process;
     return fmt::format(
-        "{} is not defined: the tick-tock model records which events are refused, so the csp block of {} has to say "
-        "which events the process has: `{} = {}`",
+        "{} is not defined: the tick-tock model records refused events, so the csp block of {} must define the events "
+        "of the process: `{} = {}`",
         wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path_of(other) + "::sem__events");
 }
 
@@ -322,7 +322,7 @@ void Asserter::missed_event(const ir::Property& property, Obligation& out) {
                                        process_arguments(property.subject, property), name, out.preparation),
                        !property.negated)};
     if (property.negated)
-        out.reason = fmt::format("nothing takes {} for {} (`robochart-verify explain RC-K09` has remedies)",
+        out.reason = fmt::format("no transition takes {} for {} (`robochart-verify explain RC-K09` lists remedies)",
                                  property.event, times);
 }
 
@@ -341,11 +341,11 @@ std::string Asserter::unavailable_model(const ir::Property& property) const {
     }
     if (property.model == ir::PropertyModel::traces) return "traces do not record refusals and divergences";
     if (property.kind == PropertyKind::divergence_free)
-        return "divergence is visible in the failures-divergences model only";
+        return "divergence is visible only in the failures-divergences model";
     if (property.model == ir::PropertyModel::tick_tock && property.kind != PropertyKind::timelock_free)
-        return "in the tick-tock model refinements and timelocks are decided";
+        return "the tick-tock model decides only refinements and timelocks";
     if (property.kind == PropertyKind::deadlock_free && timed())
-        return "a deadlock in time is visible in the failures-divergences model only";
+        return "a deadlock in time is visible only in the failures-divergences model";
     return "";
 }
 
@@ -363,7 +363,7 @@ std::string Asserter::why_unavailable(const ir::Property& property) const {
     if (missing(property.subject)) return property.subject.path + " was not emitted";
     if (binary && missing(property.other)) return property.other.path + " was not emitted";
     if (component_only && property.subject.kind == ir::ComponentKind::process)
-        return "states are reached and clocks reset in components of the model only";
+        return "only components of the model have states to reach and clocks to reset";
     if (property.kind == PropertyKind::clock_initialised && find_component(property.subject)->machine == nullptr)
         return "clocks belong to machines and operations";
     return unavailable_model(property);

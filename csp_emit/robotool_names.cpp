@@ -49,7 +49,7 @@ struct OldName {
 };
 
 const char* const no_return =
-    "is of an older generator; today a call is one event, and nothing is seen of its return: leave it out";
+    "belongs to an older generator; a call is now one event, and its return is not visible: remove it";
 
 /// Today's name for `COMPONENT_LAST` or `COMPONENT::LAST`.
 std::optional<OldName> of_component(const ComponentEmission& component, const std::string& path,
@@ -111,7 +111,7 @@ private:
                 report_name(each, old->instead);
                 return;
             }
-            report_name(each, fmt::format("is of an older generator; today it is {}", old->now))
+            report_name(each, fmt::format("belongs to an older generator; its name is now {}", old->now))
                 .fixes.push_back({each.span, old->now, "today's name"});
             return;
         }
@@ -120,8 +120,8 @@ private:
         const std::string last = last_of(each.text);
         if (!is_any(component->second.visible, last) && std::ranges::find(inner, last) != inner.end())
             report_name(each,
-                        "is inside a machine there; here each machine is one sequential process, of which its events, "
-                        "calls, writes and the states entered can be seen");
+                        "is inside a machine there; in this script each machine is one sequential process, which shows "
+                        "only its events, calls, writes and entered states");
     }
 
     using Component = std::map<std::string, ComponentEmission>::const_iterator;

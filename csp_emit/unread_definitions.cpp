@@ -47,7 +47,7 @@ void check_instantiations_read(const Project& project,
         if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, place)) continue;
         diagnostics::Diagnostic& finding =
             project.diagnostics.report(rules::definition_unread, place,
-                                       {name, old             ? fmt::format("; today's name of it is '{}'", carrier)
+                                       {name, old             ? fmt::format("; its name is now '{}'", carrier)
                                               : meant.empty() ? std::string()
                                                               : fmt::format("; did you mean '{}'?", meant)});
         if (old) finding.fixes.push_back({name_in(project, place, name), carrier, "today's name"});

@@ -64,11 +64,10 @@ void check_script(const Emission& emission, const ir::System& system, diagnostic
         if (!names) names.emplace(emission.definitions);
         const std::vector<std::string> meant = names->suggest_names(finding.arguments.front());
         if (meant.empty()) continue;
-        said.notes.push_back(
-            {{},
-             fmt::format("the script has `{}`: what belongs to a component is written with its name in front "
-                         "(docs/claims-in-csp.md)",
-                         fmt::join(meant, "`, `"))});
+        said.notes.push_back({{},
+                              fmt::format("the script has `{}`: write the name of the component before the name of its "
+                                          "element (docs/claims-in-csp.md)",
+                                          fmt::join(meant, "`, `"))});
         const diagnostics::Span span = finding.span;
         if (span.is_known() && said.fixes.empty())
             said.fixes.push_back({span, meant.front(), std::string(diagnostics::suggestion_title)});

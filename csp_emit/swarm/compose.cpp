@@ -79,7 +79,7 @@ public:
             return "";
         }
         if (swarm_.grid && !timed_) {
-            report_unfit(swarm_.name, "robots move where time passes: a grid has no untimed semantics");
+            report_unfit(swarm_.name, "robots move only while time passes, so a grid has no untimed semantics");
             return "";
         }
         ports_ = ports_of(emission_.provenance, component_->path);
@@ -141,7 +141,8 @@ private:
         channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
         const std::int64_t scale = turns ? scale_of(*call) : 1;
         if (scale == 0)
-            report_unfit(word, fmt::format("'{}' has not one number as its argument to turn by", word.text));
+            report_unfit(
+                word, fmt::format("'{}' needs exactly one number as its argument, the angle of the turn", word.text));
         add_renaming(*call, channel + ".i__" + (turns ? fmt::format(".steps(a__,{})", scale) : ""));
         operations_[word.text] = channel;
         own_.push_back(channel);
@@ -218,8 +219,7 @@ private:
         } else if (event.types.empty()) {
             condition = ", not empty(s__)";
         } else {
-            return report_unfit(feed.event,
-                                fmt::format("'{}' carries more than whether somebody is near", feed.event.text));
+            return report_unfit(feed.event, fmt::format("'{}' carries a value that is not a boolean", feed.event.text));
         }
         if (value == ".not empty(s__)") value = ".(not empty(s__))";
         renamings_ += fmt::format("\n[[ {}{} <- {}.i__.s__ | s__ <- Set(others(i__)){} ]]", event.channel, value,
@@ -245,9 +245,9 @@ private:
             return;
         if (from->types.size() != to->types.size() || from->types.size() > 1 ||
             (!from->types.empty() && from->types.front().index != to->types.front().index))
-            return report_unfit(connection.to, "what is sent is not what is received");
+            return report_unfit(connection.to, "the types of the sent and the received event differ");
         if (connection.distance > 0 && !swarm_.grid)
-            return report_unfit(connection.from, "how far others are is known on a grid alone");
+            return report_unfit(connection.from, "only robots on a grid have distances");
         used_.insert(from->channel);
         used_.insert(to->channel);
         const std::string channel = fmt::format("message_{}", messages_.size() + 1);
@@ -286,10 +286,8 @@ private:
         if (meant.size() > 1) {
             std::vector<std::string> paths;
             for (const ir::NamedConstant& each : meant) paths.push_back(each.path);
-            return report_unfit(constant.name,
-                                fmt::format("'{}' may be each of {}: write more of the path of the one that is "
-                                            "meant",
-                                            wanted, fmt::join(paths, ", ")));
+            return report_unfit(constant.name, fmt::format("'{}' may be any of {}: write a longer path", wanted,
+                                                           fmt::join(paths, ", ")));
         }
         if (meant.front().has_value)
             return report_unfit(constant.name, fmt::format("the model gives '{}' a value", wanted));

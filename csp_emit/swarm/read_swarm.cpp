@@ -237,7 +237,7 @@ private:
         const bool placed = swarm_.grid.has_value();
         for (const SwarmClaim& claim : swarm_.claims)
             if (!placed && claim.question != SwarmQuestion::deadlock_free)
-                report(swarm_rules::no_fit, claim.span, {"where robots are is known on a grid alone"});
+                report(swarm_rules::no_fit, claim.span, {"only robots on a grid have positions"});
     }
 
     SwarmSize size_;

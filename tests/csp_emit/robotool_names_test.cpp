@@ -59,8 +59,8 @@ TEST(OldNames, AreReportedWithTodays) {
                                                  claim_text("refines Spec in the traces model"));
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ElementsAre("RC-C15", "RC-C15")) << m->messages();
-    EXPECT_THAT(m->messages(), HasSubstr("Lift_up is a name of RoboTool, but this script does not have it: it is of an "
-                                         "older generator; today it is Tower::Lift::up"));
+    EXPECT_THAT(m->messages(), HasSubstr("Lift_up is a name of RoboTool, but this script does not have it: it belongs "
+                                         "to an older generator; its name is now Tower::Lift::up"));
 }
 
 // Every form in the table of docs/robotool.md; the fixes preserve the meaning of the block.

@@ -423,7 +423,7 @@ TEST(Swarm, OnlyNumbersTurn) {
                          "swarm One for Robot { robots 1 grid 8 by 8 drive by turn(deg) on turn accept "
                          "always linked(1) }");
         EXPECT_NE(found.findings.find("RC-V03"), std::string::npos) << found.findings;
-        EXPECT_NE(found.findings.find("not one number"), std::string::npos) << found.findings;
+        EXPECT_NE(found.findings.find("needs exactly one number"), std::string::npos) << found.findings;
     }
 }
 
