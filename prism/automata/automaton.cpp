@@ -46,8 +46,8 @@ Automaton::OfPart Automaton::successor_of(const OfPart& before, const Part& part
 namespace {
 
 constexpr const char* beyond =
-    "formulas of LTL are decided that are made with !, & and | of safe and co-safe formulas, G of co-safe and F of "
-    "safe ones; this one is not";
+    "this LTL formula is not supported: it must combine, with !, & and |, safe and co-safe formulas, G of co-safe "
+    "formulas and F of safe formulas";
 
 /// Converts formulas to conditions, applying laws of LTL until only parts remain.
 class Splitter {

@@ -82,10 +82,10 @@ private:
         if (below == file_.modules.end()) {
             diagnostics_.report(rules::not_declared, written.base.span, {"module", written.base.text});
         } else if (!below->base.text.empty()) {
-            diagnostics_.report(rules::bad_renaming, written.base.span,
-                                {written.name.text, fmt::format("its base '{}' is a renamed module that does not "
-                                                                "stand above it",
-                                                                written.base.text)});
+            diagnostics_.report(
+                rules::bad_renaming, written.base.span,
+                {written.name.text,
+                 fmt::format("its base '{}' is a renamed module that is not declared before it", written.base.text)});
         } else {
             Module base = *below;
             for (Variable& each : base.variables) expand_variable(each);

@@ -126,7 +126,7 @@ TypeChecker::Result TypeChecker::compute_type(const Expr& expr, bool path) {
         case Op::total:
         case Op::instantaneous:
         case Op::long_run:
-            diagnostics_.report(rules::misplaced, expr.span, {"a question about rewards"});
+            diagnostics_.report(rules::misplaced, expr.span, {"a query about rewards"});
             return std::nullopt;
     }
     return std::nullopt;

@@ -140,7 +140,7 @@ Part* MachineEmitter::called_operation(const Part& caller, const ir::Stmt& stmt)
         return nullptr;
     };
     const ir::MachineId definition = ir::definition_in(context_.system, controller_, signature);
-    if (!definition.is_valid()) return refuse("it is the platform's, not defined in the model");
+    if (!definition.is_valid()) return refuse("it belongs to the platform and is not defined in the model");
     if (open_.contains(definition.index)) return refuse("it calls itself");
     const auto known = parts_.find(definition.index);
     if (known != parts_.end()) return known->second.get();

@@ -87,7 +87,7 @@ std::optional<Channels::Route> Channels::follow_route(const End& from, Direction
     for (unsigned hop = 0; hop < 4; ++hop) {  // out of a controller, to the next, into it
         const std::vector<Hop> next = next_hops(route.end, direction, inside);
         if (next.empty()) {
-            problem = "it is used and connected to nothing" +
+            problem = "it is used, but not connected" +
                       (route.end.level == End::Level::machine ? "" : " beyond " + describe_end(route.end));
             return std::nullopt;
         }

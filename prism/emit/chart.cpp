@@ -111,7 +111,7 @@ private:
             return;
         }
         if (depth == 100 || done.size() > 10'000)
-            return report_unsupported("too many ways through junctions after a trigger", step.name, step.span);
+            return report_unsupported("a trigger that leads to too many paths through junctions", step.name, step.span);
         const std::size_t junction = step.target;
         for (const ir::TransitionId id : machine_.nodes[junction].outgoing) {
             const ir::Transition& next = machine_.transitions[id.index];

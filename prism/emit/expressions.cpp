@@ -182,7 +182,7 @@ ExprPtr translate_timeless(Context& context, const Scope& scope, const ir::Expr&
         return tree::apply(*operator_of(expr.kind), {translate_timeless(context, scope, *expr.args[0]),
                                                      translate_timeless(context, scope, *expr.args[1])});
     context.diagnostics.report(rules::unsupported_expression, expr.span,
-                               {"a clock under other operators than `/\\` and `\\/`", scope.element});
+                               {"a clock in an operator other than `/\\` and `\\/`", scope.element});
     return tree::truth(true);
 }
 
@@ -211,7 +211,7 @@ prism::ExprPtr translate_condition(Context& context, const Scope& scope, const i
 prism::ExprPtr whole_value(Context& context, const Scope& scope, const ir::Expr& expr) {
     if (const ir::Expr* found = find_fraction(context, expr)) {
         context.diagnostics.report(rules::unsupported_expression, found->span,
-                                   {"a value that need not be whole", scope.element});
+                                   {"a value that may have a fraction", scope.element});
         return tree::truth(true);
     }
     return translate_expression(context, scope, expr);

@@ -438,8 +438,9 @@ void MachineEmitter::from_simple(Part& part, const Step& step, const std::string
 void MachineEmitter::from_composite(Part& part, const Step& step, const std::string& lock, Channel* channel,
                                     std::vector<ExprPtr> guard) {
     if (channel != nullptr && channel->carrier) {
-        context_.diagnostics.report(rules::unsupported_construct, step.span,
-                                    {"a composite state left on a received value", part.element + "::" + step.name});
+        context_.diagnostics.report(
+            rules::unsupported_construct, step.span,
+            {"a transition with a received value that leaves a composite state", part.element + "::" + step.name});
         return;
     }
     const std::string exit = part.regions[part.region_of.at(step.source)].exit;

@@ -127,7 +127,7 @@ void CommandTable::check_probability(const Probability& probability, NumberTable
     const std::optional<int> high = value.compare(Real(std::int64_t{1}) + Real(Rational(1, 100'000)));
     if (!low)
         throw EvaluationError(rules::too_close, probability.span,
-                              {fmt::format("whether the probability, {}, is 0 is not known", value.text())});
+                              {fmt::format("it is unknown whether the probability, {}, is 0", value.text())});
     if (*low < 0 || high == 1) throw EvaluationError(rules::bad_probability, probability.span, {value.text()});
     if (id >= proper_.size()) proper_.resize(numbers_.size());
     proper_[id] = true;

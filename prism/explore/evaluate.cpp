@@ -158,7 +158,7 @@ std::int64_t Code::round_real(const Node& node, Root root, StateValues state) co
     Real operand = real(node.a, state);
     if (node.op == Operation::round) operand = operand + Real(Rational(1, 2));
     if (node.op == Operation::ceil) operand = Real(std::int64_t{0}) - operand;
-    if (operand.is_infinite()) fail(root, operand.text() + " is no integer");
+    if (operand.is_infinite()) fail(root, operand.text() + " is not an integer");
     const std::optional<Rational> whole = floor_of(operand);
     if (!whole) too_close(root, operand, operand);
     const Rational result = node.op == Operation::ceil ? Rational(-*whole) : *whole;

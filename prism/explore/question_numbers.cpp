@@ -11,7 +11,7 @@ namespace robochart::prism {
 std::uint64_t step_number(const ExprPtr& expr, Code& code) {
     const std::int64_t value = code.integer(code.compile(expr), nullptr);
     if (value < 0)
-        throw EvaluationError(rules::bad_steps, expr->span, {fmt::format("{} is no number of steps", value)});
+        throw EvaluationError(rules::bad_steps, expr->span, {fmt::format("{} is not a number of steps", value)});
     return static_cast<std::uint64_t>(value);
 }
 

@@ -288,7 +288,7 @@ std::optional<Rational> floor_of(const Real& value) {
         const Integer whole = floor_of(value.value());
         return Rational(whole);
     }
-    if (value.is_infinite()) throw std::domain_error("Infinity is no integer");
+    if (value.is_infinite()) throw std::domain_error("Infinity is not an integer");
     const Enclosure bounds = value.bounds();
     const double low = std::floor(bounds.low);
     if (!std::isfinite(low) || low != std::floor(bounds.high)) return std::nullopt;

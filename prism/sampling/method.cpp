@@ -79,7 +79,7 @@ Method read_method(const std::string& text) {
         set(method, part);
     }
     if (method.samples && method.width && method.confidence)
-        throw BadMethod("of samples, width and confidence two are given, and the third follows");
+        throw BadMethod("give two of samples, width and confidence; the third follows from them");
     return method;
 }
 

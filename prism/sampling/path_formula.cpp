@@ -14,9 +14,8 @@ ExprPtr state_expression(const ExprPtr& expr) {
         return make_expr(Op::name, expr->span, {},
                          expr->text == "deadlock" ? Instance::deadlock_name : Instance::initial_name);
     if (expr->op == Op::filter || (expr->op >= Op::probability && expr->op <= Op::exists_path))
-        throw Unsampled("questions inside of questions are not answered by samples");
-    if (is_temporal(expr->op))
-        throw Unsampled("path formulas inside of F, G, U, W and R are not decided by finite paths");
+        throw Unsampled("samples do not answer nested queries");
+    if (is_temporal(expr->op)) throw Unsampled("finite paths do not decide path formulas inside F, G, U, W and R");
     std::vector<ExprPtr> parts;
     bool same = true;
     for (const ExprPtr& part : expr->parts) {

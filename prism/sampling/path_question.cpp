@@ -11,7 +11,7 @@ namespace robochart::prism {
 PathQuestion::PathQuestion(const Expr& question, const Instance& instance, Code& code, Walk& walk)
     : instance_(instance), walk_(walk), kind_(question.op) {
     if (question.op != Op::probability && question.op != Op::reward)
-        throw Unsampled("samples answer P [ ... ] and R [ ... ], nothing around them");
+        throw Unsampled("samples answer only P [ ... ] and R [ ... ], without an expression around them");
     const ExprPtr& body = question.parts[0];
     if (question.op == Op::probability) {
         formula_.emplace(body, code);

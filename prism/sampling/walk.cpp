@@ -15,11 +15,11 @@ constexpr std::uint64_t most_combinations = std::uint64_t{1} << 32U;
 
 std::vector<std::int32_t> sampled_from(const Instance& instance, Code& code, diagnostics::Budget* budget) {
     if (instance.model().kind != ModelKind::dtmc)
-        throw Unsampled("an mdp is sampled under a scheduler only: --scheduler uniform names one");
+        throw Unsampled("samples of an mdp need a scheduler, such as --scheduler uniform");
     std::vector<std::int32_t> result;
     std::size_t found = 0;
     list_initial_states(instance, code, budget, [&](const std::int32_t* values) {
-        if (++found > 1) throw Unsampled("paths are sampled from one initial state, and the model has several");
+        if (++found > 1) throw Unsampled("paths are sampled from one initial state, but the model has several");
         result.assign(values, values + instance.layout().fields().size());
     });
     return result;

@@ -253,7 +253,7 @@ Real apply_operator(const Expr& expr, const std::vector<StateVector>& arguments,
     if (expr.text != "mod") return round_to_integer(a, expr.text);
     const Real divisor = b();
     const std::optional<int> sign = divisor.compare(Real(std::int64_t{0}));
-    if (!sign) throw Unclear("whether the divisor of mod is above 0 is not known");
+    if (!sign) throw Unclear("it is unknown whether the divisor of mod is above 0");
     if (*sign != 1) throw std::domain_error("mod: the divisor must be above 0");
     return a - divisor * round_to_integer(a / divisor, "floor");
 }

@@ -125,7 +125,7 @@ StateVector Evaluator::evaluate_filter(const Expr& expr) {
     }
     const Result result = filter_result(expr);
     if (result.kind == Result::Kind::unknown) throw Undecided(result.reason);
-    if (result.kind == Result::Kind::range) throw Undecided("a range of values stands in an expression");
+    if (result.kind == Result::Kind::range) throw Undecided("an expression contains a range of values");
     StateVector everywhere;
     everywhere.type = result.type;
     everywhere.reason = result.reason;
@@ -186,7 +186,7 @@ Result Evaluator::filter_result(const Expr& expr) {
     if (kind == "forall" || kind == "&") return summarise_values(values, states);
     if (kind == "first" || kind == "state") {
         if (kind == "state" && count_states(states) != 1)
-            throw Undecided(fmt::format("the filter asks for one state, and {} satisfy it", count_states(states)));
+            throw Undecided(fmt::format("the filter needs one state, but {} satisfy it", count_states(states)));
         StateSet first(states.size());
         first[static_cast<std::size_t>(std::ranges::find(states, true) - states.begin())] = true;
         return summarise_values(values, first);

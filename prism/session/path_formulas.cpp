@@ -71,7 +71,7 @@ private:
         const auto known = std::ranges::find_if(atoms_, [&](const auto& atom) { return same_expr(atom.first, expr); });
         const auto number = static_cast<std::uint32_t>(known - atoms_.begin());
         if (known != atoms_.end()) return number;
-        if (number == automata::most_atoms) throw Undecided("the formula speaks of more than 64 sets of states");
+        if (number == automata::most_atoms) throw Undecided("the formula contains more than 64 sets of states");
         atoms_.emplace_back(expr, evaluator_.states_satisfying(expr));
         return number;
     }

@@ -164,7 +164,7 @@ StateVector Evaluator::path_probabilities(const ExprPtr& expr, Direction directi
 Reachability Evaluator::reachability(const Expr& expr) {
     const bool inner = std::ranges::any_of(expr.parts, [](const ExprPtr& p) { return is_path(*p); });
     if (inner || !is_temporal(expr.op) || expr.op == Op::next)
-        throw Undecided("F, G, U, W and R of states are asked for here");
+        throw Undecided("this query needs F, G, U, W or R over states");
     StateSet b = states_satisfying(expr.parts.back());
     if (expr.op == Op::eventually) return {StateSet(b.size(), true), std::move(b), false};
     if (expr.op == Op::globally) return {StateSet(b.size(), true), complement_set(std::move(b)), true};
@@ -177,7 +177,7 @@ Reachability Evaluator::reachability(const Expr& expr) {
 }
 
 StateVector Evaluator::next_probabilities(const ExprPtr& operand, Direction direction) {
-    if (!chain_.counted.empty()) throw Undecided("X is about one step, and steps are not counted in this model");
+    if (!chain_.counted.empty()) throw Undecided("X is about one step, but this model does not count steps");
     if (is_path(*operand)) return one_step_before(path_probabilities(operand, direction), direction);
     const StateSet target = states_satisfying(operand);
     if (options_.exact) return to_state_vector(exact_next(chain_, target, direction, options_.budget));
@@ -274,7 +274,8 @@ StateVector Evaluator::evaluate_reward(const Expr& expr, Direction direction) {
         }
         case Op::instantaneous: {
             const std::uint64_t steps = step_number(body.parts[0], code_);
-            if (!chain_.counted.empty()) throw Undecided("I= is about a number of steps, which are not counted here");
+            if (!chain_.counted.empty())
+                throw Undecided("I= is about a number of steps, but this model does not count steps");
             if (options_.exact)
                 return to_state_vector(exact_instantaneous_reward(chain_, rewards, steps, direction, budget));
             return to_state_vector(instantaneous_reward(chain_, rewards, steps, direction, budget));
@@ -301,7 +302,7 @@ markov::StateSet Evaluator::branching_states(const Expr& expr, bool always) {
     if (expr.op == Op::negation && is_path(expr)) return complement_set(branching_states(*expr.parts[0], !always));
     for (const ExprPtr& part : expr.parts)
         if (is_path(*part)) throw Undecided("A and E of nested path formulas (CTL*) are not decided");
-    if (!is_temporal(expr.op)) throw Undecided("A and E ask for X, F, G, U, W or R");
+    if (!is_temporal(expr.op)) throw Undecided("A and E need X, F, G, U, W or R");
     const StateSet a = states_satisfying(expr.parts[0]);
     const markov::Graph& model = graph();
     if (expr.op == Op::next) return always ? always_next(model, a) : exists_next(model, a);

@@ -54,7 +54,7 @@ StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, D
         Enclosure& value = result.numbers[state];
         value.high = std::max(value.low, ever.numbers[state].high);
         if (value.relative_width() > options_.relative)
-            result.reason = fmt::format("time was counted up to {} units and not further", units);
+            result.reason = fmt::format("time was counted only up to {} units", units);
     }
     return result;
 }

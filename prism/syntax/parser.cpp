@@ -91,7 +91,7 @@ void Parser::fail(std::string_view expected) {
     auto& finding =
         diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), describe_found(token)});
     if (reserved && expected.find("name") != std::string_view::npos)
-        finding.notes.push_back({{}, fmt::format("'{}' is a word of the language, which names nothing", token.text)});
+        finding.notes.push_back({{}, fmt::format("'{}' is a word of the language and cannot be a name", token.text)});
     throw SyntaxError{};
 }
 

@@ -255,7 +255,7 @@ private:
             const std::uint64_t wanted = whole_constant(asked.steps, numbers);
             steps = asked.limit.empty() ? wanted : std::min(wanted, steps);
         }
-        if (steps > most_steps) throw Wrong(fmt::format("a path has {} steps at most", most_steps));
+        if (steps > most_steps) throw Wrong(fmt::format("a path has at most {} steps", most_steps));
         const std::uint64_t repeats = asked.repeats.empty() ? 0 : whole_constant(asked.repeats, numbers);
         try {
             prism::RandomPath path;
@@ -265,8 +265,8 @@ private:
                 one.path = in_words(path, model);
             else
                 one.results.emplace_back().reason =
-                    repeats == 0 ? fmt::format("a path of {} steps comes to no deadlock", steps)
-                                 : fmt::format("none of {} paths of {} steps comes to a deadlock", repeats + 1, steps);
+                    repeats == 0 ? fmt::format("a path of {} steps reaches no deadlock", steps)
+                                 : fmt::format("none of {} paths of {} steps reaches a deadlock", repeats + 1, steps);
         } catch (const prism::Unsampled& why) {
             one.results.emplace_back().reason = why.what();
         }

@@ -18,7 +18,7 @@ namespace {
 const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const std::string& path) {
     const auto found = std::ranges::find_if(
         emission.components, [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
-    if (found == emission.components.end()) throw Wrong(fmt::format("{} has no process of its own", path));
+    if (found == emission.components.end()) throw Wrong(fmt::format("{} has no separate process", path));
     return found->process;
 }
 

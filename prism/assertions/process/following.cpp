@@ -192,7 +192,7 @@ bool is_whole(const ir::System& system, ir::TypeId id) {
 /// A finite instantiation contains all truth values and literals, but not all numbers, strings or sequences. For other
 /// values, code may behave differently from the process.
 void check_values(const ir::System& system, const ir::Machine& machine) {
-    constexpr const char* why = "the proof would be about the values of {} in the finite instantiation alone";
+    constexpr const char* why = "the proof would cover only the values of {} in the finite instantiation";
     for (const ir::Variable& each : machine.variables)
         if (!is_whole(system, each.type)) throw Wrong(fmt::format(why, each.name));
     for (const ir::Event& each : machine.events)

@@ -144,7 +144,7 @@ void add_observers(csp_emit::Emission& emission, const std::vector<ObservedEvent
     for (std::size_t i = 0; i < events.size(); ++i) {
         Observing observing(events[i], name_in_script(emission.provenance, events[i]), i);
         emission.script.decls = observing.add_to(emission.script.decls);
-        if (!observing.is_done()) throw Wrong(fmt::format("{} has no process of its own", events[i].component));
+        if (!observing.is_done()) throw Wrong(fmt::format("{} has no separate process", events[i].component));
         observing.add_meaning(emission.provenance);
     }
 }

@@ -35,7 +35,7 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
     if (type.kind == ir::TypeKind::boolean) return value.integer != 0 ? "true" : "false";
     if (type.kind == ir::TypeKind::enumeration) {
         if (value.integer < 0 || static_cast<std::size_t>(value.integer) >= type.labels.size())
-            throw Wrong(fmt::format("{} is no literal of {}", value.text(), type.name));
+            throw Wrong(fmt::format("{} is not a literal of {}", value.text(), type.name));
         return type.name + "::" + type.labels[static_cast<std::size_t>(value.integer)];
     }
     if (value.type != prism::Type::real) return value.text();
@@ -49,7 +49,7 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
             if (places > 0) digits.insert(digits.size() - places, ".");
             return (rest < 0 ? "-" : "") + digits;
         }
-    throw Wrong(fmt::format("the value {} of {} is no decimal number", value.text(), constant.name));
+    throw Wrong(fmt::format("the value {} of {} is not a decimal number", value.text(), constant.name));
 }
 
 prism::ExprPtr number_expression(const Rational& value) {

@@ -81,8 +81,9 @@ ExprPtr ProcessNames::variable_expression(const std::string& path) {
     if (found == variables.end()) throw_absent("variable", path);
     const bool boolean = system_.type(found->type).kind == ir::TypeKind::boolean;
     if (!boolean && !is_number(system_, found->type))
-        throw NotExpressed(fmt::format("`{}` has the type {}, which is none of numbers, truths and plain literals",
-                                       path, system_.type(found->type).name));
+        throw NotExpressed(
+            fmt::format("`{}` has the type {}, but only numbers, truth values and plain literals are supported", path,
+                        system_.type(found->type).name));
     const ExprPtr read = observed({free_name(path), where->component, name, "", boolean});
     if (system_.type(found->type).kind != ir::TypeKind::real) return read;
     return prism::make_expr(Op::divide, {}, {read, name_expression(units)});
@@ -97,8 +98,8 @@ ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string
             if (variable.name == name && variable.scope == ir::VariableScope::required) {
                 if (only != nullptr)
                     throw NotExpressed(
-                        fmt::format("`{}` is shared by {} and {}, which may know different values of it: ask for the "
-                                    "one of a machine",
+                        fmt::format("`{}` is shared by {} and {}, which may have different values of it: name the "
+                                    "variable of a machine",
                                     path, only->path, each.path));
                 only = &each;
             }
@@ -187,10 +188,9 @@ ExprPtr ProcessNames::event_value(const std::string& path, const std::string& di
     const ObservedEvent& event = observed_[observed_event(path, direction, true)];
     const bool boolean = system_.type(event.type).kind == ir::TypeKind::boolean;
     if (!boolean && !is_number(system_, event.type))
-        throw NotExpressed(
-            fmt::format("`{}` carries values of the type {}, which is none of numbers, truths and plain "
-                        "literals",
-                        path, system_.type(event.type).name));
+        throw NotExpressed(fmt::format(
+            "`{}` carries values of the type {}, but only numbers, truth values and plain literals are supported", path,
+            system_.type(event.type).name));
     const bool real = system_.type(event.type).kind == ir::TypeKind::real;
     const ExprPtr read = observed({free_name(path + "_" + direction), event.name(), observed_value, "", boolean, true});
     return real ? prism::make_expr(Op::divide, {}, {read, name_expression(units)}) : read;

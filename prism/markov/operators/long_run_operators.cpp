@@ -44,7 +44,7 @@ public:
           precision_(precision),
           numbers_(convert_numbers(model.numbers, model.exact, Value{})) {
         if (model.kind != Kind::dtmc)
-            throw Unsupported("long-run averages are supported for a dtmc only: an mdp has no answer yet");
+            throw Unsupported("long-run averages are supported only for a dtmc, not for an mdp");
     }
 
     Result<Value> average_earnings(const Earnings<Value>& earnings) {

@@ -97,7 +97,7 @@ TEST(Process, TimeIsCountedInTocks) {
               "0.75 to 0.75")
         << "in W during the first unit with 0.5, during the second with 0.25";
     EXPECT_EQ(decided(geometric, property("Prob max=? of [Next S is in S::A]")),
-              "not decided: X is about one step, and steps are not counted in this model");
+              "not decided: X is about one step, but this model does not count steps");
 }
 
 /// A coin is thrown in each time unit. The event never occurs with probability 1/8, and a bound of 10^9 units changes
@@ -199,7 +199,7 @@ TEST(Process, ConstantsAreTriedForEveryValue) {
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A] with constants S::q set to 2")),
               "S::q=2: the probability of a: p -> A is 2");
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A] with constants S::q set to 1/3")),
-              "S::q=1/3: the value 1/3 of q is no decimal number");
+              "S::q=1/3: the value 1/3 of q is not a decimal number");
 }
 
 TEST(Process, ProbabilitiesSumToOne) {

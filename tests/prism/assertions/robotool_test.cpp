@@ -227,9 +227,9 @@ TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
     EXPECT_FALSE(path.deadlock);
     EXPECT_EQ(
         rows_text(asked("prob generate path P: using simulation for deadlock with 2 repeats up to 20 steps" + half)),
-        "Game::hand::thrower::p=0.5: not decided: none of 3 paths of 20 steps comes to a deadlock");
+        "Game::hand::thrower::p=0.5: not decided: none of 3 paths of 20 steps reaches a deadlock");
     EXPECT_EQ(rows_text(asked("prob generate path P: using simulation for 1000000 steps" + half)),
-              "Game::hand::thrower::p=0.5: a path has 100000 steps at most");
+              "Game::hand::thrower::p=0.5: a path has at most 100000 steps");
 }
 
 TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {

@@ -108,7 +108,7 @@ TEST(PrismReal, WhatHasNoValueThrows) {
     EXPECT_NE(problem_of([] { return logarithm(one, one); }), "");
     EXPECT_NE(problem_of([] { return power(zero - two, half); }), "");
     EXPECT_NE(problem_of([] { return power(one, infinite); }), "");
-    EXPECT_EQ(problem_of([] { return Real(*floor_of(infinite)); }), "Infinity is no integer");
+    EXPECT_EQ(problem_of([] { return Real(*floor_of(infinite)); }), "Infinity is not an integer");
 }
 
 /// If an enclosure contains 0, the quotient may be infinite or have no value.

@@ -248,13 +248,13 @@ TEST(PrismSimulation, WhatPathsDoNotAnswerIsRefusedByName) {
     const auto why = [](const char* property, const char* method = "ci") {
         return Sampled(pair).ask(property, method).reason;
     };
-    EXPECT_THAT(why("P=? [ F P>0.5 [ F x=3 ] ]"), HasSubstr("questions inside of questions"));
+    EXPECT_THAT(why("P=? [ F P>0.5 [ F x=3 ] ]"), HasSubstr("samples do not answer nested queries"));
     EXPECT_THAT(why("P=? [ G F x=3 ]"), HasSubstr("path formulas inside"));
-    EXPECT_THAT(why("P=? [ F x=3 ] + 1"), HasSubstr("nothing around"));
-    EXPECT_THAT(why("filter(min, P=? [ F x=3 ])"), HasSubstr("nothing around"));
-    EXPECT_THAT(why("S=? [ x=3 ]"), HasSubstr("nothing around"));
-    EXPECT_THAT(why("x=3"), HasSubstr("nothing around"));
-    EXPECT_THAT(why("E [ F x=3 ]"), HasSubstr("nothing around"));
+    EXPECT_THAT(why("P=? [ F x=3 ] + 1"), HasSubstr("samples answer only"));
+    EXPECT_THAT(why("filter(min, P=? [ F x=3 ])"), HasSubstr("samples answer only"));
+    EXPECT_THAT(why("S=? [ x=3 ]"), HasSubstr("samples answer only"));
+    EXPECT_THAT(why("x=3"), HasSubstr("samples answer only"));
+    EXPECT_THAT(why("E [ F x=3 ]"), HasSubstr("samples answer only"));
     EXPECT_THAT(why("R{\"r\"}=? [ C ]"), HasSubstr("R of F of states"));
     EXPECT_THAT(why("R{\"r\"}=? [ S ]"), HasSubstr("R of F of states"));
     EXPECT_THAT(why("R{\"r\"}=? [ F x=3 ]", "apmc"), HasSubstr("apmc"));

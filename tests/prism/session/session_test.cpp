@@ -135,7 +135,7 @@ TEST(PrismSession, UndecidedPropertiesAreReported) {
     EXPECT_THAT(exact(fork, "A [ F G s=1 ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "A [ F<=3 s=1 ]"), HasSubstr("not decided"));
     EXPECT_THAT(exact(fork, "R{\"r\"}=? [ s=0 U s=1 ]"), HasSubstr("not decided"));
-    EXPECT_THAT(exact(fork, "filter(state, s)"), HasSubstr("asks for one state"));
+    EXPECT_THAT(exact(fork, "filter(state, s)"), HasSubstr("needs one state"));
     EXPECT_THAT(exact(loop, "S=? [ s=1 ]"), HasSubstr("not decided"));
 }
 
