@@ -47,10 +47,10 @@ private:
         if (claim.property.kind != Formula::Kind::within || std::isinf(claim.property.time))
             return report_refusal(claim.span, "a chain answers `CONDITION within TIME`");
         if (claim.indifference > 0)
-            return report_refusal(claim.span, "a chain has bounds, no test with an indifference");
+            return report_refusal(claim.span, "a chain computes bounds, so it has no test with an indifference");
         if (claim.limited)
             return report_refusal(claim.span,
-                                  "a chain is made of the scenario's trials, `at most N trials` is of none");
+                                  "a chain uses the trials of the scenario, so `at most N trials` is not allowed");
         const double steps = claim.property.time / scenario_.abstraction->every;
         const double whole = std::round(steps);
         if (std::abs(steps - whole) > 1e-9 * std::max(1.0, steps))
@@ -75,7 +75,7 @@ private:
             if (!goal) return report_refusal(question.span, not_said);
             asked.goal = *goal;
         } else if (!take_average(question, asked)) {
-            return report_refusal(question.span, "the chain does not tell apart what is averaged");
+            return report_refusal(question.span, "the chain does not distinguish the measure of the average");
         }
         result_.push_back(std::move(asked));
     }

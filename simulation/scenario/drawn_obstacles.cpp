@@ -75,7 +75,7 @@ double length_of(std::string_view text) {
     Coordinates numbers(text);
     const double value = numbers.read_number();
     if (!numbers.is_at_end())
-        throw BadDrawing(fmt::format("'{}' is no length in units of the drawing", text.substr(0, 20)));
+        throw BadDrawing(fmt::format("'{}' is not a length in units of the drawing", text.substr(0, 20)));
     return value;
 }
 
@@ -157,7 +157,7 @@ public:
         // Elements of other namespaces are editors' metadata.
         if (!name.starts_with(space) && name.find('|') != std::string_view::npos) return;
         const std::string_view element = name.starts_with(space) ? name.substr(space.size()) : name;
-        if (in_definitions_) throw BadDrawing("what stands in `defs` is not read");
+        if (in_definitions_) throw BadDrawing("the contents of `defs` are not read");
         const auto attribute = [&](std::string_view wanted) -> std::optional<std::string_view> {
             for (const XML_Char** at = attributes; *at != nullptr; at += 2)
                 if (wanted == at[0]) return at[1];
@@ -167,7 +167,7 @@ public:
             if (const auto value = attribute(wanted)) return *value;
             throw BadDrawing(fmt::format("`{}` has no {}", element, wanted));
         };
-        if (!root_seen_ && element != "svg") throw BadDrawing("it is no SVG drawing");
+        if (!root_seen_ && element != "svg") throw BadDrawing("it is not an SVG drawing");
         if (attribute("transform") || attribute("style").value_or("").find("transform") != std::string_view::npos)
             throw BadDrawing("`transform` is not read: write coordinates as they are");
         if (element == "svg") {
@@ -204,7 +204,7 @@ public:
     }
 
     [[nodiscard]] std::vector<Polygon> obstacles() const {
-        if (!root_seen_) throw BadDrawing("it is no SVG drawing");
+        if (!root_seen_) throw BadDrawing("it is not an SVG drawing");
         std::vector<Polygon> result = polygons_;
         for (Polygon& polygon : result)
             for (Vector& at : polygon) at = {at.x - middle_.x, middle_.y - at.y};

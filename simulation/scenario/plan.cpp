@@ -149,7 +149,7 @@ private:
             if (effects[i].empty() && emission_.outputs[i].kind == Port::Kind::call)
                 report(rules::not_done, emission_.outputs[i].name);
         for (const Name& each : ignored)
-            report_unknown(each, "event that nothing feeds, or operation without effect, named", {});
+            report_unknown(each, "event without a feed, or operation without an effect, named", {});
     }
 
     void bind_world_feed(const WorldFeed& feed, std::uint32_t number, WorldPlan& plan) {
@@ -325,9 +325,10 @@ private:
             known.push_back(each.name);
             if (!refers_to(name.text, each.owner + "::" + each.name)) continue;
             if (found != nullptr && (found->value != each.value || found->type != each.type)) {
-                diagnostics_.report(rules::out_of_range, name.span,
-                                    {fmt::format("'{}' has one value in {} and another in {}: write whose is meant",
-                                                 name.text, found->owner, each.owner)});
+                diagnostics_.report(
+                    rules::out_of_range, name.span,
+                    {fmt::format("'{}' has different values in {} and {}: write the path of one of them", name.text,
+                                 found->owner, each.owner)});
                 return nullptr;
             }
             found = &each;

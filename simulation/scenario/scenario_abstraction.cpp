@@ -31,7 +31,7 @@ void ScenarioReader::parse_abstraction() {
     if (in_.has_failed()) return;
     if (abstraction.distinctions.size() > most_distinctions)
         in_.report(rules::out_of_range, abstraction.span,
-                   {fmt::format("a chain tells at most {} measures apart", most_distinctions)});
+                   {fmt::format("a chain distinguishes at most {} measures", most_distinctions)});
     scenario_.abstraction = std::move(abstraction);
 }
 
@@ -57,7 +57,7 @@ bool ScenarioReader::parse_distinction(Abstraction& abstraction) {
                                            [&](const Distinction& other) { return other.measure == each.measure; });
     if (again) in_.report(rules::said_twice, span, {fmt::format("'{}'", name)});
     if (each.levels.empty() && dimension != Dimension::share)
-        in_.report(rules::missing, span, {fmt::format("between which levels of '{}' the chain tells apart", name)});
+        in_.report(rules::missing, span, {fmt::format("the levels of '{}' that the chain distinguishes", name)});
     if (each.levels.size() > most_levels)
         in_.report(rules::out_of_range, span, {fmt::format("a measure has at most {} levels", most_levels)});
     if (std::ranges::adjacent_find(each.levels, std::greater_equal<>()) != each.levels.end())
@@ -78,7 +78,7 @@ void ScenarioReader::chain_question(diagnostics::Span begin) {
         in_.expect_word("average");
         question.measure = measure_named();
         if (question.measure < scenario_.measures.size() && dimension_of(question.measure) != Dimension::share)
-            in_.report(rules::out_of_range, in_.last_span(), {"an average in the long run is one of a share"});
+            in_.report(rules::out_of_range, in_.last_span(), {"a long-run average must be the average of a share"});
     }
     question.confidence = parse_confidence();
     question.span = diagnostics::join_spans(begin, in_.last_span());
@@ -90,7 +90,7 @@ void ScenarioReader::chain_question(diagnostics::Span begin) {
 void ScenarioReader::check_abstraction() {
     if (!scenario_.abstraction) {
         for (const ChainQuestion& each : scenario_.chain_questions)
-            in_.report(rules::missing, each.span, {"what the states of a chain are (abstract by MEASURE every TIME)"});
+            in_.report(rules::missing, each.span, {"the states of the chain (abstract by MEASURE every TIME)"});
         return;
     }
     const Abstraction& abstraction = *scenario_.abstraction;
@@ -111,7 +111,7 @@ void ScenarioReader::check_abstraction() {
                    {fmt::format("the trials are more than {:.0f} steps of the chain", most_steps)});
     if (scenario_.claims.empty() && scenario_.chain_questions.empty())
         in_.report(rules::missing, abstraction.span,
-                   {"what the chain is asked (accept probability, estimate probability, time or average)"});
+                   {"the queries to the chain (accept probability, estimate probability, time or average)"});
 }
 
 }  // namespace robochart::simulation

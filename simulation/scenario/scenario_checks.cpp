@@ -16,11 +16,11 @@ namespace robochart::simulation {
 void ScenarioReader::check_scenario() {
     for (const auto& [word, what] :
          {std::pair("step", "the control step"), std::pair("physics", "the physics step"),
-          std::pair("unit", "how long a time unit of the model is"), std::pair("duration", "the duration"),
-          std::pair("arena", "the arena"), std::pair("robots", "how many robots there are")})
+          std::pair("unit", "the length of a time unit of the model"), std::pair("duration", "the duration"),
+          std::pair("arena", "the arena"), std::pair("robots", "the number of robots")})
         if (!said_.contains(word)) in_.report(rules::missing, whole_, {what});
     if (said_.contains("robots") && scenario_.placements.empty())
-        in_.report(rules::missing, robots_span_, {"where the robots are placed"});
+        in_.report(rules::missing, robots_span_, {"the places of the robots"});
     scenario_.set_robots(scenario_.robots);
     scenario_.set_trials(scenario_.trials);
     check_steps();
@@ -35,8 +35,8 @@ void ScenarioReader::check_scenario() {
         if ((each.what == Varied::failed || each.what == Varied::mean_time) &&
             std::ranges::none_of(scenario_.failures, varies))
             in_.report(rules::missing, each.span,
-                       {each.what == Varied::failed ? "what fails (failure of KIND at TIME in N robots)"
-                                                    : "what fails (failure of KIND with mean time TIME)"});
+                       {each.what == Varied::failed ? "the failure (failure of KIND at TIME in N robots)"
+                                                    : "the failure (failure of KIND with mean time TIME)"});
     }
     for (const auto& [time, span] : times_)
         if (said_.contains("duration") && time > scenario_.duration)
@@ -100,7 +100,7 @@ void ScenarioReader::check_places() {
     for (const Inside& place : inside_) {
         const bool outside = std::abs(place.at.x) > arena.width / 2 || std::abs(place.at.y) > arena.height / 2;
         if (!arena.walled || !outside || place.span == last) continue;
-        in_.report(rules::out_of_range, place.span, {fmt::format("{} lies outside the arena", place.what)});
+        in_.report(rules::out_of_range, place.span, {fmt::format("{} is outside the arena", place.what)});
         last = place.span;
     }
 }
@@ -203,7 +203,7 @@ bool place_robots(World& world, const Scenario& scenario, const RobotKind& kind,
         }
         const Region region = region_of(placement, here, scenario.world.arena);
         if (is_beyond(region, scenario.world.arena)) {
-            diagnostics.report(rules::out_of_range, placement.span, {"the place of robots lies outside the arena"});
+            diagnostics.report(rules::out_of_range, placement.span, {"the place of robots is outside the arena"});
             return false;
         }
         const Vector extent = region.high - region.low;

@@ -121,12 +121,12 @@ double ScenarioReader::time_limit(std::string_view what) {
 Formula ScenarioReader::parse_timed() {
     const bool negated = in_.at_word("not");
     Formula formula = parse_simple();
-    if (negated && at_time_word()) in_.fail_expecting("parentheses that show what 'not' is about");
+    if (negated && at_time_word()) in_.fail_expecting("parentheses after 'not'");
     while (!in_.has_failed() && at_time_word()) {
         if (in_.take_word("stays")) {
             in_.expect_word("for");
             formula =
-                lift_to_trial(Formula::Kind::stays, "stays for", std::move(formula), time_limit("how long it stays"));
+                lift_to_trial(Formula::Kind::stays, "stays for", std::move(formula), time_limit("the length of time"));
         } else if (in_.take_word("within")) {
             formula = lift_to_trial(Formula::Kind::within, "within", std::move(formula), time_limit("the time"));
         } else if (in_.take_word("at")) {

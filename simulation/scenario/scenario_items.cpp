@@ -183,7 +183,7 @@ void ScenarioReader::parse_placement() {
         in_.expect_word("around");
         placement.pose.at = in_.read_point("a point");
         in_.expect_word("within");
-        placement.link = in_.read_positive(Dimension::length, "how far linked robots are from each other");
+        placement.link = in_.read_positive(Dimension::length, "the distance of linked robots");
     } else if (!in_.take_word("random")) {
         in_.expect_word("at");
         placement.pose.at = in_.read_point("a point");

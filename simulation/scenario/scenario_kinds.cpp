@@ -17,7 +17,7 @@ void ScenarioReader::parse_robots() {
     const std::string environment = scenario_.controller_name(scenario_.kind_count());
     if (kind.kind.text == environment)
         in_.report(rules::said_twice, kind.kind.span,
-                   {fmt::format("the name '{}', which is that of what acts on the world,", environment)});
+                   {fmt::format("the name '{}', which the environment already has,", environment)});
     if (in_.take_word("for")) return other_kind(std::move(kind), begin);
     if (!said_.emplace("robots", begin).second)
         in_.report(rules::said_twice, begin, {"'robots' (others have a name, `for` and a component of their own)"});
@@ -102,7 +102,7 @@ void ScenarioReader::other_kind(RobotKind kind, diagnostics::Span begin) {
     kind_ = &scenario_;
     in_.expect_word("}");
     if (kind.placements.empty() && !in_.has_failed())
-        in_.report(rules::missing, kind.component.span, {"where the robots are placed"});
+        in_.report(rules::missing, kind.component.span, {"the places of the robots"});
     scenario_.others.push_back(std::move(kind));
 }
 

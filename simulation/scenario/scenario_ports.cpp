@@ -40,7 +40,7 @@ void ScenarioReader::parse_sensor() {
     }
     if ((known == SensorKind::light || known == SensorKind::ground) && sensor.source.text.empty())
         in_.report(rules::missing, sensor.name.span,
-                   {fmt::format("which light '{}' senses (source NAME)", sensor.name.text)});
+                   {fmt::format("the light that '{}' senses (source NAME)", sensor.name.text)});
     if (known) scenario_.sensors.push_back(sensor);
 }
 
@@ -55,9 +55,9 @@ void ScenarioReader::parse_option(Sensor& sensor, bool known) {
         const double range = in_.read_positive(Dimension::length, "the range");
         sensor.sight_range = sensor.range_and_bearing.range = sensor.proximity.range = range;
     } else if (detects && in_.take_word("false_negative"))
-        sensor.false_negative = in_.not_negative(Dimension::share, "how often something is missed");
+        sensor.false_negative = in_.not_negative(Dimension::share, "the probability of a false negative");
     else if (detects && in_.take_word("false_positive"))
-        sensor.false_positive = in_.not_negative(Dimension::share, "how often something is seen that is not there");
+        sensor.false_positive = in_.not_negative(Dimension::share, "the probability of a false positive");
     else if (detects && in_.take_word("error"))
         sensor.false_negative = sensor.false_positive = in_.not_negative(Dimension::share, "the error");
     else if (is(SensorKind::range_and_bearing, "message"))
@@ -103,7 +103,8 @@ void ScenarioReader::parse_feed() {
     feed.carries = row->carries;
     if (row->argument) parse_argument(feed, *row);
     if (row->reading == Reading::message && in_sensor_without_message(feed))
-        in_.report(rules::missing, feed.span, {fmt::format("what '{}' sends (message VARIABLE)", feed.part.text)});
+        in_.report(rules::missing, feed.span,
+                   {fmt::format("the variable that '{}' sends (message VARIABLE)", feed.part.text)});
     if (row->carries == Carries::real) {
         in_.expect_word("in");
         feed.factor = in_.read_unit(row->result, fmt::format("'{}'", reading.text));

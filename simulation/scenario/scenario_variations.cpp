@@ -97,7 +97,7 @@ void ScenarioReader::parse_values(Variation& variation) {
         const double count = step > 0 ? std::floor((high - values[0]) / step + 1e-9) : -1;
         if (!in_.has_failed() && (count < 0 || count >= static_cast<double>(most_values)))
             in_.report(rules::out_of_range, diagnostics::join_spans(begin, in_.last_span()),
-                       {fmt::format("a variation has from 1 to {} values, from the lowest on", most_values)});
+                       {fmt::format("a variation has 1 to {} values, in ascending order", most_values)});
         else
             for (double i = 1; i <= count; ++i) values.push_back(values[0] + i * step);
         return;

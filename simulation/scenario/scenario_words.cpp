@@ -21,25 +21,25 @@ constexpr double largest = 1e9;
 using diagnostics::Advice;
 
 constexpr std::string_view scenario_form = "a scenario has the form `scenario NAME for PACKAGE::MODULE { ... }`";
-constexpr std::string_view value_form = "a value follows its word at once: `trials 10`";
-constexpr std::string_view drive_form = "what an operation does is said by `drive motors by stop on halt`";
-constexpr std::string_view feed_form = "an event is fed by `feed EVENT with SENSOR.READING`";
-constexpr std::string_view stimulus_form = "an event from outside comes by `stimulus EVENT at 3 s` or `every 3 s`";
+constexpr std::string_view value_form = "a value directly follows its keyword: `trials 10`";
+constexpr std::string_view drive_form = "`drive motors by stop on halt` defines the effect of an operation";
+constexpr std::string_view feed_form = "`feed EVENT with SENSOR.READING` feeds an event";
+constexpr std::string_view stimulus_form = "`stimulus EVENT at 3 s` or `every 3 s` raises an event from outside";
 constexpr std::string_view accept_form =
-    "what is accepted is said of `each M at 10 s <= 5 cm` (in each trial), `mean M ...` (over the trials), or "
-    "`probability P >= 95 % with confidence 99 %`";
-constexpr std::string_view accept_item = "what is accepted stands behind `accept`: `accept each M at 10 s <= 5 cm`";
+    "a criterion is `each M at 10 s <= 5 cm` (in each trial), `mean M ...` (over the trials), or `probability P >= 95 "
+    "% with confidence 99 %`";
+constexpr std::string_view accept_item = "a criterion is written after `accept`: `accept each M at 10 s <= 5 cm`";
 constexpr std::string_view place_form =
-    "robots begin at `place at (0 cm, 0 cm) heading 0 deg` or `place random in (X, Y) to (X, Y)`";
+    "`place at (0 cm, 0 cm) heading 0 deg` or `place random in (X, Y) to (X, Y)` sets the initial places of robots";
 constexpr std::string_view any_item = "an item of a scenario or '}'";
 constexpr std::string_view robot_item = "'radius', 'axle', 'wheel', 'noise', 'place', 'const' or '}'";
 
 constexpr std::array advice{
     Advice{"'for'", "scenario NAME @", scenario_form},
-    Advice{"'{'", "NAME @ .", "a module of a package is named `PACKAGE::MODULE`"},
+    Advice{"'{'", "NAME @ .", "the name of a module in a package is `PACKAGE::MODULE`"},
     Advice{"'{'", ":: NAME @", scenario_form},
-    Advice{"a number", "robots @", "how many there are is said first: `robots 10 { ... }`"},
-    Advice{"a number", "record @", "how often positions are recorded is said by `record 0.2 s`"},
+    Advice{"a number", "robots @", "the number of robots comes first: `robots 10 { ... }`"},
+    Advice{"a number", "record @", "`record 0.2 s` sets the interval of the recorded positions"},
     Advice{"a number", "@ =", value_form},
     Advice{"a number", "@ :", value_form},
     Advice{"'by'", "drive NAME @", drive_form},
@@ -53,8 +53,8 @@ constexpr std::array advice{
     Advice{robot_item, "@ position", place_form},
     Advice{robot_item, "@ pose", place_form},
     Advice{robot_item, "@ start", place_form},
-    Advice{any_item, "@ ;", "items are not separated by anything"},
-    Advice{any_item, "@ ,", "items are not separated by anything"},
+    Advice{any_item, "@ ;", "items need no separator"},
+    Advice{any_item, "@ ,", "items need no separator"},
     Advice{any_item, "@ #", "a comment begins with `//`"},
     Advice{any_item, "@ event", stimulus_form},
     Advice{any_item, "@ expect", accept_item},
@@ -62,8 +62,8 @@ constexpr std::array advice{
     Advice{any_item, "@ check", accept_item},
     Advice{any_item, "@ goal", "a place to go to is a light: `light NAME at (X, Y)`"},
     Advice{any_item, "@ target", "a place to go to is a light: `light NAME at (X, Y)`"},
-    Advice{any_item, "@ time", "how long a trial takes is said by `duration 10 s`"},
-    Advice{any_item, "@ length", "how long a trial takes is said by `duration 10 s`"},
+    Advice{any_item, "@ time", "`duration 10 s` sets the length of a trial"},
+    Advice{any_item, "@ length", "`duration 10 s` sets the length of a trial"},
 };
 
 }  // namespace

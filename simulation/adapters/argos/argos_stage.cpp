@@ -253,25 +253,25 @@ void refuse_sensors(const Scenario& scenario, diagnostics::Diagnostics& diagnost
                            count(scenario, sensor.kind) > 1;
         if (twice)
             diagnostics.report(rules::not_there, sensor.name.span,
-                               {"ARGoS", "second sensor of the kind of '" + sensor.name.text + "' on a robot"});
+                               {"ARGoS", "second sensor of the same kind as '" + sensor.name.text + "' on a robot"});
         if (sensor.kind == SensorKind::light && sensor.light_ring.sensors != 8)
             diagnostics.report(rules::not_there, sensor.name.span,
                                {"ARGoS", "rings of other than eight light sensors"});
     }
     if (count(scenario, SensorKind::light) > 0 && scenario.lights.size() > 1)
         diagnostics.report(rules::not_there, scenario.lights[1].name.span,
-                           {"ARGoS", "light sensors that tell one light from another"});
+                           {"ARGoS", "light sensors that distinguish lights"});
 }
 
 bool refuse(const Scenario& scenario, diagnostics::Diagnostics& diagnostics) {
     refuse_sensors(scenario, diagnostics);
     if (std::abs(scenario.world.body.radius - body_radius) > 0.5)
         diagnostics.report(rules::not_there, scenario.name.span,
-                           {"ARGoS", "e-pucks of other than about 3.5 cm (its own are that large)"});
+                           {"ARGoS", "e-pucks with a radius other than about 3.5 cm"});
     const double rate = 1 / scenario.world.control_step;
     if (std::abs(rate - std::round(rate)) > 1e-9)
         diagnostics.report(rules::not_there, scenario.name.span,
-                           {"ARGoS", "control steps of which a second has no whole number"});
+                           {"ARGoS", "control steps that do not divide a second"});
     refuse_beyond(scenario, "ARGoS", diagnostics);
     return !diagnostics.ok();
 }

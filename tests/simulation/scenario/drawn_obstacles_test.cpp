@@ -74,7 +74,7 @@ TEST(DrawnObstacles, WhatIsNotReadIsSaid) {
 
 TEST(DrawnObstacles, HostileTexts) {
     EXPECT_NE(refused(""), "");
-    EXPECT_THAT(refused("<html/>"), HasSubstr("no SVG"));
+    EXPECT_THAT(refused("<html/>"), HasSubstr("not an SVG"));
     EXPECT_THAT(refused("<svg/>"), HasSubstr("no viewBox"));
     EXPECT_THAT(refused("<svg viewBox=\"0 0 -1 1\"/>"), HasSubstr("viewBox"));
     EXPECT_THAT(

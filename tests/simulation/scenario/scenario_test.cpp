@@ -162,7 +162,7 @@ TEST(Scenario, FindingsInClaims) {
     EXPECT_THAT(findings("probability (always near >= 1 %) within 1 s" + tail), HasSubstr("RC-M16 'within' takes"));
     EXPECT_THAT(findings("each first(near >= 1 % within 1 s) <= 1 s"), HasSubstr("RC-M16 'first' takes"));
     EXPECT_THAT(findings("probability not near >= 1 % within 1 s" + tail),
-                HasSubstr("RC-M01 expected parentheses that show what 'not' is about, found 'within'"));
+                HasSubstr("RC-M01 expected parentheses after 'not', found 'within'"));
     EXPECT_THAT(findings("probability near >= 1 % within 3 s" + tail), HasSubstr("RC-M03 3 s is after the end"));
     EXPECT_THAT(findings("probability near >= 1 % >= 50 % with confidence 100 %"),
                 HasSubstr("RC-M03 the confidence is at least 50 % and less than 100 %"));
@@ -242,7 +242,7 @@ TEST(Start, SquaresGrowWithTheRobots) {
     }
     Read beyond(replaced(text, "(10 cm, 0 cm)", "(20 cm, 0 cm)"));
     EXPECT_FALSE(start(beyond.scenario, 0, beyond.diagnostics));
-    EXPECT_EQ(beyond.findings(), "4:25 RC-M03 the place of robots lies outside the arena\n");
+    EXPECT_EQ(beyond.findings(), "4:25 RC-M03 the place of robots is outside the arena\n");
     Read whole(replaced(text, "around (10 cm, 0 cm) with 300 cm2 per robot", "in arena"));
     EXPECT_EQ(whole.findings(), "");
     EXPECT_TRUE(start(whole.scenario, 0, whole.diagnostics));
@@ -260,7 +260,7 @@ TEST(Start, SaysWhatCannotBe) {
     EXPECT_THAT(close.findings(), HasSubstr("10:3 RC-M03 robots that are linked are at least a diameter apart, 7 cm"));
     const std::string outside = replaced(replaced(good, " open", ""), "light lamp",
                                          "obstacle (200 cm, 0 cm), (210 cm, 0 cm), (200 cm, 9 cm) light lamp");
-    EXPECT_EQ(Read(outside).findings(), "7:11 RC-M03 the obstacle lies outside the arena\n");
+    EXPECT_EQ(Read(outside).findings(), "7:11 RC-M03 the obstacle is outside the arena\n");
 }
 
 /// 0.035 m is a little more than 3.5 cm as a double.
@@ -287,7 +287,7 @@ TEST(Scenario, AControllersConstantHasOneName) {
     EXPECT_THAT(findings("all", "vary const pace in 1, 2 vary const all.pace in 1, 2"), HasSubstr("RC-M05"));
     EXPECT_EQ(findings("all", "vary const all.pace in 1, 2"), "");
     EXPECT_THAT(findings("environment", "vary const pace in 1, 2"),
-                HasSubstr("RC-M05 the name 'environment', which is that of what acts on the world, is given twice"));
+                HasSubstr("RC-M05 the name 'environment', which the environment already has, is given twice"));
 }
 
 /// At most all twelve robots can fail, not thirteen. If their number varies, the limit at each point is its number of
@@ -331,8 +331,8 @@ const Mistake mistakes[] = {
     {"for P::Roam {", "for P::Roam step", "has the form `scenario NAME"},
     {"robots 12 {", "robots {", "`robots 10 { ... }`"},
     {"record 200 ms", "record every 200 ms", "`record 0.2 s`"},
-    {"trials 3", "trials = 3", "follows its word at once"},
-    {"trials 3", "trials: 3", "follows its word at once"},
+    {"trials 3", "trials = 3", "directly follows its keyword"},
+    {"trials 3", "trials: 3", "directly follows its keyword"},
     {"drive motors by turn", "drive motors turn", "`drive motors by stop on halt`"},
     {"2 m by 100 cm", "2 m x 100 cm", "`arena 300 cm by 200 cm`"},
     {"feed a with", "feed a by", "`feed EVENT with"},
@@ -341,16 +341,16 @@ const Mistake mistakes[] = {
     {"wall (0 cm, 0 cm) to (50 mm, -0.1 m)", "obstacle at (0 cm, 0 cm)", "has corners"},
     {"place random in (40 cm, 40 cm) to (-40 cm, -40 cm)", "place random", "`place random in"},
     {"accept mean way", "accept way", "`probability P"},
-    {"place at", "position at", "robots begin at"},
-    {"place at", "pose at", "robots begin at"},
-    {"place at", "start at", "robots begin at"},
-    {"trials 3", "trials 3;", "not separated"},
-    {"trials 3", "trials 3,", "not separated"},
+    {"place at", "position at", "sets the initial places"},
+    {"place at", "pose at", "sets the initial places"},
+    {"place at", "start at", "sets the initial places"},
+    {"trials 3", "trials 3;", "need no separator"},
+    {"trials 3", "trials 3,", "need no separator"},
     {"light lamp", "# words\n\tlight lamp", "begins with `//`"},
     {"stimulus e at", "event e at", "`stimulus EVENT at 3 s`"},
-    {"accept mean way", "expect mean way", "stands behind `accept`"},
-    {"accept mean way", "assert mean way", "stands behind `accept`"},
-    {"accept mean way", "check mean way", "stands behind `accept`"},
+    {"accept mean way", "expect mean way", "written after `accept`"},
+    {"accept mean way", "assert mean way", "written after `accept`"},
+    {"accept mean way", "check mean way", "written after `accept`"},
     {"light lamp", "goal lamp", "is a light"},
     {"light lamp", "target lamp", "is a light"},
     {"duration 2 s", "time 2 s", "`duration 10 s`"},

@@ -77,16 +77,16 @@ TEST(Vary, Failures) {
     EXPECT_EQ(at.failures.at(1).mean_time, 60);
     EXPECT_EQ(point_text(read.scenario, {0, 5}), "failures 0, mean time 5");
     EXPECT_THAT(ReadScenario(with("vary failures in 0 to 3")).findings,
-                HasSubstr("RC-M04 the scenario does not state what fails"));
+                HasSubstr("RC-M04 the scenario does not state the failure"));
     EXPECT_THAT(ReadScenario(with("vary mean time in 3 s")).findings,
-                HasSubstr("RC-M04 the scenario does not state what fails"));
+                HasSubstr("RC-M04 the scenario does not state the failure"));
 }
 
 TEST(Vary, Findings) {
     EXPECT_THAT(ReadScenario(with("vary wind in 1 to 4")).findings,
                 HasSubstr("RC-M01 expected 'robots', 'noise', 'failures', 'mean time', 'const' or a sensor"));
     EXPECT_THAT(ReadScenario(with("vary robots in 4 to 1")).findings,
-                HasSubstr("RC-M03 a variation has from 1 to 1000 values"));
+                HasSubstr("RC-M03 a variation has 1 to 1000 values"));
     EXPECT_THAT(ReadScenario(with("vary robots in 1 to 100000")).findings, HasSubstr("RC-M03 a variation has"));
     EXPECT_THAT(ReadScenario(with("vary noise in 0 % to 1 %")).findings, HasSubstr("RC-M01 expected 'by'"));
     EXPECT_THAT(ReadScenario(with("vary robots in 0 to 3")).findings, HasSubstr("RC-M03"));

@@ -174,7 +174,7 @@ TEST(Messages, CarryWhatTheSenderWrote) {
               (std::vector<std::string>{"Waiting", "Waiting"}))
         << "0 is not sent";
     Experiment without(looking, replaced(hearing, " message saying", ""));
-    EXPECT_THAT(without.messages(), HasSubstr("what 'radio' sends"));
+    EXPECT_THAT(without.messages(), HasSubstr("the variable that 'radio' sends"));
 }
 
 TEST(Failures, OfARadioAreOnBothSides) {
