@@ -41,7 +41,7 @@ std::size_t intern_obligation(std::vector<Obligation>& known, const Obligation& 
     const auto found = std::ranges::find(known, obligation);
     if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
     check_sizes(obligation);
-    if (known.size() + 1 >= 1U << kind_bits) throw NotDecided("a rule can ask for too many different things");
+    if (known.size() + 1 >= 1U << kind_bits) throw NotDecided("a rule can require too many different responses");
     known.push_back(obligation);
     return known.size() - 1;
 }

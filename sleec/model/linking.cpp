@@ -64,7 +64,7 @@ private:
             if (found->types.empty())
                 channel = component_ + "::" + model + (*end == 'C' ? end : "");
             else
-                why = fmt::format("'{}' of {} has data, which events of rules have not", model, component_);
+                why = fmt::format("'{}' of {} has data, but events of rules have none", model, component_);
             break;
         }
         result_.missing_events.push_back(channel ? "" : why);

@@ -31,7 +31,7 @@ std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const Chec
             for (const std::int64_t value : values[measure]) {
                 more.push_back(each);
                 more.back()[measure] = value;
-                if (more.size() > most) throw NotDecided("a rule tells too many values of measures apart");
+                if (more.size() > most) throw NotDecided("a rule distinguishes too many values of measures");
             }
         all = std::move(more);
     }

@@ -171,7 +171,7 @@ Tree Encoding::response_process(const DutyPtr& duty) const {
     }
     if (!duty->to) throw NotDecided("SLEEC-TK has no 'otherwise' without 'within'");
     if (!duty->otherwise->defeaters.empty())
-        throw NotDecided("what SLEEC-TK makes of defeaters behind 'otherwise' is not known");
+        throw NotDecided("the meaning of defeaters after 'otherwise' in SLEEC-TK is unknown");
     return build::call(name("Before"), {event, build::number(*duty->to), response_process(duty->otherwise)});
 }
 

@@ -40,10 +40,10 @@ constexpr std::array<std::string_view, 26> reserved{
 
 /// The equivalent of a character of other notations; "" if it is unknown.
 std::string_view meant_by(std::string_view character) {
-    if (character == "&") return "conditions are joined by `and`";
-    if (character == "|") return "conditions are joined by `or`";
-    if (character == "!") return "conditions are negated by `not`, values that differ are compared with `<>`";
-    if (character == ";") return "nothing ends a definition or a rule";
+    if (character == "&") return "join conditions with `and`";
+    if (character == "|") return "join conditions with `or`";
+    if (character == "!") return "`not` negates a condition, and `<>` tests whether two values differ";
+    if (character == ";") return "definitions and rules need no terminator";
     if (character == "#" || character == "%") return "a comment begins with `//`";
     return {};
 }

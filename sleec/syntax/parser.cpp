@@ -20,30 +20,30 @@ constexpr std::string_view rule_form =
 constexpr std::string_view limit_form = "a limit of time is `within 5 seconds`, with the unit in full";
 constexpr std::string_view exception_form = "an exception is `unless CONDITION then RESPONSE`";
 constexpr std::string_view comment_form = "a comment begins with `//`";
-constexpr std::string_view constant_form = "a constant is defined by `constant NAME = 5`";
+constexpr std::string_view constant_form = "`constant NAME = 5` defines a constant";
 constexpr std::string_view numeric_form = "numbers are `numeric`";
 constexpr std::string_view rule_name = "the name of a rule or 'rule_end'";
 constexpr std::string_view definition = "a definition or 'def_end'";
 
 constexpr std::array advice{
-    Advice{"'when'", "NAME @ :", "the name of a rule is followed by `when` at once"},
-    Advice{"'when'", "rule @", "a rule begins with its name, without a word in front"},
+    Advice{"'when'", "NAME @ :", "`when` directly follows the name of a rule"},
+    Advice{"'when'", "rule @", "a rule begins with its name, without a keyword"},
     Advice{"'when'", "in @ NUMBER", limit_form},
     Advice{"'when'", "after @ NUMBER", limit_form},
     Advice{"'when'", "until @", limit_form},
     Advice{"'when'", "except @", exception_form},
-    Advice{"'when'", "never NAME @", "a response is forbidden by `not EVENT within 5 seconds`"},
+    Advice{"'when'", "never NAME @", "`not EVENT within 5 seconds` forbids a response"},
     Advice{"'when'", "shall @", "a response is an event: `then EVENT within 5 seconds`"},
     Advice{"'when'", "must @", "a response is an event: `then EVENT within 5 seconds`"},
     Advice{"'when'", "should @", "a response is an event: `then EVENT within 5 seconds`"},
     Advice{"'when'", "@", rule_form},
     Advice{rule_name, "@ when", "a rule begins with a name: `R1 when ...`"},
     Advice{rule_name, "if @", exception_form},
-    Advice{rule_name, "@ and", "a rule asks for one event: another one has a rule of its own"},
-    Advice{rule_name, "@ or", "a rule asks for one event: another one has a rule of its own"},
+    Advice{rule_name, "@ and", "a rule requires one event: write another rule for another event"},
+    Advice{rule_name, "@ or", "a rule requires one event: write another rule for another event"},
     Advice{"'then'", "@ or",
-           "a rule begins with one event: another one has a rule of its own; conditions are joined "
-           "by `and` and `or` behind it"},
+           "a rule begins with one event: write another rule for another event; join conditions with `and` and `or` "
+           "after it"},
     Advice{"'then'", "@", rule_form},
     Advice{"", "within NUMBER @", limit_form},
     Advice{"", "measure NAME : @ bool", "truth values are `boolean`"},
@@ -52,13 +52,13 @@ constexpr std::array advice{
     Advice{"", "measure NAME : @ real", numeric_form},
     Advice{"", "measure NAME : @ float", numeric_form},
     Advice{"", "measure NAME : @ {", "a measure of named levels is `scale(low, high)`"},
-    Advice{"')'", "NAME @ NAME", "levels are separated by commas: `scale(low, high)`"},
+    Advice{"')'", "NAME @ NAME", "separate levels with commas: `scale(low, high)`"},
     Advice{"'='", "constant NAME @", constant_form},
     Advice{definition, "@ const", constant_form},
-    Advice{definition, "event NAME @ ,", "each event has a line of its own: `event NAME`"},
+    Advice{definition, "event NAME @ ,", "define each event separately: `event NAME`"},
     Advice{definition, "@ - -", comment_form},
     Advice{definition, "NAME @ -", "names consist of letters, digits and `_`"},
-    Advice{"", "= @ =", "values are compared with `=`"},
+    Advice{"", "= @ =", "`=` compares values"},
     Advice{"'def_start'", "@",
            "a file begins with definitions, `def_start ... def_end`; `rule_start ... rule_end` "
            "follows"},
@@ -146,7 +146,7 @@ void Parser::fail(std::string_view expected, const Words& words) {
     if (!form.empty())
         finding.notes.push_back({{}, std::string(form)});
     else if (words.empty() && token.kind == Tok::word && is_reserved(token.text))
-        finding.notes.push_back({{}, fmt::format("'{}' is a word of the language, which names nothing", token.text)});
+        finding.notes.push_back({{}, fmt::format("'{}' is a word of the language and cannot be a name", token.text)});
     throw SyntaxError{};
 }
 
