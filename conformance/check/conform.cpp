@@ -148,11 +148,11 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
         const auto found = open_choice(normal_form, alphabet, represented, options.limits);
         if (!found) return;
         reason = fmt::format(
-            "no difference for the few values explored, but they do not stand for all: after one trace the model may "
-            "make either of {} and {}",
+            "no difference for the few values explored, but they do not represent all values: after one trace the "
+            "model may make either of {} and {}",
             found->one, found->other);
     } catch (const process::Interrupted& limit) {
-        reason = fmt::format("whether few values stand for all was not decided: {}", limit.what());
+        reason = fmt::format("it was not decided whether few values represent all values: {}", limit.what());
     }
     result.outcome = Outcome::inconclusive;
     result.reason = std::move(reason);

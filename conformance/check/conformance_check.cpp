@@ -121,7 +121,7 @@ std::string describe_difference(const refine::Counterexample& found, const Alpha
     const bool stopped =
         std::ranges::all_of(found.required, [](const process::EventSet& allowed) { return allowed.empty(); });
     if (*event == alphabet.tock() && stopped)
-        return "the code ends its cycle where time stops in the model: it misses a deadline and does not say so";
+        return "the code ends its cycle where time stops in the model: it misses a deadline and does not report it";
     if (*event == alphabet.tock()) return "the code ends its cycle although the model must go on";
     return fmt::format("the code does {}, which the model does not allow here", alphabet.describe_event(*event));
 }
@@ -133,7 +133,7 @@ const std::string& last_state(const refine::Counterexample& found) {
 std::string timelock_reason(const refine::Counterexample& found) {
     const std::string& where = last_state(found);
     if (found.kind == refine::ViolationKind::divergence)
-        return "the model does infinitely much without time passing, at " + where;
+        return "the model takes infinitely many steps without time passing, at " + where;
     return "the model can neither go on nor let time pass, at " + where;
 }
 

@@ -138,7 +138,7 @@ private:
     }
 
     bool check_same_effect(const Run& other) {
-        return check_promise(cycle_.result == other.result, other, "it ends otherwise") &&
+        return check_promise(cycle_.result == other.result, other, "it ends differently") &&
                check_promise(cycle_.log.overflow == other.log.overflow && same_writes(cycle_.log, other.log), other,
                              "other outputs") &&
                check_promise(same_asked(other.log), other, "other choices") &&
@@ -166,7 +166,7 @@ private:
         call_guarded(call_dispatch, again_, raised_);
         const bool as_ever = again_.result == dispatched_.result && same_writes(again_.log, dispatched_.log) &&
                              again_.state == dispatched_.state;
-        return check_promise(as_ever, again_, "time that passes before the machine has begun is counted");
+        return check_promise(as_ever, again_, "it counts time that passes before the machine has begun");
     }
 
     [[nodiscard]] bool has_same_effect(const Run& other) const {

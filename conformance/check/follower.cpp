@@ -14,7 +14,7 @@ namespace robochart::conformance {
 
 namespace {
 
-constexpr const char* endless_model = "the model does infinitely much without time passing";
+constexpr const char* endless_model = "the model takes infinitely many steps without time passing";
 
 }  // namespace
 

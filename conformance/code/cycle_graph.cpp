@@ -45,7 +45,7 @@ CycleGraph::CycleGraph(const rc_interface& code, const Alphabet& alphabet, std::
       cycle_length_(std::max(1U, cycle_length)),
       inputs_(alphabet.interface().inputs.size()),
       images_(code) {
-    if (code.probe == nullptr) throw NotProbed("the code does not tell which registers it reads");
+    if (code.probe == nullptr) throw NotProbed("the code does not report which registers it reads");
     if (!images_.reset_writes_all()) unsound_ = "`initial` does not write the whole state";
     (void)intern_sequence({});
     log_.reserve(most_outputs);
@@ -179,7 +179,7 @@ std::uint32_t CycleGraph::on_read(void* graph, std::uint32_t input) {
 
 std::uint32_t CycleGraph::on_value(void* graph, std::uint32_t input) {
     auto* const self = static_cast<CycleGraph*>(graph);
-    if (self->sealed_[input]) self->refused_ = "the code reads the value of an input that is not there";
+    if (self->sealed_[input]) self->refused_ = "the code reads the value of an input that is absent";
     const std::uint32_t reading = self->read(input);
     return reading == 0 ? 0 : reading - 1;
 }

@@ -97,7 +97,7 @@ private:
             }
             if (!open.emplace(node, tocks).second)
                 throw std::length_error(
-                    "the model cannot be run in cycles: it does infinitely much without time passing");
+                    "the model cannot be run in cycles: it takes infinitely many steps without time passing");
             way.push_back({node, tocks, form_.initials(node)});
             if (way.back().events.empty())
                 throw std::length_error("the model cannot be run in cycles: it is not schedulable");

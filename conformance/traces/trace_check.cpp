@@ -225,10 +225,11 @@ private:
         const bool read = event.kind == LoggedEvent::Kind::read;
         const bool observed = read ? observation_.inputs[event.index] : observation_.outputs[event.index];
         if (!observed)
-            throw TraceFault{&rules::log_syntax,
-                             {"only what the header does not call unobserved", fmt::format("`{}`", token.text)},
-                             token.column,
-                             static_cast<std::uint32_t>(token.text.size())};
+            throw TraceFault{
+                &rules::log_syntax,
+                {"only events that the header does not declare as unobserved", fmt::format("`{}`", token.text)},
+                token.column,
+                static_cast<std::uint32_t>(token.text.size())};
         if (done_) return Next::go_on;
         if (ended_) return reject_event(std::string(token.text));
         clean_ = false;

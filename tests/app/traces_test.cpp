@@ -165,7 +165,7 @@ TEST(TestSuites, AreRefusedWhereACycleHasNoEnd) {
     const auto ran = run({"emit", "tests", model.path(), "--timeout", "60", "--out", folder / "out"});
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
     EXPECT_THAT(ran.err, HasSubstr("error[RC-A04]"));
-    EXPECT_THAT(ran.err, HasSubstr("infinitely much without time passing"));
+    EXPECT_THAT(ran.err, HasSubstr("infinitely many steps without time passing"));
 }
 
 TEST(Monitors, AreEmittedAndRefused) {

@@ -175,7 +175,7 @@ TEST(Judge, WithWaitsEachOutputIsMadeOnceACycle) {
 TEST(Judge, OutputsWithoutEndAreNotSchedulable) {
     const Result result = judge_turner(0, {{0, "T::DriveCall.2", 0}, {0, "tock", 0}});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable);
-    EXPECT_THAT(result.reason, HasSubstr("infinitely much without time passing"));
+    EXPECT_THAT(result.reason, HasSubstr("infinitely many steps without time passing"));
 }
 
 // R7: if the model waits for an input with a deadline of 0, time stops in the model. The code must report a missed
@@ -184,7 +184,7 @@ TEST(Judge, DeadlinesOnInputsAreReportedByTheCode) {
     const std::vector<Edge> waits{{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 1}};
     const Result silent = judge_turner(4, waits);
     ASSERT_EQ(silent.outcome, Outcome::differs);
-    EXPECT_THAT(silent.reason, HasSubstr("misses a deadline and does not say so"));
+    EXPECT_THAT(silent.reason, HasSubstr("misses a deadline and does not report it"));
     EXPECT_EQ(silent.cycles.size(), 2U);
     ASSERT_TRUE(silent.deadlines);
     EXPECT_FALSE(silent.deadlines->holds);

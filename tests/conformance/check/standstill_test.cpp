@@ -57,7 +57,7 @@ TEST(Standstill, OfStepsWithoutEndNamesTheTransitionsOfTheLoop) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
     EXPECT_THAT(result.explanation.where, Not(Contains(HasSubstr("t1"))));
     EXPECT_THAT(result.explanation.remedy, HasSubstr("give t2: B -> B"));
-    EXPECT_THAT(result.reason, element("the model does infinitely much without time passing, entering B", 6));
+    EXPECT_THAT(result.reason, element("the model takes infinitely many steps without time passing, entering B", 6));
     ASSERT_EQ(result.cycles.size(), 1U);
     EXPECT_THAT(result.cycles[0].inputs, ElementsAre("go"));
 }

@@ -32,13 +32,13 @@ struct Exception {
 constexpr Exception exceptions[] = {
     // Loops that take no time, so no control cycle exists. In most of them an output is repeated indefinitely. The
     // platform always accepts its calls; only a register that accepts one output per cycle would stop the loop.
-    {"example7.rct/contrl", Outcome::not_schedulable, "infinitely much"},
-    {"example3.rct/stm4", Outcome::not_schedulable, "infinitely much"},
-    {"AlphaAlgorithm/Communication", Outcome::not_schedulable, "infinitely much"},
-    {"AlphaAlgorithm/CommunicationC", Outcome::not_schedulable, "infinitely much"},
-    {"AlphaAlgorithm/AggregationSoftware", Outcome::not_schedulable, "infinitely much"},
-    {"hvc/Watchdog", Outcome::not_schedulable, "infinitely much"},
-    {"hvc/State_machine", Outcome::not_schedulable, "infinitely much"},
+    {"example7.rct/contrl", Outcome::not_schedulable, "infinitely many steps"},
+    {"example3.rct/stm4", Outcome::not_schedulable, "infinitely many steps"},
+    {"AlphaAlgorithm/Communication", Outcome::not_schedulable, "infinitely many steps"},
+    {"AlphaAlgorithm/CommunicationC", Outcome::not_schedulable, "infinitely many steps"},
+    {"AlphaAlgorithm/AggregationSoftware", Outcome::not_schedulable, "infinitely many steps"},
+    {"hvc/Watchdog", Outcome::not_schedulable, "infinitely many steps"},
+    {"hvc/State_machine", Outcome::not_schedulable, "infinitely many steps"},
     // Only a csp block defines their function `ms`. The default makes waits take no time, so an input with a deadline
     // of 0 is awaited repeatedly in one cycle.
     {"hvc/mod_sys", Outcome::not_schedulable, "neither go on"},

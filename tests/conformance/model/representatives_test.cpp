@@ -192,7 +192,7 @@ TEST(FewValues, AreInconclusiveIfTheModelChoosesBetweenValues) {
         "}\n";
     const Result result = check_text(text);
     EXPECT_EQ(result.outcome, Outcome::inconclusive);
-    EXPECT_NE(result.reason.find("do not stand for all"), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason.find("do not represent all values"), std::string::npos) << result.reason;
 }
 
 }  // namespace
