@@ -282,8 +282,7 @@ std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t cou
 CppExpr ExpressionWriter::cpp_expression(const ir::Expr& expr) const {
     generation_.inst.poll();
     CppExpr text = of_kind(expr);
-    if (text.empty())
-        throw std::logic_error("generated code reads what it has no place for, in " + unit_.machine->name);
+    if (text.empty()) throw std::logic_error("generated code reads a value without a place, in " + unit_.machine->name);
     return text;
 }
 

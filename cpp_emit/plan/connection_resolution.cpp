@@ -158,7 +158,7 @@ private:
             if (peer.part == index) report_unconnected(part, use, "connected to its own machine");
             const EventUse* const other = component_.find_event(peer);
             if (other != nullptr && other->type != use.type)
-                report_unconnected(part, use, "connected to one of another type");
+                report_unconnected(part, use, "connected to an event of another type");
         }
         if (use.received && use.is_spontaneous() && reads_value(index, use))
             report_unconnected(part, use, "not connected");

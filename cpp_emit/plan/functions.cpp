@@ -41,7 +41,7 @@ std::vector<FunctionValue> values_of(const ir::System& system, const ir::Instant
     for (const ir::TypeId type : function.parameters) {
         carriers.push_back(ir::carrier_values(system, inst, type, most_arguments));
         combinations *= carriers.back().size();
-        if (combinations > most_arguments) throw std::length_error("a function of too many arguments to make a table");
+        if (combinations > most_arguments) throw std::length_error("a function with too many arguments for a table");
     }
     std::vector<FunctionValue> rows;
     for (std::size_t number = 0; number < combinations; ++number) {
@@ -57,7 +57,7 @@ std::vector<FunctionValue> values_of(const ir::System& system, const ir::Instant
         } catch (const ir::EvaluationFault&) {
             continue;  // outside its precondition the function has no value, and the model blocks
         }
-        if (rows.size() > most_rows) throw std::length_error("a function of too many values to make a table");
+        if (rows.size() > most_rows) throw std::length_error("a function with too many values for a table");
     }
     return rows;
 }

@@ -126,7 +126,7 @@ private:
                 visit(condition, [&](const ir::Expr& expr) { check_expression(function.name, expr); });
             if (asks_for_itself(hook.id))
                 diagnostics_.report(rules::unsupported_expr, function.origin.span,
-                                    {"a precondition that asks for itself", function.name});
+                                    {"a precondition that uses itself", function.name});
         }
     }
 
@@ -181,9 +181,10 @@ private:
             diagnostics_.report(rules::unsupported_type, expr.span, {where, system_.type(expr.type).name});
         const ir::Type& type = system_.type(expr.type);
         if (is_arithmetic(expr.kind) && !is_numeric(type.kind) && !(is_block_type(type) && of_blocks(expr.kind)))
-            diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", where});
+            diagnostics_.report(rules::unsupported_expr, expr.span,
+                                {"arithmetic on values that are not numbers", where});
         if (expr.kind == ExprKind::is_type && !is_numeric(system_.type(expr.bound_types.at(0)).kind))
-            diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` of other than numbers", where});
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` with a type other than numbers", where});
         check_size(where, expr.type, expr.span);
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
             diagnostics_.report(rules::too_large, expr.span, {where, "a decimal has more than 15 digits"});

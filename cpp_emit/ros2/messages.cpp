@@ -191,7 +191,7 @@ std::string describe_field(const FieldType& type) {
         case FieldKind::unknown:
             break;
     }
-    return "of a type not known here";
+    return "of an unknown type";
 }
 
 bool holds_number(const FieldType& type, const std::string& whole) {

@@ -158,7 +158,7 @@ private:
 
     /// The reason why two elements cannot share a topic; "" if they can share it.
     static std::string describe_conflict(const Topic& first, const Topic& second) {
-        if (first.published != second.published) return "one is published and the other received";
+        if (first.published != second.published) return "one is published, and the other is received";
         if (!(first.message == second.message))
             return fmt::format("one is {} and the other {}", first.message.full_name(), second.message.full_name());
         return first.quality == second.quality ? "" : "they differ in quality of service";
@@ -367,7 +367,7 @@ private:
             diagnostics_.report(
                 rules::wrong_type, element.item->element.span,
                 {fmt::format("the value of '{}'", element.name), describe_type(generation_.system.type(value.type)),
-                 "what a message can give it", "a truth value, a number, an enumeration or a record of them"});
+                 "a value from a message", "a truth value, a number, an enumeration or a record of them"});
             return;
         }
         for (const Scalar& scalar : scalars)

@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
             "RC-R07 2:15 no field of the message provides 'value' of event 'obstacle'\n"
             "RC-R06 2:52 'value' is a real, and the field 'data' is a string\n"},
         Row{"receive event list as std_msgs/Int8 on \"t\"",
-            "RC-R06 2:15 the value of 'list' is a Seq(nat), and what a message can give it is a truth value, a number, "
+            "RC-R06 2:15 the value of 'list' is a Seq(nat), and a value from a message is a truth value, a number, "
             "an enumeration or a record of them\n"},
         Row{"publish operation stop as std_msgs/UInt8 on \"t\" { data = 256 }",
             "RC-R06 2:58 the value is out of its range, and the field 'data' is a uint8\n"},
@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
     Topics, WrongMapping,
     ::testing::Values(
         Row{"publish operation stop as std_msgs/Empty on \"t\"\nreceive event bump as std_msgs/Empty on \"/t\"",
-            "RC-R09 3:41 'bump' cannot be on topic '/t' with 'stop': one is published and the other received\n"},
+            "RC-R09 3:41 'bump' cannot be on topic '/t' with 'stop': one is published, and the other is received\n"},
         Row{"publish operation stop as std_msgs/Empty on \"t\"\npublish event done as std_msgs/Int8 on \"t\" { data = "
             "value }",
             "RC-R09 3:40 'done' cannot be on topic 't' with 'stop': one is std_msgs/Empty and the other "
