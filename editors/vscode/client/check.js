@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks robochart-verify about one assertion. Knows nothing of VS Code, so that plain Node tests it.
+// Checks one assertion with robochart-verify. This file does not use the API of VS Code, so Node can test it alone.
 "use strict";
 
 const { execFile } = require("node:child_process");
 
-/** From the best to the worst: an assertion is as good as the worst of its checks. */
+/** Verdicts from the best to the worst. The worst check determines the verdict of an assertion. */
 const answers = ["holds", "value", "not checked", "no check", "inconclusive", "error", "fails"];
 
-/** The worst answer of a report of `check --format json`; undefined if it answers nothing. */
+/** The worst answer in a report of `check --format json`; undefined if the report contains no answer. */
 function verdictOf(report) {
     const found = (report.assertions ?? []).map((each) => each.answer);
     if (found.length === 0) return undefined;
@@ -22,7 +22,7 @@ function valueOf(row) {
     return `  ${constants.join(", ")}${constants.length > 0 ? ": " : ""}${value}`;
 }
 
-/** What is shown of a report: each check with its answer, and the text of its counterexample. */
+/** The text for a report: each check with its answer and the text of its counterexample. */
 function linesOf(report) {
     return (report.assertions ?? []).flatMap((each) => {
         const text = each.counterexample?.text;
@@ -31,10 +31,10 @@ function linesOf(report) {
     });
 }
 
-/** "t=3: input obstacle": a step as the list of steps has it. */
+/** "t=3: input obstacle": a step in the form of the list of steps. */
 const textOf = (step) => (step.time === undefined ? step.text : `t=${step.time}: ${step.text}`);
 
-/** The steps of a counterexample that are somewhere in the texts, in order; lines and columns count from 1. */
+/** The steps of a counterexample that have a place in the texts, in order. Lines and columns are counted from 1. */
 function stepsOf(counterexample) {
     return (counterexample?.steps ?? [])
         .filter((step) => step.file !== undefined)
@@ -45,7 +45,7 @@ function stepsOf(counterexample) {
         }));
 }
 
-/** What fails: the line of the assertion, why, and the steps that show it. */
+/** The failures: the line of the assertion, the reason, and the steps of the counterexample. */
 function failuresOf(report) {
     return (report.assertions ?? [])
         .filter((each) => each.answer === "fails")
@@ -64,7 +64,7 @@ function parsed(text) {
     }
 }
 
-/** Errors of the model, if that is what was written instead of a report. */
+/** Errors of the model, if the program wrote these instead of a report. */
 function errorsOf(report) {
     return (report?.diagnostics ?? [])
         .filter((each) => each.severity === "error")
@@ -72,8 +72,8 @@ function errorsOf(report) {
 }
 
 /**
- * Runs `PROGRAM check FILE --assertion NAME`; no shell is involved.
- * Gives `{ verdict, lines, failures }`; the verdict is "error" where there is none, and the lines say why.
+ * Runs `PROGRAM check FILE --assertion NAME` without a shell.
+ * Returns `{ verdict, lines, failures }`. If there is no verdict, it is "error" and the lines contain the reason.
  */
 function checkAssertion(program, file, name) {
     const words = ["check", file, "--assertion", name, "--format", "json"];

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page around a diagram, and which element is at a place. Knows nothing of VS Code, so that plain Node tests it.
+// The page around a diagram, and the element at a place. This file does not use the API of VS Code, so Node can test it
+// alone.
 "use strict";
 
 const compare = (a, b) => a.line - b.line || a.character - b.character;
 
 const holds = ({ start, end }, position) => compare(start, position) <= 0 && compare(position, end) <= 0;
 
-/** Does the range `a` lie in `b`? */
+/** Whether the range `b` contains the range `a`. */
 const within = (a, b) => compare(b.start, a.start) <= 0 && compare(a.end, b.end) <= 0;
 
 /** The element with the smallest range around a position; undefined if there is none. */
@@ -19,7 +20,7 @@ function elementAt(elements, position) {
 
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
 
-/** The page; nothing runs in it but its script, and nothing is loaded but its files. */
+/** The page. Its policy allows only its own script and files, because names in the picture come from the model. */
 function pageOf({ nonce, source, script, style }) {
     const policy = `default-src 'none'; script-src 'nonce-${nonce}'; style-src ${source} 'nonce-${nonce}'`;
     return `<!DOCTYPE html>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extension's door for VS Code: starts `robochart-verify lsp` over stdio and stops it again.
+// The entry point of the extension: starts `robochart-verify lsp`, which communicates over stdio, and stops it.
 "use strict";
 
 const vscode = require("vscode");
@@ -10,24 +10,24 @@ const preview = require("./preview");
 const { findProgram } = require("./program");
 const { Steps } = require("./steps");
 
-/** The texts that verdicts depend on. */
+/** The texts on which verdicts depend. */
 const models = [
     { scheme: "file", language: "robochart" },
     { scheme: "file", language: "robochart-assertions" },
 ];
 
-/** The texts the server is asked about. */
+/** The texts that the server handles. */
 const documentSelector = [
     ...models,
     { scheme: "file", language: "cspm" },
     { scheme: "file", language: "sleec" },
 ];
 
-/** The commands of the server's lenses; the server offers those that are named at the start. */
+/** The commands of the server's lenses. The server offers only the lenses whose commands are listed at the start. */
 const checkCommand = "robochart.check";
 const drawCommand = "robochart.draw";
 const stepCommand = "robochart.step";
-/** The command of our own lens behind an assertion that fails. */
+/** The command of the extension's lens for an assertion that fails. */
 const stepsCommand = "robochart.steps";
 
 let client;
@@ -36,7 +36,7 @@ let lenses;
 let steps;
 let diagrams;
 
-/** The work in hand: starts and stops never overlap. */
+/** The current start or stop. Starts and stops never overlap. */
 let queue = Promise.resolve();
 
 async function sayNotFound(problem) {
@@ -58,14 +58,14 @@ function program() {
     return findProgram(vscode.workspace.getConfiguration("robochart").get("server.path"), openFolder());
 }
 
-/** Lenses are asked for again. */
+/** Makes VS Code request the lenses again. */
 function refreshLenses() {
     const feature = client?.getFeature("textDocument/codeLens");
     for (const document of vscode.workspace.textDocuments)
         feature?.getProvider(document)?.onDidChangeCodeLensEmitter.fire();
 }
 
-/** Checks one assertion as it is on disk, so texts are saved first. */
+/** Checks one assertion. The program reads the files on disk, so texts are saved first. */
 async function check(uri, name) {
     const found = program();
     if (found.problem !== undefined) return void sayNotFound(found.problem);
@@ -86,7 +86,7 @@ async function check(uri, name) {
     return verdict;
 }
 
-/** Steps through a component in a terminal; no shell is involved. */
+/** Steps through a component in a terminal, without a shell. */
 async function step(uri, name) {
     const found = program();
     if (found.problem !== undefined) return void sayNotFound(found.problem);
@@ -107,7 +107,7 @@ async function start() {
     const found = program();
     if (found.problem !== undefined) {
         output.appendLine(found.problem);
-        // Not awaited: the message stays until it is answered.
+        // There is no `await`, because the message stays open until the user answers.
         void sayNotFound(found.problem);
         return;
     }
@@ -139,7 +139,7 @@ async function stop() {
     try {
         await running?.stop();
     } catch (error) {
-        // A server that has died already cannot be asked to stop.
+        // A server that has already ended cannot receive a request to stop.
         output.appendLine(`stop: ${error instanceof Error ? error.message : String(error)}`);
     }
 }
@@ -149,7 +149,7 @@ function enqueue(...steps) {
     return queue;
 }
 
-/** The client itself follows `robochart.trace.server`. */
+/** The language client itself handles changes of `robochart.trace.server`. */
 function settingsChanged(event) {
     if (event.affectsConfiguration("robochart.server.path")) return enqueue(stop, start);
     return undefined;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lenses above assertions: "check", and the verdict once there is one, with "steps" where it fails. A verdict is
-// about the texts as they were, so any change of a text takes it away.
+// The lenses above assertions: "check", then the verdict, and "steps" if the assertion fails. A verdict applies only to
+// the texts that were checked, so any change of a text removes it.
 "use strict";
 
 class Lenses {
-    /** `make(range, command)` makes a lens. */
+    /** `make(range, command)` returns a lens. */
     constructor(make) {
         this.make = make;
         this.verdicts = new Map();
-        /** How often the verdicts were taken away: one of an older edition is not to be set. */
+        /** The number of times that the verdicts were removed. A verdict for an earlier edition is ignored. */
         this.edition = 0;
     }
     key(uri, name) {
@@ -17,7 +17,7 @@ class Lenses {
     set(uri, name, verdict, failures = []) {
         this.verdicts.set(this.key(uri, name), { verdict, failures });
     }
-    /** What failed when the assertion was checked last. */
+    /** The failures of the last check of the assertion. */
     failures(uri, name) {
         return this.verdicts.get(this.key(uri, name))?.failures ?? [];
     }
@@ -25,7 +25,7 @@ class Lenses {
         this.verdicts.clear();
         this.edition += 1;
     }
-    /** The server's lenses with verdicts in their titles; behind those of failures, `command` shows the steps. */
+    /** The server's lenses with verdicts in their titles. After a failure, a lens with `command` shows the steps. */
     titled(lenses, checkCommand, stepsCommand) {
         return lenses?.flatMap((lens) => {
             const words = lens.command?.command === checkCommand ? lens.command.arguments : [];

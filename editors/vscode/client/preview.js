@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagram beside the text: a page that follows the cursor of the models' editors. The server draws it.
+// The diagram next to the text: a page that follows the cursor in the editors of models. The server draws the diagram.
 "use strict";
 
 const crypto = require("node:crypto");
@@ -10,10 +10,10 @@ const viewType = "robochart.preview";
 const request = "robochart/diagram";
 const notification = "robochart/diagramChanged";
 
-/** While somebody types or moves, the server is asked once they rest for so long (ms). */
+/** The pause in ms after which the server gets a request while the user types or moves the cursor. */
 const rest = 120;
 
-/** Codes of errors after which the server is asked again anyway: cancelled, changed meanwhile. */
+/** Codes of errors after which another request follows anyway: cancelled, or changed in the meantime. */
 const passing = [-32800, -32801];
 
 const isModel = (document) => document?.languageId === "robochart";
@@ -21,18 +21,18 @@ const isModel = (document) => document?.languageId === "robochart";
 const isDark = (theme) =>
     theme?.kind === vscode.ColorThemeKind.Dark || theme?.kind === vscode.ColorThemeKind.HighContrast;
 
-/** One URI is written in several ways. */
+/** Compares in one form, because a URI can be written in several ways. */
 const sameUri = (a, b) => vscode.Uri.parse(a).toString() === vscode.Uri.parse(b).toString();
 
 class Preview {
-    /** `ask(method, parameters)` asks the server; undefined while there is none. */
+    /** `ask(method, parameters)` sends a request to the server; undefined while there is no server. */
     constructor(ask, extensionUri) {
         this.ask = ask;
         this.extensionUri = extensionUri;
         this.panel = undefined;
-        /** Where the cursor is: `{ uri, position, column }`. */
+        /** The place of the cursor: `{ uri, position, column }`. */
         this.place = undefined;
-        /** The last answer, and what else the page shows. */
+        /** The last answer, and everything else that the page shows. */
         this.answer = undefined;
         this.asked = 0;
         this.timer = undefined;
@@ -52,7 +52,7 @@ class Preview {
         for (const each of this.listeners) each.dispose();
     }
 
-    /** Shows the diagram of what is in the active editor. */
+    /** Shows the diagram for the text in the active editor. */
     open() {
         const editor = vscode.window.activeTextEditor;
         if (isModel(editor?.document)) this.remember(editor);
@@ -76,7 +76,7 @@ class Preview {
         return this.refresh();
     }
 
-    /** After a restart of the editor: `state` is what the page kept. */
+    /** Restores the page after a restart of the editor; `state` is the stored state of the page. */
     restore(panel, state) {
         if (typeof state?.uri === "string") {
             this.place ??= { uri: state.uri };
@@ -105,7 +105,7 @@ class Preview {
         panel.webview.onDidReceiveMessage((message) => this.hear(message));
         const file = (name) => panel.webview.asWebviewUri(vscode.Uri.joinPath(this.folder(), name)).toString();
         const nonce = crypto.randomBytes(16).toString("hex");
-        // Only once: setting it loads the page anew, and with it zoom and scroll are lost.
+        // Set only once, because setting it reloads the page and loses zoom and scroll position.
         panel.webview.html = pageOf({
             nonce,
             source: panel.webview.cspSource,
@@ -126,7 +126,7 @@ class Preview {
         this.later();
     }
 
-    /** The server's notification. */
+    /** Handles the notification of the server. */
     changed(parameters) {
         if (this.place !== undefined && sameUri(parameters.uri, this.place.uri)) this.later();
     }
@@ -167,7 +167,7 @@ class Preview {
         return this.send({ ...(this.picture ?? { type: "picture" }), stale: true, note });
     }
 
-    /** What the page shows is sent once. */
+    /** Sends the state to the page, but only if it has changed. */
     send(message) {
         const text = JSON.stringify(message);
         if (text === this.sent) return;
@@ -188,7 +188,7 @@ class Preview {
 
     hear(message) {
         if (message?.type === "ready") {
-            // The page was loaded, perhaps again after it was hidden.
+            // The page was loaded, possibly again after it was hidden.
             if (this.sent !== undefined) this.post(JSON.parse(this.sent));
             return undefined;
         }
@@ -196,7 +196,7 @@ class Preview {
         return undefined;
     }
 
-    /** Selects an element's name in the text; only what the server has named can be asked for. */
+    /** Selects the name of an element in the text. Accepts only elements that the server has listed. */
     async reveal(id) {
         const element = this.answer?.elements?.find((each) => each.id === id);
         if (element === undefined) return;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where robochart-verify is, and what to say when it is nowhere. Knows nothing of VS Code, so that plain Node tests it.
+// Finds robochart-verify, or explains why it is not found. This file does not use the API of VS Code, so Node can test
+// it alone.
 "use strict";
 
 const fs = require("node:fs");
 const path = require("node:path");
 
-/** Is there a file at `file` that may be run? On Windows every file may. */
+/** Whether `file` is an executable file. On Windows every file counts as executable. */
 function isExecutable(file) {
     try {
         fs.accessSync(file, process.platform === "win32" ? fs.constants.F_OK : fs.constants.X_OK);
@@ -15,12 +16,12 @@ function isExecutable(file) {
     }
 }
 
-/** The names under which a program may stand in a folder. */
+/** The names that the file of a program can have in a folder. */
 function fileNames(program) {
     return process.platform === "win32" && path.extname(program) === "" ? [program, `${program}.exe`] : [program];
 }
 
-/** The first runnable file of that name in the folders of a PATH; undefined if there is none. */
+/** The first executable file with this name in the folders of a PATH; undefined if there is none. */
 function searchPath(program, searchedFolders) {
     for (const folder of searchedFolders.split(path.delimiter)) {
         if (folder === "") continue;
@@ -32,19 +33,19 @@ function searchPath(program, searchedFolders) {
     return undefined;
 }
 
-/** The name that the setting has by default, and that of the program that comes with the extension. */
+/** The default value of the setting, which is also the name of the program in the extension. */
 const programName = "robochart-verify";
 
-/** The program beside the client; undefined where the extension came without one. */
+/** The program that the extension contains; undefined if it contains none. */
 function bundledProgram(extensionFolder) {
     const program = path.join(extensionFolder, "server", programName);
     return isExecutable(program) ? program : undefined;
 }
 
 /**
- * The program that the setting `robochart.server.path` means.
- * A bare name is looked up in PATH; a relative path starts at the open folder; `~` is the home folder.
- * The default name means the program that came with the extension, if one did.
+ * Finds the program for the setting `robochart.server.path`.
+ * A bare name is looked up in PATH. A relative path starts at the open folder, and `~` is the home folder.
+ * The default name means the program in the extension, if there is one.
  * Returns `{ program }` or `{ problem }`, a sentence for the user.
  */
 function findProgram(setting, openFolder, environment = process.env, extensionFolder = path.dirname(__dirname)) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counterexamples in the texts: what fails as a problem at its assertion, whose related places are the steps of the run,
-// and the steps as a list that leads through the texts.
+// Counterexamples in the texts: a failure is a problem at its assertion, and the related places of the problem are the
+// steps of the run. The steps are also shown as a list that leads through the texts.
 "use strict";
 
 const vscode = require("vscode");
 
-/** Steps that a problem lists: the last of longer runs. */
+/** The number of steps that a problem lists. For longer runs these are the last steps. */
 const mostRelated = 200;
 
 const rangeOf = ([line, column, endLine, endColumn]) =>
@@ -20,12 +20,12 @@ class Steps {
         this.problems.dispose();
     }
 
-    /** Any change of a text may change what fails. */
+    /** Removes the failures, because any change of a text may change them. */
     forget() {
         this.problems.clear();
     }
 
-    /** The failures of one assertion take the place of those that it had before. */
+    /** Replaces the failures of one assertion. */
     report(uri, name, failures) {
         const file = vscode.Uri.parse(uri);
         const others = (this.problems.get(file) ?? []).filter((each) => each.code !== name);
@@ -44,7 +44,7 @@ class Steps {
         return problem;
     }
 
-    /** Lists the steps; the one that is chosen in the list is selected in its text. */
+    /** Lists the steps. Choosing a step in the list selects its place in the text. */
     list(failures) {
         const list = vscode.window.createQuickPick();
         list.placeholder = "Steps of the counterexample: go through them with the arrow keys";

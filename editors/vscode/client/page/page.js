@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of the preview: shows the picture that it is sent, and says which element was clicked on.
+// The page of the preview: shows the picture that it receives, and reports the element on which the user clicked.
 "use strict";
 
 (() => {
@@ -10,7 +10,7 @@
     const least = 0.1;
     const most = 8;
 
-    /** What is kept while the page is hidden and over a restart. */
+    /** The state that survives while the page is hidden, and after a restart. */
     const state = { zoom: 1, left: 0, top: 0, ...host.getState() };
     /** Width and height of the picture at 100 %. */
     let natural;
@@ -28,7 +28,7 @@
         part("zoom").textContent = `${Math.round(state.zoom * 100)} %`;
     }
 
-    /** The point of the picture at `x`, `y` of the view stays where it is. */
+    /** Keeps the point of the picture at `x`, `y` of the view in its place. */
     function zoomTo(wanted, x = view.clientWidth / 2, y = view.clientHeight / 2) {
         const zoom = Math.min(most, Math.max(least, wanted));
         const factor = zoom / state.zoom;
@@ -46,15 +46,15 @@
         for (const each of view.querySelectorAll(`[data-element="${CSS.escape(id)}"]`)) each.classList.add("current");
     }
 
-    /** The picture as nodes of this page; undefined if the text is none. */
+    /** The picture as nodes of this page; undefined if the text is not a picture. */
     function nodesOf(text) {
-        // Its one style is the server's (names in it are escaped). The policy is asked while it is read.
+        // The only style comes from the server, which escapes names. The policy of the page applies while it is parsed.
         const allowed = text.replace("<style>", `<style nonce="${nonce}">`);
         const read = new DOMParser().parseFromString(allowed, "image/svg+xml").documentElement;
         return read.localName === "svg" ? document.importNode(read, true) : undefined;
     }
 
-    /** Replaces the picture; zoom and scroll stay, but for another component the scroll. */
+    /** Replaces the picture. Keeps the zoom, and for the same component also the scroll position. */
     function show({ svg: text, stale, component, uri, id, note }) {
         const svg = text === undefined ? undefined : nodesOf(text);
         if (svg !== undefined) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lens above an assertion: what is run, what is shown, and for how long.
+// The lens above an assertion: which command it runs, and which verdict it shows until when.
 "use strict";
 
 const assert = require("node:assert");

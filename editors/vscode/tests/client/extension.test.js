@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the extension does with the server: start, restart, stop, and what it says when it cannot.
+// The extension starts, restarts and stops the server, and reports a failure of these.
 "use strict";
 
 const assert = require("node:assert");
 const test = require("node:test");
 const { loadExtension } = require("./stand_ins");
 
-// Node itself is a program that surely exists.
+// Node itself is a program that exists in every test.
 const program = process.execPath;
 
 async function activated(settings, failure) {

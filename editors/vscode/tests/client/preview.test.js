@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preview: what it asks the server, what it sends to its page, and what a click on the page does.
+// The preview: its requests to the server, its messages to the page, and the effect of a click on the page.
 "use strict";
 
 const assert = require("node:assert");

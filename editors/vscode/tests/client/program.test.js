@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which program the setting robochart.server.path means.
+// The program for each value of the setting robochart.server.path.
 "use strict";
 
 const assert = require("node:assert");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of VS Code's interface that the extension uses, as stand-ins that write down what was asked of them.
+// Stubs for the parts of VS Code's API that the extension uses. They record the calls.
 "use strict";
 
 const Module = require("node:module");
@@ -14,7 +14,7 @@ function documentAt(uri, languageId = "robochart") {
     return { uri: uriOf(uri), languageId, validateRange: (range) => range };
 }
 
-/** A panel that writes down what it is sent; `hear` is what its page says. */
+/** A panel that records its messages. `hear` simulates a message from its page. */
 function standInPanel(log, options) {
     const listeners = {};
     const listen = (name) => (handler) => ((listeners[name] = handler), { dispose: () => {} });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every word that a grammar spells out is coloured where it stands alone: no rule hides another.
+// Every word that a grammar lists is coloured when it occurs alone, so no rule hides another.
 "use strict";
 
 const assert = require("node:assert");
@@ -29,10 +29,10 @@ function createRegistry() {
 }
 const registry = createRegistry();
 
-/** Words that only count beside others: types after `:`, the models of `[FD=`. */
+/** Words that are coloured only next to others: types after `:`, and the models of `[FD=`. */
 const beside = /^(support\.type\.primitive|keyword\.operator\.refinement)/;
 
-/** The words of the lists `(?:a|b|c)` in rules that have a name. */
+/** The words in the lists `(?:a|b|c)` of rules with a name. */
 function listedWords(node, found = new Set()) {
     if (node === null || typeof node !== "object") return found;
     const list = typeof node.name === "string" && !beside.test(node.name) && /\(\?:([\w|-]+)\)(?!.*\(\?:)/.exec(node.match ?? "");
