@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The models of the Quantitative Verification Benchmark Set (shared/suite/prism/qvbs) with `robochart-verify prism`. Compares
-values and numbers of states with those of the set, and CPU seconds with those of four checkers in QComp 2020 for the same
-questions.
+"""Decides the models of the Quantitative Verification Benchmark Set (shared/suite/prism/qvbs) with `robochart-verify
+prism`. Compares values and numbers of states with those of the set, and CPU seconds with those of four checkers in
+QComp 2020 for the same questions.
 
 Usage: benchmarks/decide_qvbs.py --program PROGRAM --folder FOLDER [--jobs N] [--only TEXT] [--exact STATES]   (benchmarks/run.py qvbs)
 """

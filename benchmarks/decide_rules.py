@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A rule in SLEEC about a model whose measures have many values: `robochart-verify rules` compared with SLEEC-TK's published
-encoding of the same question.
+"""Compares `robochart-verify rules` with SLEEC-TK's published encoding, for a rule about a model whose measures have
+many values.
 
 The published encoding (arXiv 2307.03697) composes the rule with memories. Each measure is read once in each second, in a
 fixed order, and its value is kept until the next reading (if a second ends before all are read, they are read again). The

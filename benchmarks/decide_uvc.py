@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The six sets of constants of the UVC case study with nineteen values each, and its deadlock check, with
+"""Decides the six sets of constants of the UVC case study with nineteen values each, and its deadlock check, with
 `robochart-verify prism`. Compares states, transitions and values with the reference, and prints seconds next to those of
 PRISM 4.6 (shared/suite/prism/uvc/EXPECTED.tsv).
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The time to draw diagrams, and the number of crossings compared with ELK's layered layout on the same boxes. It fetches
-# the npm package elkjs into a temporary folder (docs/benchmarks.md, "Diagrams"). benchmarks/run.py calls it:
+# Measures the time to draw diagrams, and compares the crossings with those of ELK's layered layout on the same boxes.
+# Fetches the npm package elkjs into a temporary folder (docs/benchmarks.md, "Diagrams"). benchmarks/run.py calls it:
 # benchmarks/diagrams.sh BENCHMARK SHARED [MODEL...]. The default is the corpus, the models of the tests, and those of
 # SHARED/suite and SHARED/bench if these folders exist. Each file is loaded alone.
 set -euo pipefail

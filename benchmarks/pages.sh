@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The page with the counterexample of the high-voltage controller, 1,375 steps of four machines: its size, its loading
-# time in Chromium, the time per step, and a check that each step highlights the states of its data (docs/benchmarks.md,
-# "Diagrams"). Then 10,000 random steps of the semantics by hand. benchmarks/run.py calls it:
+# Measures the page with the counterexample of the high-voltage controller, 1,375 steps of four machines: its size, its
+# loading time in Chromium and the time per step. Checks that each step highlights the states of its data
+# (docs/benchmarks.md, "Diagrams"). Then takes 10,000 random steps of the semantics by hand. benchmarks/run.py calls it:
 # benchmarks/pages.sh PROGRAM MODEL
 set -euo pipefail
 verify="$1"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Level searches with threads as ranks on wide state spaces and on the high-voltage controller's narrow one
-# (docs/scale.md): critical path, bytes and messages, memory, with one or several ranks per program, and the prediction
-# of the model. benchmarks/run.py calls it: benchmarks/ranks.sh PROGRAM BENCHMARK FOLDER
+# Measures level searches with threads as ranks, on wide state spaces and on the narrow one of the high-voltage
+# controller (docs/scale.md): critical path, bytes, messages and memory, with one or several ranks per program. Prints
+# the prediction of the model. benchmarks/run.py calls it: benchmarks/ranks.sh PROGRAM BENCHMARK FOLDER
 set -euo pipefail
 program="$1"
 benchmark="$2"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The cost of the reduction of confluent taus for models where it may not pay off: locks, monitors and schedulers of several
-sizes.
+"""Measures the cost of the reduction of confluent taus for models where it may not pay off: locks, monitors and
+schedulers of several sizes.
 
 Writes the scripts and decides their assertions with and without --no-reduction, with one thread and no cache. Prints the
 CPU seconds, the states and the ratio for each, then the maximal and the median ratio. Exits with 1 if a verdict differs."""

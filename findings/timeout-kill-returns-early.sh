@@ -4,7 +4,7 @@
 #
 # Expected: when `timeout` returns, the command that it has killed is gone, with its locks, devices and memory.
 # Observed: `timeout` sends the signal to its whole process group, and SIGKILL cannot be ignored, so `timeout` kills
-#   itself too. The shell goes on while the kernel still takes the command apart: in most runs its lock is still held.
+#   itself too. The shell continues while the kernel still ends the command: in most runs its lock is still held.
 #   With `--foreground`, `timeout` signals the command alone and waits for it: the lock is free.
 # Why it matters: a script that restarts a robot's controller after `timeout -s KILL` starts the new one while the old
 #   one still holds the lock, the port or the motor's device. Use `--foreground`, or `kill -KILL` and `wait`.
@@ -23,8 +23,8 @@ bin=$folder/usr/bin
 
 runs=10
 
-# Starts a command that holds the lock and 500 MB, kills it after a second, and asks for the lock at once. Prints in
-# how many of the runs the lock was still held.
+# Starts a command that holds the lock and 500 MB, kills it after a second, and requests the lock at once. Prints the
+# number of runs in which the lock was still held.
 held_locks() {
   held=0
   i=0

@@ -23,7 +23,7 @@ seconds_since() { # nanoseconds of `date`
   printf '%d.%02d' $(( passed / 1000000000 )) $(( passed / 10000000 % 100 ))
 }
 
-# Without a compiler: verdicts, the reason, and exit code 3. With a compiler: everything.
+# Without a compiler, the program must give the verdicts and the reason, and exit with 3. With a compiler, all works.
 try() { # prefix
   local examples="$1/share/doc/robochart-verify/examples" status=0
   env -i "$1/bin/robochart-verify" check "$examples/aggregation" -q

@@ -3,7 +3,7 @@
 # cmake -DFOLDER=DIR -DHEADER=FILE -DNAMESPACE=N -DFUNCTION=F -DOUTPUT=FILE.cpp -P embed_texts.cmake
 # HEADER declares `std::string F(std::string_view path);` in NAMESPACE.
 file(GLOB_RECURSE paths RELATIVE ${FOLDER} ${FOLDER}/*)
-list(REMOVE_ITEM paths .clang-format)  # it configures clang-format and is no text to embed
+list(REMOVE_ITEM paths .clang-format)  # it configures clang-format and is not a text to embed
 list(SORT paths)
 get_filename_component(name ${FOLDER} NAME)
 set(text "// The texts of ${name}, built in by embed_texts.cmake.\n#include \"${HEADER}\"\n\n#include <stdexcept>\n\nnamespace ${NAMESPACE} {\n\nstd::string ${FUNCTION}(std::string_view path) {\n")

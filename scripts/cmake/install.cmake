@@ -4,7 +4,7 @@
 # embedded in the program, which writes them with the code.
 include(GNUInstallDirs)
 
-# At configuration, so that `cmake --install` needs only the program.
+# Runs at configuration, so that `cmake --install` needs only the program.
 set(man_page ${CMAKE_SOURCE_DIR}/docs/robochart-verify.1)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${man_page})
 find_program(GZIP_PROGRAM gzip REQUIRED)

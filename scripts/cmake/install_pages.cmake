@@ -2,7 +2,7 @@
 # Installs README.md, CHANGELOG.md and the pages of docs/ in one folder and adapts their links. docs/README.md becomes
 # DOCUMENTS.md, because README.md is in the same folder. A link to a file that is only in the sources becomes plain text.
 # The installation runs this with `sources`, `build` and `destination`.
-# At the top level, not in a function, so that CMake adds the files to its list of what was installed.
+# This is at the top level and not in a function, so that CMake adds the files to its list of installed files.
 if(NOT IS_ABSOLUTE "${destination}")
   set(destination "${CMAKE_INSTALL_PREFIX}/${destination}")
 endif()

@@ -49,7 +49,7 @@ if(ROBOCHART_TESTS)  # a test links it
 endif()
 add_custom_target(robochart_library ${always} DEPENDS ${archive})
 
-# The libraries from elsewhere by their names, because they are in other places on other machines.
+# Lists the other libraries by name, because their paths differ between machines.
 set(driver_needs "")
 set(driver_finds "")
 foreach(library IN LISTS others)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Tests that need a browser and no C++: the preview of editors/vscode with pictures from the real server; the pages that
-# --html writes, checked with the rules of axe-core in light and dark colours; and the output of `draw --format
-# mermaid`, parsed by Mermaid's own parser. Arguments: the command (default: that of the release build), a folder for
+# Runs the tests that need a browser and no C++: the preview of editors/vscode with pictures from the real server; the
+# pages that --html writes, checked with the rules of axe-core in light and dark colours; and the output of `draw
+# --format mermaid`, parsed by Mermaid's own parser. Arguments: the command (default: that of the release build), a folder for
 # the output (default: build/pages). Both npm packages are fetched into that folder, without their dependencies, and
 # never shipped. Without Chromium, node, npm or a reachable registry it prints the reason and exits with 77 (skipped).
 set -euo pipefail

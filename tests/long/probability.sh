@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Markov models of random RoboChart models (docs/testing.md). The decision process of the timed semantics is
+# Checks the Markov models of random RoboChart models (docs/testing.md). The decision process of the timed semantics is
 # branching bisimilar to the process that is checked for refinement, the values of restricted schedulers are within the
 # bounds for all schedulers, and RoboTool's chain is between the schedulers of its text. First builds the tests of the
 # component in release form.

@@ -26,7 +26,7 @@ for folder in tests/app/mpi/scripts tests/app/phases "$suite"/cspm/{evaluator,ty
   [ -d "$folder" ] || { echo "$folder is not there"; continue; }
   echo "$folder"
   [[ "$folder" != "$suite"/* ]] || compared=$((compared + 1))
-  # A filter that no test has is no error of the test program.
+  # The test program does not fail if its filter matches no test.
   ROBOCHART_RANKED_SCRIPTS=$folder build/release/tests/checker/cspm/tests_cspm \
     --gtest_filter='RankedScripts.OfAFolder*' | tee "$output" || failed=1
   grep -q '\[       OK \]' "$output" || { echo "$folder: no test has compared anything"; failed=1; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Random models through the semantics: every generated script must parse to the same tree and pass the type checker
+# Generates scripts from random models: every script must parse to the same tree and pass the type checker
 # (docs/testing.md):
 #   tests/long.sh scripts [MODELS [FIRST_SEED]]     default: 1000 models of each shape from seed 0
 set -euo pipefail

@@ -44,7 +44,7 @@ for wrong in 'MODEL nowhere' 'VERB check' 'MODEL "it holds" VERB remove' 'MODEL 
   grep -q 'robochart_verify' "$folder/log" || fail "the cause is not named for $wrong"
 done
 
-# The action.
+# Tests the action's script.
 cd "$project"
 script="$sources/scripts/verify_models.sh"
 code() { "$@" > "$folder/log" 2>&1 && echo 0 || echo $?; }
@@ -60,7 +60,7 @@ grep -q '<failure' "$folder/report.xml" || fail "the report of the action has no
 hooks=0
 while read -r entry; do
   hooks=$((hooks + 1))
-  # shellcheck disable=SC2086  # an entry is words
+  # shellcheck disable=SC2086  # the shell must split the entry into words
   $entry "it holds/m.rct" > "$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "the hook '$entry' fails"; }
 done < <(sed -n 's/^  entry: //p' "$sources/.pre-commit-hooks.yaml")
 [ "$hooks" -eq 2 ] || fail "two hooks were expected, found $hooks"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Distributed searches with checkpoints in a folder (docs/scale.md). They are ended in several ways, then resumed by other
-numbers of ranks and by threads of the command. The answers, figures and counterexamples must be those of an uninterrupted
-run. Exits with 1 if there is a difference. With --sample only a limit ends the searches.
+"""Tests distributed searches with checkpoints in a folder (docs/scale.md): ends them in several ways, then resumes them
+with other numbers of ranks and with threads of the command. The answers, figures and counterexamples must be those of
+an uninterrupted run. Exits with 1 if there is a difference. With --sample only a limit ends the searches.
 
     keep_ranks.py COMMAND MPIEXEC PROGRAM FAULTY [--sample]"""
 
