@@ -9,9 +9,9 @@
 
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
-#include "app/command/rule_pages.hpp"
 #include "app/command/run.hpp"
 #include "app/command/run_record.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 
 namespace robochart::app {
 
@@ -33,8 +33,10 @@ bool is_requested(const Options& options, Format format) {
 diagnostics::SarifRules about_log(const Options& options, const std::string& limit) {
     const auto& verbs = verb_table();
     const auto verb = std::ranges::find_if(verbs, [&](const VerbRow& row) { return row.verb == options.verb; });
-    return {program_version, fmt::format("{}/{}", full_name(*verb), fmt::join(options.load.inputs, " ")),
-            [](const diagnostics::Rule& rule) { return read_page(page_text(rule.code)).title; }, limit};
+    return {
+        program_version, fmt::format("{}/{}", full_name(*verb), fmt::join(options.load.inputs, " ")),
+        [](const diagnostics::Rule& rule) { return diagnostics::read_page(diagnostics::page_text(rule.code)).title; },
+        diagnostics::reason_for, limit};
 }
 
 }  // namespace robochart::app

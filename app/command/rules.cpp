@@ -27,27 +27,6 @@
 #include "sleec/syntax/rules.hpp"
 
 namespace robochart::app {
-namespace rules {
-
-using diagnostics::Severity;
-
-const diagnostics::Rule no_component{
-    "RC-A02", Severity::error, "no component to generate code for: {}",
-    "C++ is generated for modules, controllers or state machines. The model has none."};
-const diagnostics::Rule unwritable{
-    "RC-A03", Severity::error, "{}",
-    "A file below the folder of --out, or a file that `format` rewrites, could not be written: the folder cannot be "
-    "created, the file or folder is not writable, or the disk is full. Files that were written before are complete. "
-    "The file itself is unchanged."};
-
-const diagnostics::Rule no_monitor{
-    "RC-A04", Severity::error, "{} has no cyclic automaton: {}",
-    "Monitors and test suites are generated from the complete normal form of a component. The component must have few "
-    "states, and its inputs and outputs must be numbers, truth values or literals. Smaller carriers (--range) reduce "
-    "the number of states."};
-
-}  // namespace rules
-
 namespace {
 
 std::string to_upper(std::string_view text) {
@@ -60,27 +39,27 @@ std::string to_upper(std::string_view text) {
 
 std::vector<const diagnostics::Rule*> all_rules() {
     std::vector<const diagnostics::Rule*> all;
-    const auto add = [&all](const auto& table) { all.insert(all.end(), table.begin(), table.end()); };
-    add(frontend::syntax::rule_list());
-    add(frontend::rules::all());
-    add(diagrams::rules::rule_list());
-    add(ir::rules::all());
-    add(csp_emit::rules::all());
-    add(csp_emit::swarm_rules::all());
-    add(cpp_emit::rules::all());
-    add(cpp_emit::ros2::rules::all());
-    add(cspm::rules::all_rules());
-    add(cspm::types::rules::all_rules());
-    add(prism::rules::syntax());
-    add(prism::rules::checks());
-    add(prism::rules::explore());
-    add(prism_emit::rules::all());
-    add(sleec::rules::syntax_rule_table());
-    add(sleec::rules::check_rule_table());
-    add(simulation::rules::all_rules());
-    add(conformance::rules::all());
-    all.insert(all.end(), {&driver::rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor,
-                           &driver::rules::left_out});
+    const auto add = [&all](const auto& table) { all.insert(all.end(), std::begin(table), std::end(table)); };
+    add(frontend::syntax::rule_list);
+    add(frontend::rules::all);
+    add(diagrams::rules::all);
+    add(ir::rules::all);
+    add(csp_emit::rules::all);
+    add(csp_emit::swarm_rules::all);
+    add(cpp_emit::rules::all);
+    add(cpp_emit::ros2::rules::all);
+    add(cspm::rules::all);
+    add(cspm::types::rules::all);
+    add(prism::rules::syntax);
+    add(prism::rules::checks);
+    add(prism::rules::explore);
+    add(prism_emit::rules::all);
+    add(sleec::rules::syntax);
+    add(sleec::rules::checks);
+    add(simulation::rules::all);
+    add(conformance::rules::all);
+    add(driver::rules::all);
+    add(rules::all);
     return all;
 }
 

@@ -10,9 +10,18 @@
 namespace robochart::app {
 
 namespace rules {
-extern const diagnostics::Rule no_component;  ///< no component for which code could be generated
-extern const diagnostics::Rule unwritable;    ///< a file cannot be written
-extern const diagnostics::Rule no_monitor;    ///< a component that has no monitor or test suite
+using diagnostics::Rule;
+
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "app/command/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* all[] = {
+#define RULE(name, code, severity, message) &name,
+#include "app/command/rules.def"
+#undef RULE
+};
 }  // namespace rules
 
 /// All rules of all components, by component, then in the order of their tables.

@@ -522,7 +522,7 @@ void ReportPage::model_runs(std::size_t number, const ConformanceReport& report)
     const auto aside = [&](const char* id, const char* title, const std::optional<conformance::Aside>& each) {
         if (!each || !each->run) return;
         model_run(fmt::format("{}{}", id, number), coded(report.component + title, each->rule),
-                  each->rule == nullptr ? "" : std::string(each->rule->explanation), *each->run);
+                  std::string(conformance::meaning_of(*each)), *each->run);
     };
     aside("o", " does not run in register cycles", result.register_cycles);
     aside("t", " may miss a deadline", result.deadlines);

@@ -145,7 +145,7 @@ void write_explanation(std::string& out, const conformance::Explanation& explana
 }
 
 void write_meaning(std::string& out, const conformance::Aside& aside) {
-    if (aside.rule != nullptr) out += fmt::format("                 {}\n", aside.rule->explanation);
+    if (aside.rule != nullptr) out += fmt::format("                 {}\n", conformance::meaning_of(aside));
 }
 
 std::string in_cycles(const std::optional<std::uint64_t>& cycles) {

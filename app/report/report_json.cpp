@@ -75,7 +75,7 @@ Json cycles_json(const std::vector<conformance::Cycle>& list) {
 Json aside_json(const conformance::Aside& a) {
     if (a.holds) return {{"holds", true}};
     Json json{{"holds", false}, {"reason", a.reason}, {"cycles", cycles_json(a.cycles)}};
-    if (a.rule != nullptr) json.update({{"code", a.rule->code}, {"meaning", a.rule->explanation}});
+    if (a.rule != nullptr) json.update({{"code", a.rule->code}, {"meaning", conformance::meaning_of(a)}});
     if (a.run) json["run"] = runs::run_json(*a.run);
     return json;
 }

@@ -8,18 +8,12 @@
 
 #include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
-#include "app/command/rule_pages.hpp"
 #include "app/command/rules.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 
 namespace robochart::app {
 namespace {
-
-std::string_view severity_word(diagnostics::Severity severity) {
-    return severity == diagnostics::Severity::error     ? "error"
-           : severity == diagnostics::Severity::warning ? "warning"
-                                                        : "note";
-}
 
 std::string upper_start(std::string_view code) {
     std::string letters;
@@ -43,33 +37,23 @@ std::string similar_codes(std::string_view code) {
                          : fmt::format("; there are {}", fmt::join(found, ", "));
 }
 
-/// The text about a rule without a page, from the table of rules.
-std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
-    std::string text;
-    for (const diagnostics::Rule* rule : rules)
-        text += fmt::format("{} ({}): {}\n\n{}\n\n", rule->code, severity_word(rule->severity), rule->message,
-                            rule->explanation);
-    return text;
-}
-
 bool explain_code(const std::string& written, bool color) {
     const std::vector<std::string> meant = codes_meant(written);
     const std::string code = meant.size() == 1 ? meant.front() : written;
-    const std::string_view page = page_text(code);
-    const auto rules = find_rules(code);
-    if (page.empty() && rules.empty()) {
+    const std::string_view page = diagnostics::page_text(code);
+    if (page.empty() || find_rules(code).empty()) {
         const std::string instead =
             meant.empty() ? similar_codes(written) : fmt::format("; there are {}", fmt::join(meant, ", "));
         print_error("robochart-verify: no rule has the code {}{}\n", written, instead);
         return false;
     }
-    print_styled(page.empty() ? from_table(rules) : render_page(page, color));
+    print_styled(diagnostics::render_page(page, color));
     return true;
 }
 
 /// The index from the first heading below the title; the text above is for authors of pages.
 std::string_view list_of_rules() {
-    std::string_view index = page_text("README");
+    std::string_view index = diagnostics::page_text("README");
     const std::size_t first = index.find("\n## ");
     index.remove_prefix(first == std::string_view::npos ? index.size() : first + 1);
     return index;
@@ -79,7 +63,7 @@ std::string_view list_of_rules() {
 
 Exit run_explain(const Options& options) {
     const bool color = color_wanted(options.output.color, STDOUT_FILENO);
-    if (options.load.inputs.empty()) print_styled(render_page(list_of_rules(), color));
+    if (options.load.inputs.empty()) print_styled(diagnostics::render_page(list_of_rules(), color));
     Exit exit = Exit::success;
     for (std::size_t i = 0; i < options.load.inputs.size(); ++i) {
         if (i > 0) print("\n");

@@ -25,7 +25,7 @@ namespace {
 
 bool is_syntax(const diagnostics::Rule& rule) {
     return frontend::syntax::is_syntax(rule) ||
-           std::ranges::any_of(cspm::rules::all_rules(), [&](const diagnostics::Rule* each) { return each == &rule; });
+           std::ranges::any_of(cspm::rules::all, [&](const diagnostics::Rule* each) { return each == &rule; });
 }
 
 /// Reads the parts, including the findings in their CSP blocks.

@@ -20,8 +20,7 @@ struct Rule {
     /// The published code if there is one (STM6, J1), otherwise a code of this project (RC-P01, CSPM-T03).
     std::string_view code;
     Severity severity = Severity::error;
-    std::string_view message;      ///< fmt pattern for the diagnostic's arguments, in order
-    std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
+    std::string_view message;  ///< fmt pattern for the diagnostic's arguments, in order
 };
 
 /// Points to another relevant place. If the span is unknown, its text is added to the message of the finding.

@@ -31,10 +31,11 @@ struct TextStyle {
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
 /// Data of a SARIF log in addition to the findings.
 struct SarifRules {
-    std::string version;                            ///< the version of the program
-    std::string what;                               ///< verb and input
-    std::function<std::string(const Rule&)> title;  ///< the mistake, as a phrase
-    std::string limit = {};                         ///< why the check is incomplete; "" if it is complete
+    std::string version;                             ///< the version of the program
+    std::string what;                                ///< verb and input
+    std::function<std::string(const Rule&)> title;   ///< the mistake, as a phrase
+    std::function<std::string(const Rule&)> reason;  ///< why it is a mistake, in sentences
+    std::string limit = {};                          ///< why the check is incomplete; "" if it is complete
 };
 /// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places and fixes. Findings without a
 /// place are notifications. If there is a limit, an invocation states it and is marked as unsuccessful.

@@ -141,7 +141,7 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     }
     for (const Rule* rule : rules)
         run.rules.push_back(
-            sarif_rule(rule->code, about.title(*rule), rule->explanation, level_of_severity(rule->severity)));
+            sarif_rule(rule->code, about.title(*rule), about.reason(*rule), level_of_severity(rule->severity)));
     run.properties = {{"errors", diagnostics.error_count()},
                       {"warnings", diagnostics.warning_count()},
                       {"dropped", diagnostics.dropped_count()}};

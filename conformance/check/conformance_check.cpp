@@ -204,6 +204,16 @@ Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refin
     return {false, std::move(reason), std::move(run.cycles), &rule, trace_as_run(trace), {}};
 }
 
+std::string_view meaning_of(const Aside& aside) {
+    if (aside.rule == &rules::output_made_twice)
+        return "A robot that takes its outputs from registers once in a cycle sees the last of these values only: the "
+               "others are lost. A robot on which each output is a call, as in generated code, sees all of them.";
+    if (aside.rule == &rules::input_not_in_time)
+        return "If the input does not come in time, the generated code reports `StepResult::deadline`, and what it "
+               "does then is not specified: the robot must provide the input in time, or stop at that report.";
+    return "";
+}
+
 /// The first search checks two things together: whether M can be run in cycles, and whether it can be run in cycles
 /// that make each output once and miss no deadline. It ends at the first violation; the next search checks the rest.
 Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,

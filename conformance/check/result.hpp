@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/cache/cache.hpp"
@@ -50,12 +51,14 @@ struct Aside {
     bool holds = true;
     std::string reason;  ///< the reason why it fails
     std::vector<Cycle> cycles;
-    const diagnostics::Rule* rule = nullptr;  ///< the consequence for a robot
+    const diagnostics::Rule* rule = nullptr;
     /// The trace of NF_c(M) up to the violation (as Result::model_run), and the model's run with this trace; no value:
     /// not found in time.
     std::optional<refine::Counterexample> model_run;
     std::optional<runs::Run> run;
 };
+/// What the violation means for a robot, in sentences; "" if there is none.
+[[nodiscard]] std::string_view meaning_of(const Aside&);
 
 /// The reason why an event is not taken in the cycles in which its register holds it.
 enum class MissedWhile {

@@ -4,30 +4,21 @@
 // (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 
-#include <span>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::conformance::rules {
 
-extern const diagnostics::Rule log_syntax;    ///< RC-L01
-extern const diagnostics::Rule log_name;      ///< RC-L02
-extern const diagnostics::Rule log_value;     ///< RC-L03
-extern const diagnostics::Rule log_of_other;  ///< RC-L04
+using diagnostics::Rule;
 
-extern const diagnostics::Rule endless_steps;        ///< RC-K01
-extern const diagnostics::Rule endless_outputs;      ///< RC-K02
-extern const diagnostics::Rule time_stops;           ///< RC-K03
-extern const diagnostics::Rule output_in_mid_cycle;  ///< RC-K04
-extern const diagnostics::Rule end_in_mid_cycle;     ///< RC-K05
-extern const diagnostics::Rule input_in_mid_cycle;   ///< RC-K06
-extern const diagnostics::Rule output_made_twice;    ///< RC-K07
-extern const diagnostics::Rule input_not_in_time;    ///< RC-K08
-extern const diagnostics::Rule event_missed;         ///< RC-K09
-extern const diagnostics::Rule event_overtaken;      ///< RC-K10
-extern const diagnostics::Rule precondition_false;   ///< RC-K11
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "conformance/model/rules.def"
+#undef RULE
 
-/// Every rule, for `explain` and for the tests.
-[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+/// All rules of the table, in its order.
+inline constexpr const Rule* all[] = {
+#define RULE(name, code, severity, message) &name,
+#include "conformance/model/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::conformance::rules

@@ -2,16 +2,21 @@
 // The rules of swarms (docs/rules/RC-V*.md).
 #pragma once
 
-#include <vector>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::csp_emit::swarm_rules {
 
-extern const diagnostics::Rule syntax;        ///< RC-V01
-extern const diagnostics::Rule unknown_name;  ///< RC-V02
-extern const diagnostics::Rule no_fit;        ///< RC-V03
+using diagnostics::Rule;
 
-[[nodiscard]] std::vector<const diagnostics::Rule*> all();
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "csp_emit/swarm/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* all[] = {
+#define RULE(name, code, severity, message) &name,
+#include "csp_emit/swarm/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::csp_emit::swarm_rules

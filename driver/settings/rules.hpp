@@ -6,8 +6,17 @@
 
 namespace robochart::driver::rules {
 
-extern const diagnostics::Rule bad_option;  ///< the value of a setting does not fit the model
-extern const diagnostics::Rule left_out;    ///< an assertion file with errors was ignored, because only the model is
-                                            ///< needed
+using diagnostics::Rule;
+
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "driver/settings/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* all[] = {
+#define RULE(name, code, severity, message) &name,
+#include "driver/settings/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::driver::rules

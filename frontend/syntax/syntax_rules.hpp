@@ -2,7 +2,8 @@
 // The rule table of the parser: all errors in a text that are found before names are resolved.
 #pragma once
 
-#include <vector>
+#include <algorithm>
+#include <iterator>
 
 #include "base/diagnostics/diagnostic.hpp"
 
@@ -10,16 +11,20 @@ namespace robochart::frontend::syntax {
 
 using diagnostics::Rule;
 
-extern const Rule unexpected, too_deep, open_comment, open_string, strange_character, huge_integer, long_real, not_text,
-    legacy_trigger, blank_in_set, reserved_name, bare_value, open_csp_block, too_many, bare_quantifier, late_package,
-    parameter_list, clause_order, stray_bracket, ragged_matrix, single_equal, colon_equal, too_long, c_operator,
-    plain_name, needs_parentheses, neural, clause_twice, trailing_semicolon, legacy_list, clock_time, hyphenated,
-    foreign_assertion, other_notation, probabilistic_clause_order;
-extern const Rule unreadable, empty_input, no_files, empty_file;
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "frontend/syntax/syntax_rules.def"
+#undef RULE
 
-/// All rules, sorted by code.
-[[nodiscard]] const std::vector<const Rule*>& rule_list();
+/// All rules of the table, in its order.
+inline constexpr const Rule* rule_list[] = {
+#define RULE(name, code, severity, message) &name,
+#include "frontend/syntax/syntax_rules.def"
+#undef RULE
+};
+
 /// True if the rule is one of parsing.
-[[nodiscard]] bool is_syntax(const Rule&);
+[[nodiscard]] inline bool is_syntax(const Rule& rule) {
+    return std::ranges::find(rule_list, &rule) != std::end(rule_list);
+}
 
 }  // namespace robochart::frontend::syntax

@@ -3,21 +3,21 @@
 // because a wrong number is worse than no number.
 #pragma once
 
-#include <span>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::prism_emit::rules {
 
-extern const diagnostics::Rule no_module;               ///< RC-E01
-extern const diagnostics::Rule unsupported_construct;   ///< RC-E02
-extern const diagnostics::Rule unsupported_type;        ///< RC-E03
-extern const diagnostics::Rule unsupported_expression;  ///< RC-E04
-extern const diagnostics::Rule unsupported_event;       ///< RC-E05
-extern const diagnostics::Rule unsupported_operation;   ///< RC-E06
-extern const diagnostics::Rule bad_preferences;         ///< RC-E07
-extern const diagnostics::Rule ignored_preferences;     ///< RC-E08
+using diagnostics::Rule;
 
-[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "prism/emit/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* all[] = {
+#define RULE(name, code, severity, message) &name,
+#include "prism/emit/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::prism_emit::rules

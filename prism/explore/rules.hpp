@@ -2,29 +2,21 @@
 // Errors in the evaluation of constants, states and rewards of a PRISM model, as a table.
 #pragma once
 
-#include <span>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::prism::rules {
 
-extern const diagnostics::Rule constant_open;
-extern const diagnostics::Rule arithmetic;
-extern const diagnostics::Rule out_of_range;
-extern const diagnostics::Rule bad_probability;
-extern const diagnostics::Rule wrong_sum;
-extern const diagnostics::Rule empty_range;
-extern const diagnostics::Rule no_initial_state;
-extern const diagnostics::Rule deadlocks;
-extern const diagnostics::Rule negative_reward;
-extern const diagnostics::Rule bad_steps;
-extern const diagnostics::Rule too_close;
-extern const diagnostics::Rule normalised;
-extern const diagnostics::Rule not_exact;
-extern const diagnostics::Rule bad_bound;
-extern const diagnostics::Rule left_out;
+using diagnostics::Rule;
 
-/// Returns all rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> explore();
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "prism/explore/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* explore[] = {
+#define RULE(name, code, severity, message) &name,
+#include "prism/explore/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::prism::rules

@@ -2,22 +2,21 @@
 // Diagnostics about names and types of SLEEC rules, as a table.
 #pragma once
 
-#include <span>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::sleec::rules {
 
-extern const diagnostics::Rule unknown_name;
-extern const diagnostics::Rule wrong_kind;
-extern const diagnostics::Rule declared_twice;
-extern const diagnostics::Rule rule_named_twice;
-extern const diagnostics::Rule wrong_type;
-extern const diagnostics::Rule literal_by_place;
-extern const diagnostics::Rule circular_constant;
-extern const diagnostics::Rule empty_interval;
+using diagnostics::Rule;
 
-/// All rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> check_rule_table();
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "sleec/checks/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* checks[] = {
+#define RULE(name, code, severity, message) &name,
+#include "sleec/checks/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::sleec::rules

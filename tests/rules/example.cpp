@@ -51,7 +51,7 @@ private:
     fs::path path_;
 };
 
-std::string file_name(const app::Block& block, std::size_t number) {
+std::string file_name(const diagnostics::Block& block, std::size_t number) {
     if (!block.file.empty()) return block.file;
     const std::string suffix = number == 0 ? "" : std::to_string(number + 1);
     if (block.language == "assertions") return "claims" + suffix + ".assertions";
@@ -226,7 +226,7 @@ std::set<std::string> Judgement::codes() const {
     return codes;
 }
 
-Judgement judge(const std::vector<app::Block>& example) {
+Judgement judge(const std::vector<diagnostics::Block>& example) {
     const Folder folder;
     Judgement result;
     std::string console;
@@ -234,7 +234,7 @@ Judgement judge(const std::vector<app::Block>& example) {
     std::vector<std::string> prism;
     bool has_model = false;
     std::size_t number = 0;
-    for (const app::Block& block : example) {
+    for (const diagnostics::Block& block : example) {
         if (block.language == "text") continue;
         if (block.language == "console") {
             console = block.text;

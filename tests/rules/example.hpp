@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/command/rule_pages.hpp"
 #include "base/diagnostics/diagnostic.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 
 namespace robochart::testing {
 
@@ -23,7 +23,7 @@ struct Judgement {
 
 /// Writes the blocks into a separate folder and loads it as a project. A console block selects another verb: `$
 /// robochart-verify emit cpp MODEL`. A CSPM block is parsed as a script.
-[[nodiscard]] Judgement judge(const std::vector<app::Block>& example);
+[[nodiscard]] Judgement judge(const std::vector<diagnostics::Block>& example);
 
 /// Judges existing files in the same way.
 [[nodiscard]] Judgement judge_file(const std::string& path);

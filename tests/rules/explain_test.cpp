@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/command/rule_pages.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 
-namespace robochart::app {
+namespace robochart::diagnostics {
 namespace {
 
 using ::testing::HasSubstr;
@@ -51,10 +51,18 @@ TEST(PageText, HasBoldHeadingsWithColours) {
     EXPECT_THAT(drawn, HasSubstr("    stm S"));
 }
 
+TEST(PageText, GivesTheReasonForARuleInParagraphs) {
+    const std::string reason = reason_for({"RC-W21", Severity::warning, ""});
+    EXPECT_TRUE(reason.starts_with("Every assignment changes the variable")) << reason;
+    EXPECT_THAT(reason, HasSubstr("keeps that value (docs/cpp.md)."));
+    EXPECT_THAT(reason, Not(HasSubstr("\n")));
+    EXPECT_EQ(reason_for({"NOSUCHRULE", Severity::warning, ""}), "");
+}
+
 TEST(PageText, IsFoundWhateverTheCase) {
     EXPECT_EQ(page_text("stm6"), page_text("STM6"));
     EXPECT_TRUE(page_text("NOSUCHRULE").empty());
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::diagnostics

@@ -28,9 +28,9 @@ const std::set<std::string_view> without_example = {
     "RC-M12",    "RC-M15",    "RC-M18",    "RC-A04",    "RC-E07",    "RC-E08",   "PRISM-E15", "CSPM-P07", "CSPM-T20",
     "PRISM-P05", "PRISM-P08", "PRISM-T18", "PRISM-E13", "SLEEC-P05", "SLEEC-P07"};
 
-std::vector<app::PageText> pages() {
-    std::vector<app::PageText> result;
-    for (const app::PageText& page : app::page_texts())
+std::vector<diagnostics::PageText> pages() {
+    std::vector<diagnostics::PageText> result;
+    for (const diagnostics::PageText& page : diagnostics::page_texts())
         if (page.code != "README") result.push_back(page);
     return result;
 }
@@ -53,15 +53,15 @@ std::multiset<std::string> of_interest(const std::multiset<std::string>& finding
 /// Checks all pages in one test, because the program is started for each test and there are hundreds of pages.
 template <class Expectation>
 void for_each_page(Expectation expectation) {
-    for (const app::PageText& text : pages()) {
+    for (const diagnostics::PageText& text : pages()) {
         SCOPED_TRACE("docs/rules/" + std::string(text.code) + ".md");
-        const app::RulePage page = app::read_page(text.text);
+        const diagnostics::RulePage page = diagnostics::read_page(text.text);
         EXPECT_EQ(page.code, text.code) << "the title names the rule of the file's name";
         expectation(page);
     }
 }
 
-void expect_form(const app::RulePage& page) {
+void expect_form(const diagnostics::RulePage& page) {
     for (const std::string& fault : page.faults) {
         const bool excused = without_example.contains(page.code) && fault.find("no example") != std::string::npos;
         EXPECT_TRUE(excused) << "docs/rules/" << page.code << ".md: " << fault;
@@ -75,7 +75,7 @@ TEST(RulePages, HaveTheForm) {
     for_each_page(expect_form);
 }
 
-void expect_severities(const app::RulePage& page) {
+void expect_severities(const diagnostics::RulePage& page) {
     const auto rules = app::find_rules(page.code);
     ASSERT_FALSE(rules.empty()) << "no rule has the code " << page.code;
     using diagnostics::Severity;
@@ -91,7 +91,7 @@ TEST(RulePages, NameTheSeveritiesOfTheTable) {
     for_each_page(expect_severities);
 }
 
-void expect_wrong_example(const app::RulePage& page) {
+void expect_wrong_example(const diagnostics::RulePage& page) {
     if (without_example.contains(page.code) && page.wrong.empty()) return;  // no example is possible
     const testing::Judgement found = testing::judge(page.wrong);
     const auto findings = of_interest(found.findings, page.code);
@@ -108,7 +108,7 @@ TEST(RulePages, WrongExamplesBreakTheRuleAlone) {
     for_each_page(expect_wrong_example);
 }
 
-void expect_right_example(const app::RulePage& page) {
+void expect_right_example(const diagnostics::RulePage& page) {
     if (without_example.contains(page.code) && page.right.empty()) return;  // no example is possible
     const testing::Judgement found = testing::judge(page.right);
     EXPECT_EQ(of_interest(found.findings, page.code), found.expected) << found.report;
@@ -123,13 +123,13 @@ TEST(RulePages, EveryRuleHasOne) {
     std::set<std::string_view> codes;
     for (const diagnostics::Rule* rule : app::all_rules()) codes.insert(rule->code);
     for (const std::string_view code : codes)
-        EXPECT_FALSE(app::page_text(code).empty()) << "docs/rules/" << code << ".md is missing";
+        EXPECT_FALSE(diagnostics::page_text(code).empty()) << "docs/rules/" << code << ".md is missing";
 }
 
 /// `* [STM6](STM6.md): title` under `## Area`, once.
 TEST(RulePages, IndexListsEachUnderItsArea) {
     std::map<std::string, std::string> area_of_line;
-    std::istringstream index{std::string(app::page_text("README"))};
+    std::istringstream index{std::string(diagnostics::page_text("README"))};
     std::string area;
     std::string line;
     while (std::getline(index, line)) {
@@ -138,8 +138,8 @@ TEST(RulePages, IndexListsEachUnderItsArea) {
             EXPECT_TRUE(area_of_line.emplace(line, area).second) << "listed twice: " << line;
         }
     }
-    for (const app::PageText& text : pages()) {
-        const app::RulePage page = app::read_page(text.text);
+    for (const diagnostics::PageText& text : pages()) {
+        const diagnostics::RulePage page = diagnostics::read_page(text.text);
         const std::string wanted = "* [" + page.code + "](" + page.code + ".md): " + page.title;
         const auto found = area_of_line.find(wanted);
         EXPECT_TRUE(found != area_of_line.end()) << "docs/rules/README.md lacks the line\n" << wanted;
@@ -152,7 +152,7 @@ TEST(RulePages, IndexListsEachUnderItsArea) {
 }
 
 TEST(RulePages, LinksLead) {
-    for (const app::PageText& page : app::page_texts()) {
+    for (const diagnostics::PageText& page : diagnostics::page_texts()) {
         const std::string text(page.text);
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             const std::string whole = text.substr(at + 2, text.find(')', at) - at - 2);
@@ -166,8 +166,8 @@ TEST(RulePages, LinksLead) {
 /// Front-end rules have several rows for different circumstances: a page or a fixture shows each of them.
 TEST(RulePages, ShowEveryRowWithTheFixtures) {
     std::set<const diagnostics::Rule*> shown;
-    for (const app::PageText& text : pages()) {
-        const testing::Judgement found = testing::judge(app::read_page(text.text).wrong);
+    for (const diagnostics::PageText& text : pages()) {
+        const testing::Judgement found = testing::judge(diagnostics::read_page(text.text).wrong);
         shown.insert(found.rules.begin(), found.rules.end());
     }
     for (const auto& entry : fs::recursive_directory_iterator(fixtures))

@@ -12,8 +12,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/command/rule_pages.hpp"
 #include "app/command/rules.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 #include "tests/needed.hpp"
 #include "tests/sanity/source_tree.hpp"
 
@@ -111,7 +111,7 @@ bool names_code(const std::string& text, std::string_view code) {
     return false;
 }
 
-TEST(Sanity, EveryRuleIsExplainedAndTested) {
+TEST(Sanity, EveryRuleIsShownOrTested) {
     std::string tests;
     for (const fs::path& path : files(root() / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"}))
         if (path.filename() != "pages_test.cpp") tests += read_contents(path);
@@ -120,9 +120,8 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
     for (const diagnostics::Rule* rule : app::all_rules()) {
         codes.insert(rule->code);
         EXPECT_TRUE(rows.emplace(rule->code, rule->message).second) << rule->code << " stands twice";
-        EXPECT_GE(rule->explanation.size(), 40U) << rule->code << " is not explained";
         // tests/rules runs the examples of the rule's page.
-        const bool shown = app::page_text(rule->code).find("\n## Wrong\n") != std::string_view::npos;
+        const bool shown = diagnostics::page_text(rule->code).find("\n## Wrong\n") != std::string_view::npos;
         EXPECT_TRUE(shown || names_code(tests, rule->code))
             << "no page shows and no test or fixture names rule " << rule->code;
     }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/diagnostics/fixes.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 
 namespace robochart::lsp {
 
@@ -85,10 +86,10 @@ std::string explain_findings(const std::vector<Diagnostic>& findings, std::uint3
     std::set<std::string_view> shown;
     for (const Diagnostic& finding : findings) {
         const bool here = finding.span.begin <= offset && offset <= finding.span.end;
-        if (!here || !shown.insert(finding.rule->explanation).second) continue;
+        if (!here || !shown.insert(finding.rule->code).second) continue;
         const auto* pattern = markdown ? "{}**{}** {}" : "{}{}: {}";
         out += fmt::format(fmt::runtime(pattern), out.empty() ? "" : "\n\n", finding.rule->code,
-                           finding.rule->explanation);
+                           diagnostics::reason_for(*finding.rule));
     }
     return out;
 }

@@ -2,17 +2,21 @@
 // Findings about diagrams that RoboTool stores (docs/diagrams.md).
 #pragma once
 
-#include <span>
-
 #include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::diagrams::rules {
 
-extern const diagnostics::Rule unreadable_diagrams;  ///< RC-D01
-extern const diagnostics::Rule other_diagram;        ///< RC-D02
-extern const diagnostics::Rule incomplete_diagram;   ///< RC-D03
+using diagnostics::Rule;
 
-/// All rules, for `explain` and for tests.
-[[nodiscard]] std::span<const diagnostics::Rule* const> rule_list();
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "frontend/diagrams/stored/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* all[] = {
+#define RULE(name, code, severity, message) &name,
+#include "frontend/diagrams/stored/rules.def"
+#undef RULE
+};
 
 }  // namespace robochart::diagrams::rules

@@ -9,7 +9,7 @@
 namespace robochart::diagnostics {
 namespace {
 
-const Rule rule{"F1", Severity::error, "wrong", "…"};
+const Rule rule{"F1", Severity::error, "wrong"};
 
 class Fixes : public ::testing::Test {
 protected:

@@ -11,8 +11,8 @@
 namespace robochart::diagnostics {
 namespace {
 
-const Rule junction_rule{"J1", Severity::error, "junction `{}` has no transition", "…"};
-const Rule odd_rule{"W9", Severity::warning, "odd", "…"};
+const Rule junction_rule{"J1", Severity::error, "junction `{}` has no transition"};
+const Rule odd_rule{"W9", Severity::warning, "odd"};
 
 TEST(RenderText, ShowsExcerptCaretNotesAndFix) {
     SourceManager sources;
@@ -119,7 +119,7 @@ TEST(JsonText, EscapesControlCharactersAndReplacesBrokenBytes) {
 }
 
 TEST(Diagnostics, ShowTheBeginningOfLongArguments) {
-    static const Rule rule{"T1", Severity::error, "no `{}`", "because"};
+    static const Rule rule{"T1", Severity::error, "no `{}`"};
     Diagnostics diagnostics;
     EXPECT_EQ(diagnostics.report(rule, {}, {std::string(1000, 'x')}).message(), "no `" + std::string(1000, 'x') + "`");
     // An e with an acute accent consists of two bytes, which must stay together.

@@ -14,9 +14,9 @@ namespace {
 
 using nlohmann::json;
 
-const Rule wrong{"R1", Severity::error, "`{}` is wrong", "Because of the rule."};
-const Rule wrong_too{"R1", Severity::error, "`{}` is wrong, too", "The same rule, other circumstances."};
-const Rule odd{"R2", Severity::warning, "odd", "It may be meant."};
+const Rule wrong{"R1", Severity::error, "`{}` is wrong"};
+const Rule wrong_too{"R1", Severity::error, "`{}` is wrong, too"};
+const Rule odd{"R2", Severity::warning, "odd"};
 
 void expect_keys(const json& object, const std::set<std::string>& allowed, const std::set<std::string>& required) {
     ASSERT_TRUE(object.is_object());
@@ -93,7 +93,8 @@ json expect_sarif(const std::string& text) {
 /// Rules as in the verb `validate`, with titles that differ from messages.
 SarifRules about(const std::string& limit = "") {
     return {"1.2", "validate/m.rct",
-            [](const Rule& rule) { return rule.code == "R1" ? "a name is wrong" : "something is odd"; }, limit};
+            [](const Rule& rule) { return rule.code == "R1" ? "a name is wrong" : "something is odd"; },
+            [](const Rule&) { return "because of the rule"; }, limit};
 }
 
 TEST(Sarif, HasRulesPlacesNotesAndFixes) {

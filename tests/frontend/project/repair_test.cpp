@@ -145,7 +145,7 @@ TEST(Repair, MakesEveryExampleOfAPageBetter) {
 // ---------------------------------------------------------------- fixes that are not written
 
 /// A test rule that reports every `x` and every `yy`.
-const diagnostics::Rule wrong{"T1", diagnostics::Severity::error, "{}", ""};
+const diagnostics::Rule wrong{"T1", diagnostics::Severity::error, "{}"};
 
 std::unique_ptr<diagnostics::TextReading> find_x(const Texts& texts, const std::string& instead) {
     auto reading = std::make_unique<diagnostics::TextReading>();

@@ -355,11 +355,10 @@ TEST(Constants, EvaluateConstantUsesTheMachinesOwn) {
     EXPECT_EQ(evaluate_constant(system, inst, &machine, *samples::variable(0, types.nat)), std::nullopt);
 }
 
-TEST(Rules, CodesAreUniqueAndExplained) {
+TEST(Rules, CodesAscend) {
     std::string last;
-    for (const auto* rule : rules::all()) {
+    for (const auto* rule : rules::all) {
         EXPECT_LT(last, std::string(rule->code));
-        EXPECT_GE(rule->explanation.size(), 80U) << rule->code;
         last = rule->code;
     }
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // See rule_pages.hpp. The parser supports only the Markdown that the pages use: headings, paragraphs, fences, lists,
 // links, `code`, *emphasis*.
-#include "app/command/rule_pages.hpp"
+#include "base/rule_pages/rule_pages.hpp"
 
 #include <algorithm>
 #include <cctype>
 
 #include "base/diagnostics/paint.hpp"
 
-namespace robochart::app {
+namespace robochart::diagnostics {
 namespace {
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -116,8 +116,6 @@ private:
 
 // ---------------------------------------------------------------- drawing
 
-using diagnostics::Paint;
-
 class Drawing {
 public:
     explicit Drawing(bool color) : color_(color) {}
@@ -155,7 +153,7 @@ private:
         out_.append("    ").append(text).append("\n");
     }
 
-    void add_painted(std::string_view text, Paint paint) { out_ += diagnostics::paint_text(text, paint, color_); }
+    void add_painted(std::string_view text, Paint paint) { out_ += paint_text(text, paint, color_); }
 
     /// Draws a line of text with `code`, [name](address) and *emphasis*.
     void draw_words(std::string_view line) {
@@ -173,7 +171,10 @@ private:
         if (sign == '[') {
             const std::size_t name = line.find("](");
             const std::size_t end = name == std::string_view::npos ? name : line.find(')', name);
-            if (end != std::string_view::npos) return add_painted(line.substr(1, name - 1), Paint::name), end + 1;
+            if (end != std::string_view::npos) {
+                add_painted(line.substr(1, name - 1), Paint::name);
+                return end + 1;
+            }
         } else if (line.size() > 1 && line[1] != ' ') {
             const std::size_t end = line.find(sign, 1);
             if (end != std::string_view::npos) {
@@ -193,6 +194,18 @@ private:
     std::string out_;
 };
 
+/// The lines of each paragraph joined, and the paragraphs separated by an empty line.
+std::string join_lines(std::string_view text) {
+    std::string joined;
+    bool paragraph_ended = false;
+    for (const std::string_view line : lines_of(text)) {
+        if (!line.empty() && !joined.empty()) joined += paragraph_ended ? "\n\n" : " ";
+        joined += line;
+        paragraph_ended = line.empty();
+    }
+    return joined;
+}
+
 }  // namespace
 
 std::string_view page_text(std::string_view code) {
@@ -205,8 +218,12 @@ RulePage read_page(std::string_view text) {
     return PageReader(text).read();
 }
 
+std::string reason_for(const Rule& rule) {
+    return join_lines(render_page(read_page(page_text(rule.code)).reason, false));
+}
+
 std::string render_page(std::string_view text, bool color) {
     return Drawing(color).draw_text(text);
 }
 
-}  // namespace robochart::app
+}  // namespace robochart::diagnostics

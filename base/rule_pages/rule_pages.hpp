@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace robochart::app {
+#include "base/diagnostics/diagnostic.hpp"
+
+namespace robochart::diagnostics {
 
 /// A page as written. The code is its file name; `README` is the index.
 struct PageText {
@@ -39,9 +41,12 @@ struct RulePage {
 };
 
 [[nodiscard]] RulePage read_page(std::string_view text);
+/// The reason on the page of a rule: paragraphs without line breaks, separated by an empty line. Links are shown by
+/// their names; code words keep their backquotes.
+[[nodiscard]] std::string reason_for(const Rule&);
 
 /// Renders the page for a terminal. Examples are indented, links are shown by name, and headings and code words are
 /// coloured if `color` is set.
 [[nodiscard]] std::string render_page(std::string_view text, bool color);
 
-}  // namespace robochart::app
+}  // namespace robochart::diagnostics
