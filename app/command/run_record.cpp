@@ -45,8 +45,7 @@ template <typename Element>
 void merge(std::vector<Element>& all, const std::vector<Element>& more) {
     all.insert(all.end(), more.begin(), more.end());
     std::ranges::sort(all);
-    const auto repeated = std::ranges::unique(all);
-    all.erase(repeated.begin(), repeated.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());  // clang 14 lacks std::ranges::unique
 }
 
 }  // namespace
