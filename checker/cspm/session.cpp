@@ -144,15 +144,15 @@ struct Session::Impl {
         return found;
     }
 
-    std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion, refine::Counterexample& shown,
+    std::optional<process::Behaviour> behaviour_with_values(const Decl& decl, refine::Counterexample& shown,
                                                             const refine::Limits& limits) {
         if (!whole) whole = std::make_unique<Impl>(script, nullptr, true);
         refine::Budget budget(limits);
         const Polling polling(*whole, budget);
-        const Assertion& asked = assertion.assertion;
-        const bool refinement = asked.kind == AssertionKind::refinement;
+        const Assertion& assertion = decl.assertion;
+        const bool refinement = assertion.kind == AssertionKind::refinement;
         const process::TermId process = whole->loaded.term_of(
-            whole->loaded.compile_side(refinement ? asked.implementation : asked.specification, assertion));
+            whole->loaded.compile_side(refinement ? assertion.implementation : assertion.specification, decl));
         if (!shown.accepting.empty()) (void)with_values(process, shown.accepting_initial, shown.accepting);
         const std::optional<WholeRun> run = with_values(process, shown.initial, shown.steps);
         if (!run) return std::nullopt;
@@ -313,10 +313,10 @@ struct Session::Impl {
                     question, [&evaluation] { evaluation.charge(); }, std::nullopt);
         }
         strategy.identify_question(key ? std::optional(key->digest) : std::nullopt);
-        const Memory kept{strategy.answers(), 0};
-        if (!key || kept.cache == nullptr) return ask(nullptr);
-        if (process == nullptr) return check_with_memory(question, *key, kept, ask);
-        return answer_of_width(question, *key, kept, ask);
+        const Memory earlier{strategy.answers(), 0};
+        if (!key || earlier.cache == nullptr) return ask(nullptr);
+        if (process == nullptr) return check_with_memory(question, *key, earlier, ask);
+        return answer_of_width(question, *key, earlier, ask);
     }
 
     static PackedSystem* packed_side(const std::unique_ptr<lts::TransitionSystem>& side) {
@@ -367,17 +367,17 @@ struct Session::Impl {
     }
 
     /// Replaces each process that stays a term by packed states. The terms become the reference for replays.
-    void pack_sides(Sides& both, const Decl& assertion, const refine::Limits& limits) {
-        const Assertion& asked = assertion.assertion;
+    void pack_sides(Sides& both, const Decl& decl, const refine::Limits& limits) {
+        const Assertion& assertion = decl.assertion;
         // Event numbers must be the same in every run. A search numbers events in the order in which it finds them, so
         // all events are numbered before.
         if (limits.by_levels != nullptr) all_events = events_of_script();
         const std::shared_ptr<PackedProcesses> processes = processes_for(limits);
         std::vector<std::pair<std::unique_ptr<lts::TransitionSystem>*, std::size_t>> sides;
         if (terms_side(both.first) != nullptr)
-            sides.emplace_back(&both.first, processes->add(asked.specification, assertion));
+            sides.emplace_back(&both.first, processes->add(assertion.specification, decl));
         if (terms_side(both.second) != nullptr)
-            sides.emplace_back(&both.second, processes->add(asked.implementation, assertion));
+            sides.emplace_back(&both.second, processes->add(assertion.implementation, decl));
         const auto is_direct = [&](const auto& side) { return processes->is_direct(side.second); };
         const bool few = !packing.from_terms && limits.by_levels == nullptr && terms_made < most_terms(false);
         if (few && !std::ranges::all_of(sides, is_direct)) return count_terms(both, most_terms(false));

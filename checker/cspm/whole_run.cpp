@@ -59,13 +59,13 @@ std::optional<WholeRun> whole_run(process::OperationalSemantics& semantics, cons
     for (const refine::Step& step : run) {
         std::vector<Reached> next;
         for (std::size_t from = 0; from < layers.back().size() && next.size() < most_at_once; ++from)
-            for (const process::Transition& each : semantics.successors(layers.back()[from].step.target)) {
-                const bool known =
-                    std::ranges::any_of(next, [&](const Reached& other) { return other.step.target == each.target; });
-                if (!known && events.name(each.event) == events_of_run.name(step.event) &&
-                    events.name(each.revealed) == events_of_run.name(step.revealed) &&
-                    matches_description(step.state, process::describe(terms, each.target)))
-                    next.push_back({each, from});
+            for (const process::Transition& transition : semantics.successors(layers.back()[from].step.target)) {
+                const bool known = std::ranges::any_of(
+                    next, [&](const Reached& other) { return other.step.target == transition.target; });
+                if (!known && events.name(transition.event) == events_of_run.name(step.event) &&
+                    events.name(transition.revealed) == events_of_run.name(step.revealed) &&
+                    matches_description(step.state, process::describe(terms, transition.target)))
+                    next.push_back({transition, from});
             }
         if (next.empty()) return std::nullopt;
         layers.push_back(std::move(next));

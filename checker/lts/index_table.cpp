@@ -8,10 +8,10 @@
 namespace robochart::lts {
 
 void IndexTable::reset_for_capacity(std::uint64_t numbers) {
-    std::uint64_t wanted = bucket_count_;
-    while (wanted * bucket_size * 4 / 5 < numbers) wanted = std::max(wanted + 1, wanted * 3 / 2);
-    if (wanted > no_state - 64) throw std::length_error("more than 2^32 states");
-    reset(static_cast<std::uint32_t>(wanted));
+    std::uint64_t buckets = bucket_count_;
+    while (buckets * bucket_size * 4 / 5 < numbers) buckets = std::max(buckets + 1, buckets * 3 / 2);
+    if (buckets > no_state - 64) throw std::length_error("more than 2^32 states");
+    reset(static_cast<std::uint32_t>(buckets));
 }
 
 /// Frees the old memory before it allocates the new one, so that they never coexist.

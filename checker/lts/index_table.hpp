@@ -140,7 +140,7 @@ private:
         std::uint32_t used;
 
         /// Returns one bit for each matching tag in the places from `first` on.
-        [[nodiscard]] std::uint64_t matching_tags(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
+        [[nodiscard]] std::uint64_t matching_tags(std::uint8_t tag, std::uint32_t first, std::uint32_t end);
         [[nodiscard]] static std::uint32_t lowest_match(std::uint64_t matches) {
             assert(matches != 0 && matches >> bucket_size == 0);
             return static_cast<std::uint32_t>(std::countr_zero(matches));
@@ -202,12 +202,12 @@ inline void IndexTable::Bucket::set_tag(std::uint32_t place, std::uint8_t tag) {
                                          std::memory_order_relaxed);
 }
 
-inline std::uint64_t IndexTable::Bucket::matching_tags(std::uint8_t wanted, std::uint32_t first, std::uint32_t end) {
+inline std::uint64_t IndexTable::Bucket::matching_tags(std::uint8_t tag, std::uint32_t first, std::uint32_t end) {
     assert(first <= end && end <= bucket_size);
     constexpr std::uint64_t ones = 0x0101010101010101ULL;
     constexpr std::uint64_t tops = ones << 7U;
-    const auto agreeing = [wanted](std::uint64_t tags) {
-        const std::uint64_t differing = tags ^ (ones * wanted);
+    const auto agreeing = [tag](std::uint64_t tags) {
+        const std::uint64_t differing = tags ^ (ones * tag);
         const std::uint64_t low = (differing & ~tops) + ~tops;  // top bit: some lower bit differs
         return (~(low | differing) & tops) >> 7U;               // bit 0 of each matching byte
     };

@@ -50,8 +50,8 @@ void StateStore::rebuild_table(std::uint64_t states, const Sharing& share) {
         return IndexTable::has_space(table_.find_or_add(
             hash, [](StateIndex) { return false; }, [index] { return index; }));
     };
-    for (std::uint64_t wanted = states;; wanted += wanted / 2) {
-        table_.reset_for_capacity(wanted);
+    for (std::uint64_t capacity = states;; capacity += capacity / 2) {
+        table_.reset_for_capacity(capacity);
         if (!share || size_ < 2 * piece) {
             if (add_states(0, all, add_alone)) return;
             continue;

@@ -15,14 +15,14 @@ class AnswerTable {
 public:
     AnswerTable() : entries_(least) {}
 
-    /// `asked` must not be `none`.
-    [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t asked, std::uint64_t key) const {
-        const Entry& entry = entries_[entry_index(asked, key)];
-        if (entry.asked == none) return std::nullopt;
+    /// `query` must not be `none`.
+    [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t query, std::uint64_t key) const {
+        const Entry& entry = entries_[entry_index(query, key)];
+        if (entry.query == none) return std::nullopt;
         return entry.answer;
     }
     /// Stores an answer and replaces an earlier one.
-    void store_answer(std::uint32_t asked, std::uint64_t key, std::uint32_t answer);
+    void store_answer(std::uint32_t query, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
 
@@ -31,22 +31,22 @@ public:
 private:
     struct Entry {
         std::uint64_t key = 0;
-        std::uint32_t asked = none;  ///< none: the entry is free
+        std::uint32_t query = none;  ///< none: the entry is free
         std::uint32_t answer = 0;
     };
     static constexpr std::size_t least = 1024;  ///< number of entries; always a power of two
 
     /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
-    [[nodiscard]] std::size_t entry_index(std::uint32_t asked, std::uint64_t key) const {
+    [[nodiscard]] std::size_t entry_index(std::uint32_t query, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
-        assert(asked != none && (entries_.size() & mask) == 0 && size_ < entries_.size());
-        std::size_t at = hash(asked, key) & mask;
-        while (entries_[at].asked != none && (entries_[at].key != key || entries_[at].asked != asked))
+        assert(query != none && (entries_.size() & mask) == 0 && size_ < entries_.size());
+        std::size_t at = hash(query, key) & mask;
+        while (entries_[at].query != none && (entries_[at].key != key || entries_[at].query != query))
             at = (at + 1) & mask;
         return at;
     }
-    [[nodiscard]] static std::uint64_t hash(std::uint32_t asked, std::uint64_t key) {
-        const std::uint64_t mixed = (key ^ asked * 0x9E3779B97F4A7C15ULL) * 0xBF58476D1CE4E5B9ULL;
+    [[nodiscard]] static std::uint64_t hash(std::uint32_t query, std::uint64_t key) {
+        const std::uint64_t mixed = (key ^ query * 0x9E3779B97F4A7C15ULL) * 0xBF58476D1CE4E5B9ULL;
         return mixed ^ mixed >> 32U;
     }
 

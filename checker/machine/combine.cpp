@@ -54,7 +54,8 @@ public:
         region(priorities ? root.children.front() : 0,
                priorities ? priority_levels(root) : std::vector<std::uint32_t>());
         result_.initial.assign(skeleton_.slots.size(), 0);
-        for (const Assignment& each : assignments_of({{0, true}})) result_.initial[each.slot] = each.value;
+        for (const Assignment& assignment : assignments_of({{0, true}}))
+            result_.initial[assignment.slot] = assignment.value;
         list_operands();
         pack_components();
         return std::move(result_);
@@ -184,9 +185,9 @@ Vectors Combiner::operator_vectors(const Node& node, Region& region) {
 void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event, Vectors& out) {
     assert(!who.empty());
     Vectors open{Vector{event, event, {}, {}}};
-    for (const Vectors* each : who) {
+    for (const Vectors* operand : who) {
         Vectors longer;
-        for (const Vector& one : *each) {
+        for (const Vector& one : *operand) {
             if (one.event != event) continue;
             for (const Vector& prefix : open) {
                 charge_work(prefix.parts.size() + prefix.actions.size() + one.parts.size() + one.actions.size());
@@ -205,7 +206,7 @@ void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event,
 /// The events of vectors; ascending, without duplicates.
 EventSet events_of(const Vectors& vectors) {
     EventSet events;
-    for (const Vector& each : vectors) events.push_back(each.event);
+    for (const Vector& vector : vectors) events.push_back(vector.event);
     std::ranges::sort(events);
     events.erase(std::unique(events.begin(), events.end()), events.end());
     return events;
@@ -220,11 +221,11 @@ Vectors Combiner::combine_parallel(const Node& node, std::vector<Vectors> operan
     for (Vectors& operand : operands) {
         Vectors& own = shared.emplace_back();
         charge_work(operand.size());
-        for (Vector& each : operand) (joint(each.event) ? own : result).push_back(std::move(each));
+        for (Vector& vector : operand) (joint(vector.event) ? own : result).push_back(std::move(vector));
     }
     std::vector<std::map<Event, Vectors>> tables(shared.size());
     for (std::size_t i = 0; i < shared.size(); ++i)
-        for (Vector& each : shared[i]) tables[i][each.event].push_back(std::move(each));
+        for (Vector& vector : shared[i]) tables[i][vector.event].push_back(std::move(vector));
     for (const auto& entry : tables.front()) {
         std::vector<const Vectors*> who;
         for (const auto& table : tables) {
@@ -243,13 +244,13 @@ Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> op
     Vectors result;
     std::map<Event, std::vector<Vectors>> shared;  // by event, for each operand
     for (std::size_t i = 0; i < operands.size(); ++i)
-        for (Vector& each : operands[i]) {
-            if (each.event == tau) {
-                result.push_back(std::move(each));
-            } else if (each.event == tick || terms_.contains(term.sets[i], each.event)) {
-                auto& row = shared[each.event];
+        for (Vector& vector : operands[i]) {
+            if (vector.event == tau) {
+                result.push_back(std::move(vector));
+            } else if (vector.event == tick || terms_.contains(term.sets[i], vector.event)) {
+                auto& row = shared[vector.event];
                 row.resize(operands.size());
-                row[i].push_back(std::move(each));
+                row[i].push_back(std::move(vector));
             }
         }
     for (const auto& [event, row] : shared) {
@@ -264,8 +265,8 @@ Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> op
 // P \ A: an event of A becomes tau.
 Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
     const process::SetId set{terms_[node.term].payload};
-    for (Vector& each : operand)
-        if (each.event != tau && each.event != tick && terms_.contains(set, each.event)) each.event = tau;
+    for (Vector& vector : operand)
+        if (vector.event != tau && vector.event != tick && terms_.contains(set, vector.event)) vector.event = tau;
     return operand;
 }
 
@@ -273,13 +274,14 @@ Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
 Vectors Combiner::apply_renaming(const Node& node, const Vectors& operand) {
     const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
     Vectors result;
-    for (const Vector& each : operand) {
-        charge_work(1 + each.parts.size() + each.actions.size());
-        auto pair = std::ranges::lower_bound(pairs, process::EventPair{each.event, 0});
-        const bool named = each.event != tau && each.event != tick && pair != pairs.end() && pair->first == each.event;
-        if (!named) result.push_back(each);
-        for (; named && pair != pairs.end() && pair->first == each.event; ++pair) {
-            result.push_back(each);
+    for (const Vector& vector : operand) {
+        charge_work(1 + vector.parts.size() + vector.actions.size());
+        auto pair = std::ranges::lower_bound(pairs, process::EventPair{vector.event, 0});
+        const bool named =
+            vector.event != tau && vector.event != tick && pair != pairs.end() && pair->first == vector.event;
+        if (!named) result.push_back(vector);
+        for (; named && pair != pairs.end() && pair->first == vector.event; ++pair) {
+            result.push_back(vector);
             result.back().event = result.back().revealed = pair->second;
         }
     }
@@ -292,13 +294,14 @@ Vectors Combiner::combine_sequence(const Node& node, std::vector<Vectors> operan
     assert(operands.size() == 2);
     const bool sequence = node.op == Op::sequential;
     const process::SetId set{terms_[node.term].payload};
-    for (Vector& each : operands[0]) {
-        const bool passes_on =
-            sequence ? each.event == tick : each.event != tau && each.event != tick && terms_.contains(set, each.event);
+    for (Vector& vector : operands[0]) {
+        const bool passes_on = sequence
+                                   ? vector.event == tick
+                                   : vector.event != tau && vector.event != tick && terms_.contains(set, vector.event);
         if (!passes_on) continue;
-        if (sequence) each.event = each.revealed = tau;
-        each.actions.push_back({node.children[0], false});
-        each.actions.push_back({node.children[1], true});
+        if (sequence) vector.event = vector.revealed = tau;
+        vector.actions.push_back({node.children[0], false});
+        vector.actions.push_back({node.children[1], true});
     }
     std::move(operands[1].begin(), operands[1].end(), std::back_inserter(operands[0]));
     return std::move(operands[0]);
@@ -308,15 +311,15 @@ Vectors Combiner::combine_sequence(const Node& node, std::vector<Vectors> operan
 Vectors Combiner::combine_interruptible(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
     for (std::size_t i = 0; i < operands.size(); ++i)
-        for (Vector& each : operands[i]) {
+        for (Vector& vector : operands[i]) {
             const bool first_of_interrupt = node.op == Op::interrupt && i == 0;
-            const bool resolves = first_of_interrupt ? each.event == tick : each.event != tau;
+            const bool resolves = first_of_interrupt ? vector.event == tick : vector.event != tau;
             Actions others;
             for (std::size_t other = 0; resolves && other < operands.size(); ++other)
                 if (other != i) others.push_back({node.children[other], false});
-            charge_work(1 + others.size() + (others.empty() ? 0 : each.actions.size()));
-            prepend_actions(each, others);
-            result.push_back(std::move(each));
+            charge_work(1 + others.size() + (others.empty() ? 0 : vector.actions.size()));
+            prepend_actions(vector, others);
+            result.push_back(std::move(vector));
         }
     return result;
 }
@@ -336,8 +339,8 @@ Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands)
         result.push_back(std::move(by));
     };
     if (node.op == Op::sliding) {
-        for (Vector& each : operands[1])
-            if (each.event != tau) prepend_actions(each, {{gate, false}});
+        for (Vector& vector : operands[1])
+            if (vector.event != tau) prepend_actions(vector, {{gate, false}});
         open(operands[0].front(), node.children[2]);
     } else if (node.op == Op::internal_choice) {
         for (std::size_t i = 1; i < node.children.size(); ++i) open(operands[0].front(), node.children[i]);
@@ -345,8 +348,8 @@ Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands)
         const std::vector<process::Branch>& branches = *terms_.known_branches(terms_[node.term].payload);
         assert(operands.size() == branches.size() + 1);
         for (std::size_t i = 0; i < branches.size(); ++i)
-            for (const Vector& each : operands[0])
-                if (each.event == branches[i].event) open(each, node.children[i + 1]);
+            for (const Vector& vector : operands[0])
+                if (vector.event == branches[i].event) open(vector, node.children[i + 1]);
     }
     for (std::size_t i = 1; i < operands.size(); ++i)
         std::move(operands[i].begin(), operands[i].end(), std::back_inserter(result));
@@ -445,8 +448,8 @@ void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<
 void Combiner::finish_region(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const {
     const std::vector<std::vector<double>> chance = estimate_chances(region);
     const auto chance_of = [&](const Requirement& part) { return chance[part.participant][part.event]; };
-    for (Vector& each : vectors)
-        std::ranges::sort(each.parts, [&](const Requirement& a, const Requirement& b) {
+    for (Vector& vector : vectors)
+        std::ranges::sort(vector.parts, [&](const Requirement& a, const Requirement& b) {
             return std::pair(chance_of(a), a.participant) < std::pair(chance_of(b), b.participant);
         });
     region.alphabet = events_of(vectors);
@@ -491,7 +494,7 @@ void Combiner::pack_components() {
     };
     for (std::uint32_t slot = 0; slot < result_.initial.size(); ++slot) note(slot, result_.initial[slot]);
     for (const Region& region : result_.regions)
-        for (const Assignment& each : region.assignments) note(each.slot, each.value);
+        for (const Assignment& assignment : region.assignments) note(assignment.slot, assignment.value);
     std::uint32_t word = 0;
     std::uint32_t used = 0;
     for (std::uint32_t slot = 0; slot < result_.components.size(); ++slot) {

@@ -104,7 +104,8 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
         const auto use = [&](const Participant& who, std::uint32_t event) {
             if (!who.is_region) used[who.index][event] = true;
         };
-        for (const Requirement& each : region.requirements) use(region.participants[each.participant], each.event);
+        for (const Requirement& requirement : region.requirements)
+            use(region.participants[requirement.participant], requirement.event);
         for (std::size_t who = 0; who < region.participants.size(); ++who)
             for (std::uint32_t event = 0; event < region.alphabets[who].size(); ++event)
                 if (region.first_rule[who][event] < region.first_rule[who][event + 1U])
@@ -199,8 +200,8 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
     for (;;) {
         std::optional<Skeleton> result = skeleton_of(terms, term, leaves, semantics_.left_out(), poll);
         const std::size_t before = semantics_.left_out().size();
-        const auto attempt = [&](TermId each) {
-            if (terms[each].op == Op::compress) semantics_.successors(each);
+        const auto attempt = [&](TermId candidate) {
+            if (terms[candidate].op == Op::compress) semantics_.successors(candidate);
         };
         if (result) {
             for (NodeId id : result->slots) attempt(result->nodes[id].term);

@@ -50,7 +50,7 @@ void Confluence::count_offers() {
         auto& shares = share_.emplace_back(component(slot).alphabet().size());
         for (Local local = 0; local < component(slot).size(); ++local)
             for (const Component::Edge& edge : component(slot).edges(local)) ++shares[edge.event];
-        for (double& each : shares) each /= static_cast<double>(component(slot).size());
+        for (double& share : shares) share /= static_cast<double>(component(slot).size());
     }
 }
 
@@ -256,8 +256,8 @@ const Confluence::Asking& Confluence::rules_by_event(const Tracked& tracked) {
         std::vector<ByEvent>& listed = made.emplace_back();
         for (std::uint32_t event = 0; event < component(slot).alphabet().size(); ++event) {
             std::vector<RuleNumber> rules;
-            for (const RuleNumber each : rules_->asking[slot][event])
-                if (rarest_component(rules_->rules[each], tracked.has) == slot) rules.push_back(each);
+            for (const RuleNumber rule : rules_->asking[slot][event])
+                if (rarest_component(rules_->rules[rule], tracked.has) == slot) rules.push_back(rule);
             if (!rules.empty()) listed.push_back({event, std::move(rules)});
         }
     }
@@ -374,12 +374,12 @@ Confluence::~Confluence() = default;
 
 bool Confluence::is_confluent(RuleNumber rule, Locals state) {
     std::uint32_t found = first_[rule];
-    std::uint32_t asked = no;
+    std::uint32_t query = no;
     while (found < yes) {
-        asked = found;
-        found = find_answer(asked, state);
+        query = found;
+        found = find_answer(query, state);
     }
-    if (found == yes) ++tracked_[asked].used;
+    if (found == yes) ++tracked_[query].used;
     return found == yes;
 }
 
@@ -404,7 +404,7 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
     tracked_[number].rules += closure.rules();
     if (proved) {
         ++tracked_[number].proofs;
-        for (const std::uint64_t each : closure.state_keys()) store_answer(number, each, yes);
+        for (const std::uint64_t key : closure.state_keys()) store_answer(number, key, yes);
         return yes;
     }
     const Next next = find_larger_tracked_set(number, closure.blamed_rules());
@@ -441,10 +441,10 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
         const Local local = state[slot];
         const Component::Edges edges = component(slot).edges(local);
         auto edge = edges.begin();
-        for (const ByEvent& each : (*tracked.asking)[place]) {
-            while (edge != edges.end() && edge->event < each.event) ++edge;
+        for (const ByEvent& by_event : (*tracked.asking)[place]) {
+            while (edge != edges.end() && edge->event < by_event.event) ++edge;
             if (edge == edges.end()) break;
-            if (edge->event == each.event && !leave_it_possible(each.rules)) return false;
+            if (edge->event == by_event.event && !leave_it_possible(by_event.rules)) return false;
         }
         if (!leave_it_possible(rules_->assigning[slot])) return false;
         const Part* const part = rule.find_part(slot);

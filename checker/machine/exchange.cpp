@@ -17,11 +17,11 @@ std::vector<std::vector<std::uint32_t>> slots_below(const Supercombinator& combi
     std::vector<std::vector<std::uint32_t>> below;
     for (const Region& region : combined.regions) {
         std::vector<std::uint32_t> slots;
-        for (const Participant& each : region.participants)
-            if (each.is_region)
-                slots.insert(slots.end(), below[each.index].begin(), below[each.index].end());
+        for (const Participant& participant : region.participants)
+            if (participant.is_region)
+                slots.insert(slots.end(), below[participant.index].begin(), below[participant.index].end());
             else
-                slots.push_back(each.index);
+                slots.push_back(participant.index);
         std::ranges::sort(slots);
         below.push_back(std::move(slots));
     }
@@ -82,17 +82,17 @@ bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& p
         for (const Event fixed : {process::tau, process::tick})
             if ((from.alphabet()[place] == fixed) != (to.alphabet()[events[place]] == fixed)) return false;
     Edges mapped;
-    Edges wanted;
+    Edges expected;
     for (Local at = 0; at < from.size(); ++at) {
         if (poll) poll();
         mapped.clear();
-        wanted.clear();
+        expected.clear();
         for (const Component::Edge& edge : from.edges(at))
             mapped.emplace_back(events[edge.event], state(slot, edge.target));
-        for (const Component::Edge& edge : to.edges(state(slot, at))) wanted.emplace_back(edge.event, edge.target);
+        for (const Component::Edge& edge : to.edges(state(slot, at))) expected.emplace_back(edge.event, edge.target);
         std::ranges::sort(mapped);
-        std::ranges::sort(wanted);
-        if (mapped != wanted) return false;
+        std::ranges::sort(expected);
+        if (mapped != expected) return false;
     }
     return true;
 }
@@ -104,7 +104,7 @@ bool Exchange::map_regions() {
     std::vector<bool> taken(below.size(), false);
     for (const std::vector<std::uint32_t>& slots : below) {
         std::vector<std::uint32_t> images;
-        for (const std::uint32_t each : slots) images.push_back(image_of_slot(each));
+        for (const std::uint32_t slot : slots) images.push_back(image_of_slot(slot));
         std::ranges::sort(images);
         std::uint32_t image = 0;
         while (image < below.size() && (taken[image] || below[image] != images)) ++image;
@@ -121,13 +121,14 @@ bool Exchange::map_regions() {
 bool Exchange::map_participants(std::uint32_t region) {
     const auto key = [](bool is_region, std::uint32_t index) { return std::pair(is_region, index); };
     std::map<std::pair<bool, std::uint32_t>, std::uint32_t> numbers;
-    for (const Participant& each : combined_.regions[region_[region]].participants)
-        numbers.emplace(key(each.is_region, each.index), static_cast<std::uint32_t>(numbers.size()));
+    for (const Participant& participant : combined_.regions[region_[region]].participants)
+        numbers.emplace(key(participant.is_region, participant.index), static_cast<std::uint32_t>(numbers.size()));
     const std::vector<Participant>& participants = combined_.regions[region].participants;
     if (numbers.size() != participants.size()) return false;
-    for (const Participant& each : participants) {
+    for (const Participant& participant : participants) {
         const auto image =
-            numbers.find(key(each.is_region, each.is_region ? region_[each.index] : image_of_slot(each.index)));
+            numbers.find(key(participant.is_region,
+                             participant.is_region ? region_[participant.index] : image_of_slot(participant.index)));
         if (image == numbers.end()) return false;
         participant_[region].push_back(image->second);
     }
@@ -152,19 +153,19 @@ Exchange::EventsByBody Exchange::bodies(const Region& region, const std::functio
         std::ranges::sort(pairs);
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     };
-    Pairs asked, assigned;
+    Pairs required, assigned;
     for (const Rule& rule : region.rules) {
         if (poll) poll();
-        asked.assign(1, {rule.lead.participant, rule.lead.event});
+        required.assign(1, {rule.lead.participant, rule.lead.event});
         for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
-            asked.emplace_back(region.requirements[i].participant, region.requirements[i].event);
+            required.emplace_back(region.requirements[i].participant, region.requirements[i].event);
         assigned.clear();
         for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)
             assigned.emplace_back(region.assignments[i].slot, region.assignments[i].value);
-        as_set(asked);
+        as_set(required);
         as_set(assigned);
-        Body body{rule.level, static_cast<std::uint32_t>(asked.size())};
-        for (const Pairs* const pairs : {&asked, &assigned})
+        Body body{rule.level, static_cast<std::uint32_t>(required.size())};
+        for (const Pairs* const pairs : {&required, &assigned})
             for (const auto& [who, what] : *pairs) body.insert(body.end(), {who, what});
         result[body].push_back(rule.place);
     }
@@ -174,23 +175,24 @@ Exchange::EventsByBody Exchange::bodies(const Region& region, const std::functio
 Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, const std::function<void()>& poll) const {
     Region mapped;
     const Region& from = combined_.regions[region];
-    const auto image = [&](const Requirement& each) {
-        const Participant& who = from.participants[each.participant];
+    const auto image = [&](const Requirement& requirement) {
+        const Participant& who = from.participants[requirement.participant];
         const Places& events = who.is_region ? region_events_[who.index] : component_events_[who.index];
-        return Requirement{participant_[region][each.participant], events.empty() ? each.event : events[each.event]};
+        return Requirement{participant_[region][requirement.participant],
+                           events.empty() ? requirement.event : events[requirement.event]};
     };
     mapped.rules = from.rules;
     for (Rule& rule : mapped.rules) rule.lead = image(rule.lead);
-    for (const Requirement& each : from.requirements) mapped.requirements.push_back(image(each));
-    for (const Assignment& each : from.assignments)
-        mapped.assignments.push_back({image_of_slot(each.slot), state(each.slot, each.value)});
+    for (const Requirement& requirement : from.requirements) mapped.requirements.push_back(image(requirement));
+    for (const Assignment& assignment : from.assignments)
+        mapped.assignments.push_back({image_of_slot(assignment.slot), state(assignment.slot, assignment.value)});
     return bodies(mapped, poll);
 }
 
 /// Returns the images of the events of rules with these bodies; the images must be the expected events. If a body has
 /// several events, those with the same name correspond, then the remaining ones in their order.
 std::optional<Exchange::Places> Exchange::event_images(const Region& from, const Region& to, const EventsByBody& bodies,
-                                                       const EventsByBody& wanted) const {
+                                                       const EventsByBody& to_bodies) const {
     Places image(from.alphabet.size(), nowhere);
     std::vector<bool> taken(to.alphabet.size(), false);
     const auto map = [&](std::uint32_t place, std::uint32_t to_place) {
@@ -198,14 +200,14 @@ std::optional<Exchange::Places> Exchange::event_images(const Region& from, const
         image[place] = to_place;
         taken[to_place] = true;
     };
-    if (bodies.size() != wanted.size()) return std::nullopt;
+    if (bodies.size() != to_bodies.size()) return std::nullopt;
     for (const auto& [body, places] : bodies) {
-        const auto found = wanted.find(body);
-        if (found == wanted.end() || found->second.size() != places.size()) return std::nullopt;
+        const auto found = to_bodies.find(body);
+        if (found == to_bodies.end() || found->second.size() != places.size()) return std::nullopt;
         if (places.size() == 1) map(places.front(), found->second.front());
     }
     for (const auto& [body, places] : bodies) {
-        const std::vector<std::uint32_t>& to_places = wanted.at(body);
+        const std::vector<std::uint32_t>& to_places = to_bodies.at(body);
         for (const std::uint32_t place : places)
             for (const std::uint32_t to_place : to_places)
                 if (from.alphabet[place] == to.alphabet[to_place]) map(place, to_place);
@@ -215,7 +217,7 @@ std::optional<Exchange::Places> Exchange::event_images(const Region& from, const
     for (const auto& [body, places] : bodies) {
         std::vector<std::uint32_t> mapped;
         for (const std::uint32_t place : places) mapped.push_back(image[place]);
-        std::vector<std::uint32_t> expected = wanted.at(body);
+        std::vector<std::uint32_t> expected = to_bodies.at(body);
         std::ranges::sort(mapped);
         std::ranges::sort(expected);
         if (mapped != expected) return std::nullopt;

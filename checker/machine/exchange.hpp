@@ -43,7 +43,7 @@ private:
     [[nodiscard]] EventsByBody bodies(const Region& region, const std::function<void()>& poll) const;
     [[nodiscard]] EventsByBody map_requirements(std::uint32_t region, const std::function<void()>& poll) const;
     [[nodiscard]] std::optional<Places> event_images(const Region& from, const Region& to, const EventsByBody& bodies,
-                                                     const EventsByBody& wanted) const;
+                                                     const EventsByBody& to_bodies) const;
 
     const Supercombinator& combined_;
     const std::vector<ComponentShape>& shapes_;

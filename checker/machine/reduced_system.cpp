@@ -91,10 +91,10 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         reduced.add_to(record);
         const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded_count());
         // Each followed tau removes at most one state.
-        const auto kept = static_cast<double>(expanded);
-        const double without = (kept + static_cast<double>(reduced.chased_state_count())) * work_of_a_state;
+        const auto remaining = static_cast<double>(expanded);
+        const double without = (remaining + static_cast<double>(reduced.chased_state_count())) * work_of_a_state;
         worth_it = (whole_round && expanded < enough_to_judge) ||
-                   kept * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
+                   remaining * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
         plan = record.plan(work_of_a_state);
     }
     return worth_it ? std::optional(plan) : std::nullopt;

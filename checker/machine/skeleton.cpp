@@ -89,7 +89,8 @@ bool Builder::is_composite(TermId id, int depth, int prefixes) {
 bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
     const Term term = given;  // a copy, because the following calls may create terms
     const auto some_child = [&] {
-        return std::ranges::any_of(term.children, [&](TermId each) { return is_composite(each, depth + 1, prefixes); });
+        return std::ranges::any_of(term.children,
+                                   [&](TermId child) { return is_composite(child, depth + 1, prefixes); });
     };
     switch (term.op) {
         case Op::parallel:
@@ -197,11 +198,11 @@ void Builder::add_operands(NodeId id, const Tail& tail, int depth) {
             add_child(id, term.children[1], inside, depth);
             break;
         case Op::external_choice:
-            for (TermId each : term.children) add_child(id, each, chosen, depth);
+            for (TermId child : term.children) add_child(id, child, chosen, depth);
             break;
         case Op::internal_choice:
             add_gate(id);
-            for (TermId each : term.children) add_child(id, each, inside, depth);
+            for (TermId child : term.children) add_child(id, child, inside, depth);
             break;
         case Op::prefix: {
             add_gate(id);
@@ -213,7 +214,7 @@ void Builder::add_operands(NodeId id, const Tail& tail, int depth) {
             break;
         }
         default:
-            for (TermId each : term.children) add_child(id, each, {}, depth);
+            for (TermId child : term.children) add_child(id, child, {}, depth);
     }
 }
 

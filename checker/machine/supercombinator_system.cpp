@@ -127,15 +127,15 @@ private:
     }
 
     /// Tries all transitions of one participant.
-    void try_participant(const Rule& rule, const Requirement& wanted, std::uint32_t next, Event revealed) {
-        const Participant& participant = region_.participants[wanted.participant];
+    void try_participant(const Rule& rule, const Requirement& requirement, std::uint32_t next, Event revealed) {
+        const Participant& participant = region_.participants[requirement.participant];
         if (!participant.is_region) {
             const Component& component = *system_.combined_->components[participant.index];
-            for (const Component::Edge& edge : component.edges(system_.locals_[participant.index], wanted.event))
+            for (const Component::Edge& edge : component.edges(system_.locals_[participant.index], requirement.event))
                 take_step(rule, participant.index, edge, next, revealed);
             return;
         }
-        const Range moves = system_.moves_by(participant.index, wanted.event);
+        const Range moves = system_.moves_by(participant.index, requirement.event);
         for (std::size_t i = moves.from; i < moves.to; ++i) {
             const Move move = system_.moves_[participant.index].list[i];
             take_step(rule, participant.index, move, next, revealed);
@@ -147,7 +147,7 @@ private:
         constexpr std::uint32_t between_polls = 64;
         if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
         if (probing_) {
-            assert(rule.level <= best_);  // see wanted
+            assert(rule.level <= best_);  // see is_relevant
             best_ = std::min(best_, rule.level);
             return;
         }

@@ -88,18 +88,18 @@ private:
             for (const Rule& rule : region.rules) {
                 const std::uint64_t kind = rule.event < lts::first_visible ? rule.event : 2;
                 std::uint64_t what = splitmix64_mixed(rule.level + 1);
-                for (const std::uint64_t each : {kind, std::uint64_t{rule.end_requirement - rule.first_requirement},
-                                                 std::uint64_t{rule.end_assignment - rule.first_assignment}})
-                    what = splitmix64_mixed(what + each);
+                for (const std::uint64_t number : {kind, std::uint64_t{rule.end_requirement - rule.first_requirement},
+                                                   std::uint64_t{rule.end_assignment - rule.first_assignment}})
+                    what = splitmix64_mixed(what + number);
                 add_role(region, rule.lead, what);
                 for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
                     add_role(region, region.requirements[i], what);
             }
     }
 
-    void add_role(const Region& region, const Requirement& asked, std::uint64_t what) {
-        const Participant& who = region.participants[asked.participant];
-        if (!who.is_region) roles_[who.index][asked.event] += what;
+    void add_role(const Region& region, const Requirement& requirement, std::uint64_t what) {
+        const Participant& who = region.participants[requirement.participant];
+        if (!who.is_region) roles_[who.index][requirement.event] += what;
     }
 
     /// Finds replicas of the first range, then of the first remaining range, and so on.
@@ -111,13 +111,13 @@ private:
             lts::ReplicaSet set{replica(first, {})};
             Ranges others;
             Ranges members{first};
-            for (auto each = ranges.begin() + 1; each != ranges.end(); ++each) {
-                const auto exchange = try_exchange(first, *each);
+            for (auto range = ranges.begin() + 1; range != ranges.end(); ++range) {
+                const auto exchange = try_exchange(first, *range);
                 if (exchange) {
-                    set.push_back(replica(*each, *exchange));
-                    members.push_back(*each);
+                    set.push_back(replica(*range, *exchange));
+                    members.push_back(*range);
                 } else {
-                    others.push_back(*each);
+                    others.push_back(*range);
                 }
             }
             if (set.size() > 1) {

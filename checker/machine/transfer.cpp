@@ -65,11 +65,11 @@ void write(const Region& region, ByteWriter& out) {
     }
     write(region.alphabet, out);
     out.write_number(region.requirements.size());
-    for (const Requirement& each : region.requirements)
-        for (const std::uint32_t value : {each.participant, each.event}) out.write_number(value);
+    for (const Requirement& requirement : region.requirements)
+        for (const std::uint32_t value : {requirement.participant, requirement.event}) out.write_number(value);
     out.write_number(region.assignments.size());
-    for (const Assignment& each : region.assignments)
-        for (const std::uint32_t value : {each.slot, each.value}) out.write_number(value);
+    for (const Assignment& assignment : region.assignments)
+        for (const std::uint32_t value : {assignment.slot, assignment.value}) out.write_number(value);
     out.write_number(region.rules.size());
     for (const Rule& rule : region.rules)
         for (const std::uint32_t value :
@@ -88,14 +88,14 @@ public:
         read_participants();
         region_.alphabet = read_events(in_);
         region_.requirements.resize(in_.read_count());
-        for (Requirement& each : region_.requirements) each = read_requirement();
+        for (Requirement& requirement : region_.requirements) requirement = read_requirement();
         region_.assignments.resize(in_.read_count());
-        for (Assignment& each : region_.assignments) {
-            each.slot = in_.read_below(process_.components.size());
-            each.value = in_.read_below(process_.components[each.slot]->size() + std::uint64_t{1});
+        for (Assignment& assignment : region_.assignments) {
+            assignment.slot = in_.read_below(process_.components.size());
+            assignment.value = in_.read_below(process_.components[assignment.slot]->size() + std::uint64_t{1});
         }
         region_.rules.resize(in_.read_count());
-        for (Rule& each : region_.rules) each = read_rule();
+        for (Rule& rule : region_.rules) rule = read_rule();
         index_rules();
         return std::move(region_);
     }
@@ -168,15 +168,15 @@ Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slo
         throw BadBytes("a field does not fit");
     if (process.initial[slot] > field.mask) throw BadBytes("an initial state does not fit");
     for (const Region& region : process.regions)
-        for (const Assignment& each : region.assignments)
-            if (each.slot == slot && each.value > field.mask) throw BadBytes("a state does not fit");
+        for (const Assignment& assignment : region.assignments)
+            if (assignment.slot == slot && assignment.value > field.mask) throw BadBytes("a state does not fit");
     return field;
 }
 
 /// Returns the slot of a field. All fields of a value are equal, so any slot of such a component is suitable.
 std::uint32_t slot_of(const Field& field, const Supercombinator& process) {
-    const auto same = [&](const Field& each) {
-        return each.word == field.word && each.shift == field.shift && each.mask == field.mask;
+    const auto same = [&](const Field& other) {
+        return other.word == field.word && other.shift == field.shift && other.mask == field.mask;
     };
     return static_cast<std::uint32_t>(std::ranges::find_if(process.fields, same) - process.fields.begin());
 }
@@ -232,7 +232,9 @@ lts::Symmetry read_symmetry(ByteReader& in, const Supercombinator& process) {
                 image = in.read_word();
             }
         }
-        const auto as_first = [&](const lts::Replica& each) { return each.parts.size() == set.front().parts.size(); };
+        const auto as_first = [&](const lts::Replica& replica) {
+            return replica.parts.size() == set.front().parts.size();
+        };
         if (set.size() < 2 || !std::ranges::all_of(set, as_first)) throw BadBytes("replicas are not alike");
     }
     return lts::Symmetry(std::move(sets));

@@ -24,7 +24,7 @@ public:
         const auto whole = static_cast<std::uint32_t>(combined_.regions.size() - 1);
         for (std::uint32_t region = 0; region <= whole; ++region) list_slots(region);
         for (std::uint32_t region = 0; region < whole; ++region) inside_[region] = flatten_region(region);
-        for (Changes& each : flatten_region(whole)) result_.rules.push_back(make_whole_rule(std::move(each)));
+        for (Changes& changes : flatten_region(whole)) result_.rules.push_back(make_whole_rule(std::move(changes)));
         index();
         return std::move(result_);
     }
@@ -45,12 +45,12 @@ private:
     };
 
     void list_slots(std::uint32_t region) {
-        for (const Participant& each : combined_.regions[region].participants) {
-            if (!each.is_region) {
-                slots_[region].push_back(each.index);
+        for (const Participant& participant : combined_.regions[region].participants) {
+            if (!participant.is_region) {
+                slots_[region].push_back(participant.index);
                 continue;
             }
-            const std::vector<std::uint32_t>& inner = slots_[each.index];
+            const std::vector<std::uint32_t>& inner = slots_[participant.index];
             slots_[region].insert(slots_[region].end(), inner.begin(), inner.end());
         }
     }
@@ -63,28 +63,28 @@ private:
             extend(region, rule.lead, open);
             for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
                 extend(region, region.requirements[i], open);
-            for (Changes& each : open) {
+            for (Changes& changes : open) {
                 for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)
-                    each.list.push_back({region.assignments[i].slot, std::nullopt, region.assignments[i].value});
-                result.push_back(std::move(each));
+                    changes.list.push_back({region.assignments[i].slot, std::nullopt, region.assignments[i].value});
+                result.push_back(std::move(changes));
             }
         }
         return result;
     }
 
-    void extend(const Region& region, const Requirement& wanted, std::vector<Changes>& open) {
-        const Participant& who = region.participants[wanted.participant];
+    void extend(const Region& region, const Requirement& requirement, std::vector<Changes>& open) {
+        const Participant& who = region.participants[requirement.participant];
         if (!who.is_region) {
             charge(open.size());
-            for (Changes& each : open) each.list.push_back({who.index, wanted.event, 0});
+            for (Changes& changes : open) changes.list.push_back({who.index, requirement.event, 0});
             return;
         }
         std::vector<Changes> longer;
         for (const Changes& inner : inside_[who.index]) {
-            if (inner.place != wanted.event) continue;
-            for (const Changes& each : open) {
-                charge(each.list.size() + inner.list.size());
-                longer.push_back(each);
+            if (inner.place != requirement.event) continue;
+            for (const Changes& changes : open) {
+                charge(changes.list.size() + inner.list.size());
+                longer.push_back(changes);
                 Changes& joint = longer.back();
                 joint.list.insert(joint.list.end(), inner.list.begin(), inner.list.end());
                 joint.passages.insert(joint.passages.end(), inner.passages.begin(), inner.passages.end());
@@ -117,12 +117,12 @@ private:
             assert(part.event || part.assigned);
             rule.parts.push_back(part);
         }
-        for (const Passage& each : changes.passages) {
-            if (each.level == no_level) continue;
-            if (each.level == 0)
-                rule.preventing.push_back(each.region);
+        for (const Passage& passage : changes.passages) {
+            if (passage.level == no_level) continue;
+            if (passage.level == 0)
+                rule.preventing.push_back(passage.region);
             else
-                rule.prevented.push_back(each);
+                rule.prevented.push_back(passage);
         }
         return rule;
     }
@@ -139,10 +139,10 @@ private:
                 if (part.event) result_.asking[part.slot][*part.event].push_back(number);
                 if (part.assigned) result_.assigning[part.slot].push_back(number);
             }
-            for (const Passage& each : rule.prevented) {
-                assert(each.region < slots_.size());
-                charge(slots_[each.region].size());
-                for (const std::uint32_t slot : slots_[each.region]) result_.preventable[slot].push_back(number);
+            for (const Passage& passage : rule.prevented) {
+                assert(passage.region < slots_.size());
+                charge(slots_[passage.region].size());
+                for (const std::uint32_t slot : slots_[passage.region]) result_.preventable[slot].push_back(number);
             }
         }
     }

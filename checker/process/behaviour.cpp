@@ -48,9 +48,9 @@ std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantic
     std::set<std::pair<std::size_t, TermId>> known{{0, from}};
     const auto ends = [&](std::span<const Transition> steps) {
         EventSet offered;
-        for (const Transition& each : steps) {
-            if (each.event == tau && end.stable) return false;
-            if (offered.empty() || offered.back() != each.event) offered.push_back(each.event);
+        for (const Transition& transition : steps) {
+            if (transition.event == tau && end.stable) return false;
+            if (offered.empty() || offered.back() != transition.event) offered.push_back(transition.event);
         }
         return !end.stable || offered == end.offered;
     };
@@ -117,10 +117,10 @@ private:
         if (offers_) add_offer(behaviour, last);
     }
     void add_offer(Behaviour& behaviour, TermId last) {
-        for (const Transition& each : semantics_.successors(last)) {
-            if (each.event == tau) behaviour.stable = false;
-            if (each.event != tau && (behaviour.offered.empty() || behaviour.offered.back() != each.event))
-                behaviour.offered.push_back(each.event);
+        for (const Transition& transition : semantics_.successors(last)) {
+            if (transition.event == tau) behaviour.stable = false;
+            if (transition.event != tau && (behaviour.offered.empty() || behaviour.offered.back() != transition.event))
+                behaviour.offered.push_back(transition.event);
         }
     }
     TermId unfold_term(TermId term) { return terms_.unfold_calls(term, deepest_look); }
@@ -201,7 +201,7 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
     if (!inside) return segment;
     segment.behaviour.op = name_of(Compression{term.payload});
     Steps own;
-    for (const Transition& each : *inside) own.push_back({own.size(), each});
+    for (const Transition& transition : *inside) own.push_back({own.size(), transition});
     Behaviour within = Splitter(semantics_, own.size(), work_, offers_).split_run(operand, own, depth + 1);
     for (std::size_t i = 0, done = 0; i < inside->size(); ++i) {
         within.shown_by.push_back(done < shown.size() ? shown[done] : length_ == 0 ? 0 : length_ - 1);
@@ -285,7 +285,7 @@ Behaviour Splitter::split_run(TermId initial, const Steps& steps, int depth) {
     whole.op = "then";
     for (const Step& step : steps) record_step(whole, step);
     end(whole, now);
-    for (Segment& each : segments) whole.parts.push_back(std::move(each.behaviour));
+    for (Segment& segment : segments) whole.parts.push_back(std::move(segment.behaviour));
     return whole;
 }
 
@@ -343,7 +343,7 @@ std::vector<Event> Behaviour::events(bool with_taus) const {
 
 Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run, bool offers) {
     Steps steps;
-    for (const Transition& each : run) steps.push_back({steps.size(), each});
+    for (const Transition& transition : run) steps.push_back({steps.size(), transition});
     Work work;
     return Splitter(semantics, run.size(), work, offers).split_run(initial, steps, 0);
 }

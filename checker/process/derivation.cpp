@@ -33,10 +33,10 @@ private:
     /// same hidden event.
     std::optional<Transition> find_move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
-        for (const Transition& each : semantics_.successors(term_.children[operand])) {
-            if (each.event != event || (target && each.target != *target)) continue;
-            if (each.revealed == step_.revealed) return each;
-            if (!found) found = each;
+        for (const Transition& transition : semantics_.successors(term_.children[operand])) {
+            if (transition.event != event || (target && transition.target != *target)) continue;
+            if (transition.revealed == step_.revealed) return transition;
+            if (!found) found = transition;
         }
         return found;
     }
@@ -49,10 +49,10 @@ private:
     Found move_together(const std::vector<std::size_t>& movers) {
         if (!frame_stays() || !others_stay(movers)) return std::nullopt;
         Derivation result;
-        for (std::size_t each : movers) {
-            const std::optional<Transition> own = find_move(each, step_.event, target_.children[each]);
+        for (std::size_t mover : movers) {
+            const std::optional<Transition> own = find_move(mover, step_.event, target_.children[mover]);
             if (!own) return std::nullopt;
-            result.moves.emplace_back(each, *own);
+            result.moves.emplace_back(mover, *own);
         }
         return result;
     }
@@ -89,10 +89,10 @@ private:
     /// All these operands terminate, and the result is Ω.
     Found terminate_operands(const std::vector<std::size_t>& movers) {
         Derivation result;
-        for (std::size_t each : movers) {
-            const std::optional<Transition> own = find_move(each, tick, std::nullopt);
+        for (std::size_t mover : movers) {
+            const std::optional<Transition> own = find_move(mover, tick, std::nullopt);
             if (!own) return std::nullopt;
-            result.moves.emplace_back(each, *own);
+            result.moves.emplace_back(mover, *own);
         }
         return result;
     }

@@ -16,16 +16,16 @@ constexpr std::size_t short_list = 24;
 
 /// Does the same for a few transitions, without a table.
 void drop_repeated_targets_of_few(std::vector<Transition>& list) {
-    std::size_t kept = 0;
+    std::size_t distinct = 0;
     for (const Transition& step : list) {
         const auto same = [&](const Transition& other) {
             return other.event == step.event && other.target == step.target;
         };
-        const auto end = list.begin() + static_cast<std::ptrdiff_t>(kept);
-        if (std::find_if(list.begin(), end, same) == end) list[kept++] = step;
+        const auto end = list.begin() + static_cast<std::ptrdiff_t>(distinct);
+        if (std::find_if(list.begin(), end, same) == end) list[distinct++] = step;
     }
-    assert(kept > 0 && kept <= list.size());
-    list.resize(kept, Transition{tau, tau, TermId{0}});
+    assert(distinct > 0 && distinct <= list.size());
+    list.resize(distinct, Transition{tau, tau, TermId{0}});
 }
 
 /// Keeps, among the transitions with one event, the first to each target.

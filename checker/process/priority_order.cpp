@@ -45,23 +45,23 @@ std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised, c
     using Kind = OrderFault::Kind;
     Below direct;
     for (const auto& [higher, lower] : pairs) {
-        for (Event each : {higher, lower})
-            if (!contains(prioritised, each)) return OrderFault{Kind::missing, each};
+        for (Event event : {higher, lower})
+            if (!contains(prioritised, event)) return OrderFault{Kind::missing, event};
         direct[higher].insert(lower);
     }
-    for (Event each : maximal)
-        if (!contains(prioritised, each)) return OrderFault{Kind::missing, each};
+    for (Event event : maximal)
+        if (!contains(prioritised, event)) return OrderFault{Kind::missing, event};
     Renaming result;
-    for (Event each : prioritised)
-        if (!contains(maximal, each)) {
-            result.emplace_back(tau, each);
-            result.emplace_back(tick, each);
+    for (Event event : prioritised)
+        if (!contains(maximal, event)) {
+            result.emplace_back(tau, event);
+            result.emplace_back(tick, event);
         }
     for (const auto& [higher, lower] : direct)
-        for (Event each : events_below(direct, higher)) {
-            if (each == higher) return OrderFault{Kind::cyclic, each};
-            if (contains(maximal, each)) return OrderFault{Kind::not_maximal, each};
-            result.emplace_back(higher, each);
+        for (Event event : events_below(direct, higher)) {
+            if (event == higher) return OrderFault{Kind::cyclic, event};
+            if (contains(maximal, event)) return OrderFault{Kind::not_maximal, event};
+            result.emplace_back(higher, event);
         }
     std::ranges::sort(result);
     return result;

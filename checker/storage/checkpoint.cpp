@@ -71,8 +71,8 @@ public:
         rest_.remove_prefix(std::min(end + 1, rest_.size()));
         return found;
     }
-    void expect_word(std::string_view wanted) {
-        if (read_word() != wanted) throw_bad_file(fmt::format("'{}' is missing", wanted));
+    void expect_word(std::string_view expected) {
+        if (read_word() != expected) throw_bad_file(fmt::format("'{}' is missing", expected));
     }
     template <class Number>
     Number read_number() {
@@ -262,11 +262,11 @@ std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> count_checkpoin
 
 /// Returns the number of the newest complete checkpoint with this number of ranks, or 0 if there is none. Other ranks
 /// may write and remove checkpoints at the same time, so a checkpoint that cannot be read does not count.
-std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t wanted) {
+std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t rank_count) {
     const auto found = count_checkpoints(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {
         const auto [number, ranks] = at->first;
-        if (ranks != wanted || at->second != ranks) continue;
+        if (ranks != rank_count || at->second != ranks) continue;
         try {
             (void)read_all_ranks(folder, kind, number, ranks);
             return number;
@@ -309,10 +309,10 @@ void remove_old(const std::string& folder, const RowKind& kind, const Place& pla
             ::unlink((folder + "/" + name).c_str());
             continue;
         }
-        const Checkpoint kept = read(folder, kind, name);
-        for (const SavedFile& file : kept.files) needed.insert(file.name);
-        needed.insert(kept.marks.name);
-        needed.insert(kept.unsure.name);
+        const Checkpoint checkpoint = read(folder, kind, name);
+        for (const SavedFile& file : checkpoint.files) needed.insert(file.name);
+        needed.insert(checkpoint.marks.name);
+        needed.insert(checkpoint.unsure.name);
     }
     for (const std::string& name : names) {
         Place other;

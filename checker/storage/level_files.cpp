@@ -235,8 +235,8 @@ SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
 void LevelFiles::note_written(const Checkpoint& made) {
     number_ = made.number;
     saved_levels_ = made.levels;
-    for (File& each : files_)
-        if (each.used > 0) each.named = true;
+    for (File& level_file : files_)
+        if (level_file.used > 0) level_file.named = true;
 }
 
 /// On failure, deletes the files that were written in addition to the levels, because the disk may be full. They are
@@ -247,8 +247,8 @@ void LevelFiles::checkpoint(const Beside& beside) {
         made.marks = save(where_.kind, [&](const TakeRows& take) { take(beside.marks); });
         if (beside.unsure) made.unsure = save(with_level(where_.kind), beside.unsure);
         finish_last();
-        for (const File& each : files_)
-            if (each.used > 0) made.files.push_back({each.name, each.used, each.file->check()});
+        for (const File& level_file : files_)
+            if (level_file.used > 0) made.files.push_back({level_file.name, level_file.used, level_file.file->check()});
         write(where_.folder, where_.kind, made);
     } catch (...) {
         if (is_there(path_in(where_, name_of(made.number, made.place)))) {
@@ -278,7 +278,7 @@ void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, bool
 
 std::uint64_t LevelFiles::bytes() const {
     std::uint64_t bytes = levels_.capacity() * sizeof(Level) + cached_.capacity() * sizeof(Word);
-    for (const File& each : files_) bytes += each.file->bytes();
+    for (const File& level_file : files_) bytes += level_file.file->bytes();
     return bytes;
 }
 

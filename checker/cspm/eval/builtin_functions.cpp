@@ -85,7 +85,7 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
             return domains_.productions(arguments[0]);
         case Builtin::error: {
             std::string message;
-            for (const Value each : items(arguments[0], span)) message += static_cast<char>(each->number);
+            for (const Value character : items(arguments[0], span)) message += static_cast<char>(character->number);
             work_.fail("error: " + message, span);
         }
         case Builtin::show:
@@ -136,8 +136,8 @@ Value BuiltinFunctions::set_builtin(Builtin which, const Values& arguments, Span
             return domains_.union_of_all(domains_.elements(arguments[0], span), span);
         case Builtin::inter_all: {
             Value result = nullptr;
-            for (const Value each : domains_.elements(arguments[0], span)) {
-                result = result == nullptr ? each : domains_.set_inter(result, each, span);
+            for (const Value set : domains_.elements(arguments[0], span)) {
+                result = result == nullptr ? set : domains_.set_inter(result, set, span);
             }
             return result == nullptr ? store_.set({}) : result;
         }
@@ -193,10 +193,11 @@ Value BuiltinFunctions::representatives(Value relation, Value set, Span span) {
         while (!work.empty()) {
             const Value next = work.back();
             work.pop_back();
-            for (const Value each : related[next]) {
-                if (!seen.insert(each).second) continue;
-                work.push_back(each);
-                if (domains_.member_of(each, set, span)) result.push_back(store_.tuple({representative, each}));
+            for (const Value neighbour : related[next]) {
+                if (!seen.insert(neighbour).second) continue;
+                work.push_back(neighbour);
+                if (domains_.member_of(neighbour, set, span))
+                    result.push_back(store_.tuple({representative, neighbour}));
             }
         }
     }
@@ -245,9 +246,9 @@ process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
         work_.fail("a buffer's capacity is at least 1, not " + text_(bound), span);
     std::set<process::Event> used;
     for (const Value pair : domains_.elements(arguments[1], span))
-        for (const Value each : pair->items)
-            if (!used.insert(domains_.event_of(each, span)).second)
-                work_.fail("the event " + text_(each) + " is given to a buffer twice", span);
+        for (const Value event : pair->items)
+            if (!used.insert(domains_.event_of(event, span)).second)
+                work_.fail("the event " + text_(event) + " is given to a buffer twice", span);
     return processes_.make_prefix(PrefixKind::buffer,
                                   {bound, domains_.explicit_set(arguments[1], span), store_.sequence({})});
 }
@@ -308,7 +309,7 @@ Value BuiltinFunctions::process_builtin(Builtin which, Value builtin, const Valu
         case Builtin::prioritise:
         case Builtin::prioritise_nocache: {
             process::PriorityOrder order;
-            for (const Value each : items(arguments[1], span)) order.push_back(domains_.event_set(each, span));
+            for (const Value set : items(arguments[1], span)) order.push_back(domains_.event_set(set, span));
             if (order.empty()) work_.fail("prioritise needs at least one set", span);
             return made(processes_.make_term(Op::prioritise, {processes_.term_of(arguments[0], span)},
                                              id(terms_.intern_order(std::move(order)))));

@@ -104,9 +104,9 @@ void put_entry(Values& items, Value key, Value value) {
 // Keys are evaluated; their values may be unevaluated.
 Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     const auto put_all = [&](Values items, const Values& pairs) {
-        for (const Value each : pairs) {
+        for (const Value entry : pairs) {
             work_.count_step(span);
-            const Value pair = values_.evaluated_value(each);
+            const Value pair = values_.evaluated_value(entry);
             if (pair->kind != Kind::tuple || pair->items.size() != 2)
                 work_.fail("expected pairs, found " + text_(pair), span);
             put_entry(items, store_.form_as_part(values_.share_value(pair->items[0])), pair->items[1]);

@@ -263,9 +263,9 @@ void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts
 bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
     for (const MatchCode* part : parts) {
         if (part->kind != PatternKind::sequence) return match_pattern(*part, value, frame);
-        for (const MatchCode& each : part->args) {
+        for (const MatchCode& element : part->args) {
             std::optional<ByNeed::Cut> cut = by_need_.split_first(value, {});
-            if (!cut || !match_pattern(each, cut->head, frame)) return false;
+            if (!cut || !match_pattern(element, cut->head, frame)) return false;
             value = cut->tail;
         }
     }
@@ -295,9 +295,9 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
     std::size_t at = 0;
     for (const MatchCode* part : parts) {
         if (part->kind == PatternKind::sequence) {
-            for (const MatchCode& each : part->args) {
+            for (const MatchCode& element : part->args) {
                 Value item = value->items[at++];
-                if (!match_pattern(each, item, frame)) return false;
+                if (!match_pattern(element, item, frame)) return false;
             }
         } else {
             const auto first = value->items.begin() + static_cast<std::ptrdiff_t>(at);
@@ -317,7 +317,7 @@ std::size_t fields_taken(const MatchCode& pattern) {
         return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));
     if (pattern.kind != PatternKind::dot) return 1;
     std::size_t count = 0;
-    for (const MatchCode& each : pattern.args) count += fields_taken(each);
+    for (const MatchCode& argument : pattern.args) count += fields_taken(argument);
     return count;
 }
 

@@ -74,10 +74,10 @@ Values Domains::rectangle(Value set, Span span) {
     if (set->kind != Kind::set || set->items.empty() || !plain(set->items[0])) return {set};
     const std::size_t width = set->items[0]->items.size();
     std::vector<Values> columns(width);
-    for (const Value each : set->items) {
-        if (!plain(each) || each->items.size() != width)
+    for (const Value element : set->items) {
+        if (!plain(element) || element->items.size() != width)
             work_.fail("the set " + text_(set) + " has fields of different shapes", span);
-        for (std::size_t i = 0; i < width; ++i) columns[i].push_back(each->items[i]);
+        for (std::size_t i = 0; i < width; ++i) columns[i].push_back(element->items[i]);
     }
     Values result;
     std::size_t size = 1;
@@ -169,9 +169,9 @@ Values Domains::missing_fields(Value value) {
     Values result;
     if (count > 0 && !is_complete(value->items.back())) {
         Values completions;
-        for (const Value each : elements(fields[count - 1], {})) {
+        for (const Value element : elements(fields[count - 1], {})) {
             Values rest;
-            if (!append_fields_after(each, value->items.back(), rest)) continue;
+            if (!append_fields_after(element, value->items.back(), rest)) continue;
             completions.push_back(rest.size() == 1 ? rest[0] : store_.dot(std::move(rest)));
         }
         result.push_back(store_.set(std::move(completions)));
@@ -208,9 +208,9 @@ Value Domains::one_field_extensions(Value value) {
         result = explicit_set(fields[count], {});
     } else {
         Values next;
-        for (const Value each : elements(fields[count - 1], {})) {
+        for (const Value element : elements(fields[count - 1], {})) {
             Values rest;
-            if (!append_fields_after(each, value->items.back(), rest) || rest.empty()) continue;
+            if (!append_fields_after(element, value->items.back(), rest) || rest.empty()) continue;
             Value first = rest.front();
             while (first->kind == Kind::dot && !is_named(first) && !first->items.empty()) first = first->items.front();
             next.push_back(first);
@@ -232,7 +232,7 @@ Value Domains::productions(Value value) {
         const Values& more = extensions(value)->items;
         Values items;
         items.reserve(more.size());
-        for (const Value each : more) items.push_back(append_fields(value, each, {}));
+        for (const Value extension : more) items.push_back(append_fields(value, extension, {}));
         result = store_.set(std::move(items));
     }
     productions_.emplace(value, result);
@@ -249,9 +249,9 @@ Value Domains::product_of(const Values& sets, Kind kind, Span span) {
         }
         std::vector<Values> longer;
         longer.reserve(partial.size() * items.size());
-        for (const Values& each : partial) {
+        for (const Values& prefix : partial) {
             for (const Value item : items) {
-                longer.push_back(each);
+                longer.push_back(prefix);
                 longer.back().push_back(item);
             }
         }
@@ -259,7 +259,7 @@ Value Domains::product_of(const Values& sets, Kind kind, Span span) {
     }
     Values result;
     result.reserve(partial.size());
-    for (Values& each : partial) result.push_back(store_.make(kind, 0, std::move(each)));
+    for (Values& fields : partial) result.push_back(store_.make(kind, 0, std::move(fields)));
     return store_.set(std::move(result));
 }
 
@@ -282,8 +282,8 @@ Value Domains::subtype_set(const Global& global) {
     for (const auto& [head, fields_code] : global.subtype) {
         Value fields = store_.set({store_.dot({})});
         if (fields_code != nullptr) fields = type_set(evaluate_(*fields_code, unit), global.function.span);
-        for (const Value each : elements(fields, global.function.span)) {
-            const Values& all = productions(append_fields(head_value(head), each, global.function.span))->items;
+        for (const Value element : elements(fields, global.function.span)) {
+            const Values& all = productions(append_fields(head_value(head), element, global.function.span))->items;
             items.insert(items.end(), all.begin(), all.end());
         }
     }
@@ -333,7 +333,7 @@ process::Event Domains::event_of(Value value, Span span) {
 const process::EventSet& Domains::event_set(Value set, Span span) {
     if (const auto known = event_sets_.find(set); known != event_sets_.end()) return known->second;
     process::EventSet result;
-    for (const Value each : elements(set, span)) result.push_back(event_of(each, span));
+    for (const Value element : elements(set, span)) result.push_back(event_of(element, span));
     std::ranges::sort(result);
     return event_sets_.emplace(set, std::move(result)).first->second;
 }

@@ -81,8 +81,8 @@ std::vector<process::Event> Evaluator::trace(const Code& code, const Unit& unit)
     on_deep_stack([&] {
         const Work::Question question(work_);
         Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-        for (const Value each : by_need_.sequence(share_value(eval(code, frame)), code.span))
-            result.push_back(domains_.event_of(each, code.span));
+        for (const Value event : by_need_.sequence(share_value(eval(code, frame)), code.span))
+            result.push_back(domains_.event_of(event, code.span));
     });
     return result;
 }

@@ -89,10 +89,10 @@ void ProcessEvaluator::perform_fields(const Code& code, std::size_t field, Value
         out.push_back({happens, target});
         return;
     }
-    const FieldCode& each = code.fields[field];
-    if (each.kind == FieldKind::output || each.kind == FieldKind::dot) {
-        const Value value = values_.share_value(values_.eval(*each.value, frame));
-        return perform_fields(code, field + 1, domains_.append_fields(base, value, each.span), frame, out);
+    const FieldCode& field_code = code.fields[field];
+    if (field_code.kind == FieldKind::output || field_code.kind == FieldKind::dot) {
+        const Value value = values_.share_value(values_.eval(*field_code.value, frame));
+        return perform_fields(code, field + 1, domains_.append_fields(base, value, field_code.span), frame, out);
     }
     input_field(code, field, base, frame, [&](Value longer) { perform_fields(code, field + 1, longer, frame, out); });
 }

@@ -117,7 +117,7 @@ void ProcessEvaluator::collect_operands(const Code& code, ExprKind kind, Frame& 
         left = left->args[0];
     }
     out.push_back(process(*left, frame));
-    for (auto each = right.rbegin(); each != right.rend(); ++each) out.push_back(process(**each, frame));
+    for (auto operand = right.rbegin(); operand != right.rend(); ++operand) out.push_back(process(**operand, frame));
 }
 
 TermId ProcessEvaluator::process_operator(const Code& code, Frame& frame) {
@@ -142,9 +142,9 @@ TermId ProcessEvaluator::process_operator(const Code& code, Frame& frame) {
     }
     if (code.kind == ExprKind::project) {
         const process::EventSet all = domains_.event_set(domains_.all_events(), code.span);
-        const process::EventSet kept = terms_[set_id(*code.args[1], frame)];
+        const process::EventSet remaining = terms_[set_id(*code.args[1], frame)];
         process::EventSet hidden;
-        std::ranges::set_difference(all, kept, std::back_inserter(hidden));
+        std::ranges::set_difference(all, remaining, std::back_inserter(hidden));
         return processes_.make_term(Op::hide, std::move(operands), payload(terms_.intern_set(std::move(hidden))));
     }
     operands.push_back(process(*code.args[1], frame));

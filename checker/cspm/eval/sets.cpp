@@ -146,7 +146,7 @@ Value Domains::make_union(const Values& sets, Span span) {
         }
     }
     std::ranges::sort(endless, [](Value a, Value b) { return compare(a, b) < 0; });
-    Values kept;
+    Values uncovered;
     for (std::size_t i = 0; i < endless.size(); ++i) {
         bool covered = false;
         for (std::size_t k = 0; k < endless.size() && !covered; ++k) {
@@ -154,7 +154,7 @@ Value Domains::make_union(const Values& sets, Span span) {
             covered =
                 k != i && earlier && endless[i]->kind == endless[k]->kind && is_subset(endless[i], endless[k], span);
         }
-        if (!covered) kept.push_back(endless[i]);
+        if (!covered) uncovered.push_back(endless[i]);
     }
     Value rest = store_.set(std::move(listed));
     Values others;
@@ -163,28 +163,28 @@ Value Domains::make_union(const Values& sets, Span span) {
         const Value item = rest->items[at];
         work_.count_step(span);
         bool inside = false;
-        for (Value& part : kept) {
+        for (Value& part : uncovered) {
             if (part->kind == Kind::integers_from && item->kind == Kind::integer && item->number + 1 == part->number)
                 part = store_.make(Kind::integers_from, item->number, {});
             inside = inside || member_of(item, part, span);
         }
         if (!inside) others.push_back(item);
     }
-    if (kept.empty()) return store_.set(std::move(others));
-    if (!others.empty()) kept.push_back(store_.set(std::move(others)));
-    return kept.size() == 1 ? kept[0] : store_.make(Kind::united, 0, std::move(kept));
+    if (uncovered.empty()) return store_.set(std::move(others));
+    if (!others.empty()) uncovered.push_back(store_.set(std::move(others)));
+    return uncovered.size() == 1 ? uncovered[0] : store_.make(Kind::united, 0, std::move(uncovered));
 }
 
 Value Domains::union_of_all(const Values& sets, Span span) {
     Values listed;
     Value result = nullptr;
-    for (const Value each : sets) {
+    for (const Value set : sets) {
         work_.count_step(span);
-        if (each->kind == Kind::set) {
-            listed.insert(listed.end(), each->items.begin(), each->items.end());
+        if (set->kind == Kind::set) {
+            listed.insert(listed.end(), set->items.begin(), set->items.end());
             if (listed.size() > 2 * max_elements) work_.fail("more than 5000000 elements", span);
         } else {
-            result = result == nullptr ? each : set_union(result, each, span);
+            result = result == nullptr ? set : set_union(result, set, span);
         }
     }
     const Value rest = store_.set(std::move(listed));
@@ -195,12 +195,13 @@ Value Domains::union_of_all(const Values& sets, Span span) {
 Value Domains::without_listed(std::int64_t from, const Values& taken, Span span) {
     std::int64_t next = from;
     Values between;
-    for (const Value each : taken) {
-        if (each->kind != Kind::integer || each->number < next) continue;
-        if (static_cast<std::uint64_t>(each->number) - static_cast<std::uint64_t>(next) > max_elements - between.size())
+    for (const Value element : taken) {
+        if (element->kind != Kind::integer || element->number < next) continue;
+        if (static_cast<std::uint64_t>(element->number) - static_cast<std::uint64_t>(next) >
+            max_elements - between.size())
             work_.fail("more than 5000000 elements", span);
-        for (; next < each->number; ++next) between.push_back(store_.integer(next));
-        if (__builtin_add_overflow(each->number, std::int64_t{1}, &next))
+        for (; next < element->number; ++next) between.push_back(store_.integer(next));
+        if (__builtin_add_overflow(element->number, std::int64_t{1}, &next))
             work_.fail("the number does not fit in 64 bits", span);
     }
     return set_union(store_.make(Kind::integers_from, next, {}), store_.sorted_set(std::move(between)), span);
@@ -239,7 +240,7 @@ Value Domains::list_maps(Value keys, Value values, Span span) {
         }
     }
     Values result;
-    for (Values& each : partial) result.push_back(store_.make(Kind::map, 0, std::move(each)));
+    for (Values& entries : partial) result.push_back(store_.make(Kind::map, 0, std::move(entries)));
     return store_.set(std::move(result));
 }
 
@@ -307,9 +308,9 @@ Value Domains::set_inter(Value a, Value b, Span span) {
         return store_.make(a->kind, 0, {set_inter(a->items[0], b->items[0], span)});
     const bool first = a->kind == Kind::set || (b->kind != Kind::set && can_be_listed(a, span));
     Values result;
-    for (const Value each : elements(first ? a : b, span)) {
+    for (const Value element : elements(first ? a : b, span)) {
         work_.count_step(span);
-        if (member_of(each, first ? b : a, span)) result.push_back(each);
+        if (member_of(element, first ? b : a, span)) result.push_back(element);
     }
     return store_.sorted_set(std::move(result));
 }
@@ -340,9 +341,9 @@ Value Domains::set_diff(Value a, Value b, Span span) {
         return store_.sorted_set(std::move(items));
     }
     Values result;
-    for (const Value each : elements(a, span)) {
+    for (const Value element : elements(a, span)) {
         work_.count_step(span);
-        if (!member_of(each, b, span)) result.push_back(each);
+        if (!member_of(element, b, span)) result.push_back(element);
     }
     return store_.sorted_set(std::move(result));
 }
@@ -375,9 +376,9 @@ bool Domains::is_subset(Value a, Value b, Span span) {
     const auto space = size_of(b, span);
     if (space && (!size || *size > *space)) return false;
     if (!size && (a->kind == Kind::integers || a->kind == Kind::integers_from)) return false;
-    return std::ranges::all_of(elements(a, span), [&](Value each) {
+    return std::ranges::all_of(elements(a, span), [&](Value element) {
         work_.count_step(span);
-        return member_of(each, b, span);
+        return member_of(element, b, span);
     });
 }
 

@@ -35,7 +35,7 @@ Value ByNeed::append(Value first, Value rest) {
 Value ByNeed::make_stream(Value first, Value source, Comprehension of, const Values& frame) {
     Values items{first, source};
     for (const Value value : frame) items.push_back(value == nullptr ? store_.tuple({}) : value);
-    const auto same = [&](const Comprehension& each) { return each.code == of.code && each.clause == of.clause; };
+    const auto same = [&](const Comprehension& other) { return other.code == of.code && other.clause == of.clause; };
     const auto known = std::ranges::find_if(streams_, same);
     const auto number = known - streams_.begin();
     if (known == streams_.end()) streams_.push_back(of);

@@ -36,16 +36,16 @@ void PackedSteps::put_in_order(std::size_t first) {
     const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(first);
     const auto earlier = [](const Step& a, const Step& b) { return a.event < b.event; };
     if (!std::is_sorted(begin, steps.end(), earlier)) std::stable_sort(begin, steps.end(), earlier);
-    std::size_t kept = first;
+    std::size_t distinct = first;
     std::size_t group = first;
     for (std::size_t i = first; i < steps.size(); ++i) {
-        if (kept > group && steps[i].event != steps[group].event) group = kept;
+        if (distinct > group && steps[i].event != steps[group].event) group = distinct;
         const auto same = [&](const Step& other) { return std::ranges::equal(target(other), target(steps[i])); };
         const auto from = steps.begin() + static_cast<std::ptrdiff_t>(group);
-        const auto to = steps.begin() + static_cast<std::ptrdiff_t>(kept);
-        if (std::none_of(from, to, same)) steps[kept++] = steps[i];
+        const auto to = steps.begin() + static_cast<std::ptrdiff_t>(distinct);
+        if (std::none_of(from, to, same)) steps[distinct++] = steps[i];
     }
-    steps.resize(kept);
+    steps.resize(distinct);
 }
 
 /// Lends a frame or another list of values from a pool during the lifetime of this object.
@@ -447,10 +447,11 @@ void DirectSteps::perform_fields(const Code& code, std::size_t field, Value base
         write_process(*code.args[1], frame);
         return out_->add(event, event, begin);
     }
-    const FieldCode& each = code.fields[field];
-    if (each.kind != FieldKind::output && each.kind != FieldKind::dot) return input_field(code, field, base, frame);
-    const Value value = values_.share_value(values_.eval(*each.value, frame));
-    perform_fields(code, field + 1, combine_dot(base, value, each.span), frame);
+    const FieldCode& field_code = code.fields[field];
+    if (field_code.kind != FieldKind::output && field_code.kind != FieldKind::dot)
+        return input_field(code, field, base, frame);
+    const Value value = values_.share_value(values_.eval(*field_code.value, frame));
+    perform_fields(code, field + 1, combine_dot(base, value, field_code.span), frame);
 }
 
 void DirectSteps::input_field(const Code& code, std::size_t field, Value base, Frame& frame) {

@@ -13,8 +13,8 @@ namespace {
 /// Returns the assertion object of the script itself, because the script finds the scopes of its assertions by their
 /// addresses.
 DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
-    for (const DeclPtr& each : assertions_in(script.decls))
-        if (each.get() == &assertion) return each;
+    for (const DeclPtr& decl : assertions_in(script.decls))
+        if (decl.get() == &assertion) return decl;
     return std::make_shared<const Decl>(assertion);
 }
 
@@ -80,7 +80,7 @@ void PackedProcesses::load_script() {
     loaded_ = std::make_unique<LoadedScript>(script_, no_compressor_.get(), nullptr, settings_.whole_states);
     set_poll(poll_);
     sides_.clear();
-    for (const Asked& asked : asked_) sides_.push_back(loaded_->compile_side(asked.expr, *asked.assertion));
+    for (const Asked& side : asked_) sides_.push_back(loaded_->compile_side(side.expr, *side.assertion));
     parts_.set_terms(loaded_->terms);
     make_codec();
     kept_at_start_ = 0;

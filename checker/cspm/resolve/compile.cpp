@@ -85,13 +85,13 @@ const Code* Resolver::compile_literal(const Expr& expr) {
 // The clauses bind their variables in the frame of the expression that contains them.
 std::vector<ClauseCode> Resolver::compile_clauses(const std::vector<Clause>& clauses) {
     std::vector<ClauseCode> result;
-    for (const Clause& each : clauses) {
+    for (const Clause& clause : clauses) {
         ClauseCode code;
-        code.generator = each.pattern != nullptr;
-        code.value = compile(each.value);
-        if (each.pattern) {
+        code.generator = clause.pattern != nullptr;
+        code.value = compile(clause.value);
+        if (clause.pattern) {
             scope_ = &new_scope(scope_);
-            code.pattern = compile_pattern(*each.pattern);
+            code.pattern = compile_pattern(*clause.pattern);
         }
         result.push_back(std::move(code));
     }
@@ -192,8 +192,8 @@ void Resolver::let_clause(LetScope& let, std::size_t index, const Decl& decl) {
 
 void Resolver::let_members(const std::vector<DeclPtr>& decls, LetScope& let) {
     const Decl* previous = nullptr;
-    for (const DeclPtr& each : decls) {
-        const Decl& decl = *each;
+    for (const DeclPtr& pointer : decls) {
+        const Decl& decl = *pointer;
         const bool more = previous != nullptr && previous->kind == DeclKind::function &&
                           decl.kind == DeclKind::function && previous->names == decl.names;
         previous = &decl;
@@ -278,7 +278,7 @@ const Code* Resolver::compile_prefix(const Expr& expr, const std::vector<Clause>
     Scope* const outer_scope = scope_;
     code.clauses = compile_clauses(offered);
     code.args.push_back(compile(expr.args[0]));
-    for (const Field& each : expr.fields) code.fields.push_back(compile_field(each));
+    for (const Field& field : expr.fields) code.fields.push_back(compile_field(field));
     code.args.push_back(compile(expr.args[1]));
     scope_ = outer_scope;
     unit_ = outer_unit;

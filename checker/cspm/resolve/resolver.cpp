@@ -213,18 +213,18 @@ void Resolver::declare_value(const Decl& decl, const Target& target) {
     if (plain) return;
     std::vector<std::string> names;
     pattern_names(pattern, names);
-    for (const std::string& each : names) {
-        const Binding* existing = find_simple(each, target.scope);
+    for (const std::string& variable : names) {
+        const Binding* existing = find_simple(variable, target.scope);
         if (existing != nullptr && existing->what == What::head) continue;
-        const int component = new_global(GlobalKind::component, target.prefix + each, decl.span);
+        const int component = new_global(GlobalKind::component, target.prefix + variable, decl.span);
         program_.globals[static_cast<std::size_t>(component)].component_of = index;
-        bind_name(target, each, {What::global, nullptr, -1, nullptr, component, nullptr, decl.span});
-        schedule_job(target, [this, index, component, each, &pattern] {
+        bind_name(target, variable, {What::global, nullptr, -1, nullptr, component, nullptr, decl.span});
+        schedule_job(target, [this, index, component, variable, &pattern] {
             const Function& whole = program_.globals[static_cast<std::size_t>(index)].function;
             std::vector<std::pair<std::string, int>> slots;
             collect_variables(whole.clauses.at(0).patterns.at(0), pattern, slots);
             for (const auto& [name, slot] : slots) {
-                if (name == each) program_.globals[static_cast<std::size_t>(component)].component_slot = slot;
+                if (name == variable) program_.globals[static_cast<std::size_t>(component)].component_slot = slot;
             }
         });
     }
@@ -232,14 +232,14 @@ void Resolver::declare_value(const Decl& decl, const Target& target) {
 
 void Resolver::declare_channel(const Decl& decl, const Target& target) {
     std::vector<int> heads;
-    for (const std::string& each : decl.names) {
+    for (const std::string& name : decl.names) {
         const int index = static_cast<int>(program_.heads.size());
         Head& head = program_.heads.emplace_back();
-        head.name = target.prefix + each;
+        head.name = target.prefix + name;
         head.span = decl.span;
         head.channel = true;
         heads.push_back(index);
-        bind_name(target, each, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
+        bind_name(target, name, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
     }
     if (!decl.body) return;
     schedule_job(target, [this, heads, &decl] {
@@ -255,18 +255,18 @@ void Resolver::declare_channel(const Decl& decl, const Target& target) {
 void Resolver::declare_datatype(const Decl& decl, const Target& target) {
     const int type = new_global(GlobalKind::datatype, target.prefix + decl.names.at(0), decl.span);
     bind_name(target, decl.names.at(0), {What::global, nullptr, -1, nullptr, type, nullptr, decl.span});
-    for (const Constructor& each : decl.constructors) {
+    for (const Constructor& constructor : decl.constructors) {
         const int index = static_cast<int>(program_.heads.size());
         Head& head = program_.heads.emplace_back();
-        head.name = target.prefix + each.name;
-        head.span = each.span;
+        head.name = target.prefix + constructor.name;
+        head.span = constructor.span;
         head.type = type;
         program_.globals[static_cast<std::size_t>(type)].heads.push_back(index);
-        bind_name(target, each.name, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
-        if (!each.fields) continue;
-        schedule_job(target, [this, index, &each] {
+        bind_name(target, constructor.name, {What::head, nullptr, -1, nullptr, index, nullptr, decl.span});
+        if (!constructor.fields) continue;
+        schedule_job(target, [this, index, &constructor] {
             unit_ = &new_unit(nullptr);
-            program_.heads[static_cast<std::size_t>(index)].fields_code = compile(each.fields);
+            program_.heads[static_cast<std::size_t>(index)].fields_code = compile(constructor.fields);
             program_.heads[static_cast<std::size_t>(index)].unit = unit_;
         });
     }
@@ -279,12 +279,12 @@ void Resolver::declare_subtype(const Decl& decl, const Target& target) {
         FunctionClause clause;
         clause.unit = unit_ = &new_unit(nullptr);
         Global& global = program_.globals[static_cast<std::size_t>(index)];
-        for (const Constructor& each : decl.constructors) {
-            const Binding* head = find(each.name, scope_);
+        for (const Constructor& constructor : decl.constructors) {
+            const Binding* head = find(constructor.name, scope_);
             if (head == nullptr || head->what != What::head) {
-                fail("'" + each.name + "' is not a constructor", each.span);
+                fail("'" + constructor.name + "' is not a constructor", constructor.span);
             }
-            const Code* fields = each.fields ? compile(each.fields) : nullptr;
+            const Code* fields = constructor.fields ? compile(constructor.fields) : nullptr;
             global.subtype.emplace_back(head->index, fields);
         }
         global.function.clauses.push_back(std::move(clause));
@@ -303,20 +303,20 @@ void Resolver::declare_nametype(const Decl& decl, const Target& target) {
 }
 
 void Resolver::declare_builtins(const Decl& decl, Scope& scope, Scope* exported) {
-    for (const std::string& each : decl.names) {
-        const BuiltinName* found = find_builtin(each);
+    for (const std::string& name : decl.names) {
+        const BuiltinName* found = find_builtin(name);
         const bool transparent = decl.kind == DeclKind::transparent;
         const bool right =
             found != nullptr && (found->visibility == Visibility::transparent_or_external ||
                                  found->visibility == (transparent ? Visibility::transparent : Visibility::external));
         if (!right) {
-            fail("there is no " + std::string(transparent ? "transparent" : "external") + " function '" + each + "'",
+            fail("there is no " + std::string(transparent ? "transparent" : "external") + " function '" + name + "'",
                  decl.span);
         }
         const Binding binding{What::builtin, nullptr,  -1, nullptr, static_cast<int>(found->builtin),
                               nullptr,       decl.span};
-        scope.names.insert_or_assign(each, binding);
-        if (exported != nullptr) exported->names.insert_or_assign(each, binding);
+        scope.names.insert_or_assign(name, binding);
+        if (exported != nullptr) exported->names.insert_or_assign(name, binding);
     }
 }
 

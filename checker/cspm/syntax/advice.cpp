@@ -86,8 +86,8 @@ constexpr std::array foreign_signs{
 
 /// The code point at the beginning of a well-formed text.
 char32_t first_code(std::string_view text, std::size_t length) {
-    constexpr std::array<unsigned, 5> kept{0, 0x7fU, 0x1fU, 0x0fU, 0x07U};
-    char32_t code = static_cast<unsigned char>(text[0]) & kept.at(length);
+    constexpr std::array<unsigned, 5> masks{0, 0x7fU, 0x1fU, 0x0fU, 0x07U};
+    char32_t code = static_cast<unsigned char>(text[0]) & masks.at(length);
     for (std::size_t i = 1; i < length; ++i) code = code << 6U | (static_cast<unsigned char>(text[i]) & 0x3fU);
     return code;
 }

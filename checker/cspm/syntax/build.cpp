@@ -127,7 +127,7 @@ PatternPtr sequence_pattern(Patterns parts) {
 
 Patterns variables(const std::vector<std::string>& names) {
     Patterns result;
-    for (const std::string& each : names) result.push_back(variable(each));
+    for (const std::string& name : names) result.push_back(variable(name));
     return result;
 }
 

@@ -23,7 +23,7 @@ public:
 
     void add_decls(const std::vector<DeclPtr>& list) {
         add_word(list.size());
-        for (const DeclPtr& each : list) add_decl(each);
+        for (const DeclPtr& decl : list) add_decl(decl);
     }
 
 private:
@@ -32,18 +32,18 @@ private:
         add_word(value.size());
         // FNV-1a, which does not depend on the library's std::hash.
         std::uint64_t hash = 0xcbf29ce484222325U;
-        for (const char each : value) hash = (hash ^ static_cast<unsigned char>(each)) * 0x100000001b3U;
+        for (const char character : value) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3U;
         add_word(hash);
         result_.size += value.size();
     }
     void add_texts(const std::vector<std::string>& list) {
         add_word(list.size());
-        for (const std::string& each : list) add_text(each);
+        for (const std::string& text : list) add_text(text);
     }
 
     void add_patterns(const std::vector<PatternPtr>& list) {
         add_word(list.size());
-        for (const PatternPtr& each : list) add_pattern(each);
+        for (const PatternPtr& pattern : list) add_pattern(pattern);
     }
     void add_pattern(const PatternPtr& pattern) {
         if (!pattern) return add_word(0);
@@ -56,7 +56,7 @@ private:
 
     void add_exprs(const std::vector<ExprPtr>& list) {
         add_word(list.size());
-        for (const ExprPtr& each : list) add_expr(each);
+        for (const ExprPtr& expr : list) add_expr(expr);
     }
     void add_expr(const ExprPtr& outer) {
         const Expr* expr = outer.get();
@@ -94,9 +94,9 @@ private:
         for (const auto& group : decl.patterns) add_patterns(group);
         add_expr(decl.body);
         add_word(decl.constructors.size());
-        for (const Constructor& each : decl.constructors) {
-            add_text(each.name);
-            add_expr(each.fields);
+        for (const Constructor& constructor : decl.constructors) {
+            add_text(constructor.name);
+            add_expr(constructor.fields);
         }
         add_texts(decl.parameters);
         add_decls(decl.decls);

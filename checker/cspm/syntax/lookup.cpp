@@ -88,7 +88,7 @@ std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls) {
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::assertion) result.push_back(decl);
         for (const auto* const inside : {&decl->decls, &decl->exports})
-            for (DeclPtr& each : assertions_in(*inside)) result.push_back(std::move(each));
+            for (DeclPtr& assertion : assertions_in(*inside)) result.push_back(std::move(assertion));
     }
     return result;
 }

@@ -62,7 +62,7 @@ std::size_t width_before(const Token& token, std::size_t most) {
 void Parser::skip_malformed_declaration(Span from, bool (Parser::*done)() const) {
     open_sequences_ = 0;
     const auto first =
-        std::ranges::lower_bound(tokens_, from.begin, {}, [](const Token& each) { return each.span.begin; });
+        std::ranges::lower_bound(tokens_, from.begin, {}, [](const Token& token) { return token.span.begin; });
     const bool known = first != tokens_.end() && !first->text.empty();
     const std::size_t limit = known ? width_before(*first, widest_margin) : 0;
     if (peek().span.begin == from.begin) take_token();
@@ -351,7 +351,7 @@ DeclPtr Parser::parse_assertion() {
 
 void Parser::unknown_property(Span span, const std::string& words) {
     std::vector<std::string> names;
-    for (const PropertyName& each : property_names) names.emplace_back(each.text);
+    for (const PropertyName& property : property_names) names.emplace_back(property.text);
     diagnostics::Diagnostic& finding = diagnostics_.report(rules::bad_property, span, {words});
     if (const std::string meant = diagnostics::nearest_spelling(words, names); !meant.empty())
         finding.notes.push_back({span, "did you mean '" + meant + "'?"});
@@ -481,7 +481,7 @@ std::vector<std::string> names_declared_by(const Decl& decl) {
     }
     if (decl.kind == DeclKind::datatype) {
         std::vector<std::string> result;
-        for (const Constructor& each : decl.constructors) result.push_back(each.name);
+        for (const Constructor& constructor : decl.constructors) result.push_back(constructor.name);
         return result;
     }
     if (decl.kind == DeclKind::function || decl.kind == DeclKind::nametype || decl.kind == DeclKind::channel) {

@@ -149,10 +149,10 @@ ExprPtr Parser::finish_node(ExprNode node, Span from) {
     node.span = span_since(from);
     unsigned tallest = 0;
     for (const ExprPtr& arg : node.args) tallest = std::max(tallest, height_of(arg));
-    for (const Field& each : node.fields) tallest = std::max(tallest, height_of(each.value));
-    for (const Clause& each : node.clauses) tallest = std::max(tallest, height_of(each.value));
-    for (const Link& each : node.links) tallest = std::max({tallest, height_of(each.from), height_of(each.to)});
-    for (const DeclPtr& each : node.decls) tallest = std::max(tallest, height_of(*each));
+    for (const Field& field : node.fields) tallest = std::max(tallest, height_of(field.value));
+    for (const Clause& clause : node.clauses) tallest = std::max(tallest, height_of(clause.value));
+    for (const Link& link : node.links) tallest = std::max({tallest, height_of(link.from), height_of(link.to)});
+    for (const DeclPtr& decl : node.decls) tallest = std::max(tallest, height_of(*decl));
     node.height = tallest + 1;
     if (node.height > max_height) fail(rules::too_deep, node.span, {std::to_string(max_height)});
     return std::make_shared<const ExprNode>(std::move(node));
@@ -168,10 +168,10 @@ ExprPtr Parser::make_node(ExprKind kind, Span from, std::vector<ExprPtr> args) {
 DeclPtr Parser::finish_node(DeclNode decl, Span from) {
     decl.span = span_since(from);
     unsigned tallest = height_of(decl.body);
-    for (const Constructor& each : decl.constructors) tallest = std::max(tallest, height_of(each.fields));
-    for (const DeclPtr& each : decl.decls) tallest = std::max(tallest, height_of(*each));
-    for (const DeclPtr& each : decl.exports) tallest = std::max(tallest, height_of(*each));
-    for (const ExprPtr& each : decl.arguments) tallest = std::max(tallest, height_of(each));
+    for (const Constructor& constructor : decl.constructors) tallest = std::max(tallest, height_of(constructor.fields));
+    for (const DeclPtr& inner : decl.decls) tallest = std::max(tallest, height_of(*inner));
+    for (const DeclPtr& exported : decl.exports) tallest = std::max(tallest, height_of(*exported));
+    for (const ExprPtr& argument : decl.arguments) tallest = std::max(tallest, height_of(argument));
     decl.height = tallest + 1;
     if (decl.height > max_height) fail(rules::too_deep, decl.span, {std::to_string(max_height)});
     return std::make_shared<const DeclNode>(std::move(decl));

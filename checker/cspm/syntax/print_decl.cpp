@@ -141,15 +141,15 @@ void Printer::print_definition(const Decl& decl) {
 void Printer::print_datatype(const Decl& decl) {
     out_.add_text((decl.kind == DeclKind::datatype ? "datatype " : "subtype ") + decl.names.at(0) + " =");
     bool first = true;
-    for (const Constructor& each : decl.constructors) {
+    for (const Constructor& constructor : decl.constructors) {
         out_.space_or_line();
         if (!first) out_.add_text("| ");
         first = false;
-        out_.add_text(each.name);
-        if (!each.fields) continue;
+        out_.add_text(constructor.name);
+        if (!constructor.fields) continue;
         out_.add_text(".");
-        print_expression(each.fields,
-                         strip_parentheses(each.fields).kind == ExprKind::dot ? dot_level_expr : postfix_level);
+        print_expression(constructor.fields,
+                         strip_parentheses(constructor.fields).kind == ExprKind::dot ? dot_level_expr : postfix_level);
     }
 }
 

@@ -409,7 +409,7 @@ void Printer::print_conditional(const Expr& given) {
 void Printer::print_prefix(const Expr& expr) {
     out_.open_group();
     print_expression(expr.args[0], dot_level_expr);
-    for (const Field& each : expr.fields) print_field(each);
+    for (const Field& field : expr.fields) print_field(field);
     out_.add_text(" ->");
     out_.space_or_line();
     print_process_operand(expr.args[1]);

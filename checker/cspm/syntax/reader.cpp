@@ -112,8 +112,8 @@ Script read_file(SourceManager& sources, const std::string& path, Diagnostics& d
 }
 
 Script read_file(SourceManager& sources, const std::string& path, Diagnostics& diagnostics) {
-    return read_file(sources, path, diagnostics, [&sources](const std::string& each, std::string& error) {
-        return sources.load_file(each, error);
+    return read_file(sources, path, diagnostics, [&sources](const std::string& name, std::string& error) {
+        return sources.load_file(name, error);
     });
 }
 

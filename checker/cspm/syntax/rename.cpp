@@ -29,22 +29,22 @@ public:
 
     [[nodiscard]] DeclPtr rename_decl(const DeclPtr& old) const {
         auto result = std::make_shared<Decl>(*old);
-        for (std::string& each : result->names) each = rename_name(each);
+        for (std::string& name : result->names) name = rename_name(name);
         for (auto& group : result->patterns)
-            for (PatternPtr& each : group) each = rename_pattern(each);
+            for (PatternPtr& pattern : group) pattern = rename_pattern(pattern);
         result->body = rename_expr(old->body);
-        for (Constructor& each : result->constructors) {
-            each.name = rename_name(each.name);
-            each.fields = rename_expr(each.fields);
+        for (Constructor& constructor : result->constructors) {
+            constructor.name = rename_name(constructor.name);
+            constructor.fields = rename_expr(constructor.fields);
         }
-        for (std::string& each : result->parameters) each = rename_name(each);
+        for (std::string& parameter : result->parameters) parameter = rename_name(parameter);
         for (auto* list : {&result->decls, &result->exports})
-            for (DeclPtr& each : *list) each = rename_decl(each);
-        for (ExprPtr& each : result->arguments) each = rename_expr(each);
+            for (DeclPtr& decl : *list) decl = rename_decl(decl);
+        for (ExprPtr& argument : result->arguments) argument = rename_expr(argument);
         if (old->kind == DeclKind::instance) result->text = rename_name(old->text);
         Assertion& assertion = result->assertion;
-        for (ExprPtr* each : {&assertion.specification, &assertion.implementation, &assertion.tau_priority})
-            *each = rename_expr(*each);
+        for (ExprPtr* expr : {&assertion.specification, &assertion.implementation, &assertion.tau_priority})
+            *expr = rename_expr(*expr);
         return result;
     }
 
@@ -72,7 +72,7 @@ private:
         if (!old) return old;
         auto result = std::make_shared<Pattern>(*old);
         if (old->kind == PatternKind::name) result->text = rename_name(old->text);
-        for (PatternPtr& each : result->args) each = rename_pattern(each);
+        for (PatternPtr& argument : result->args) argument = rename_pattern(argument);
         return result;
     }
 
@@ -80,18 +80,18 @@ private:
         if (!old) return old;
         auto result = std::make_shared<Expr>(*old);
         if (old->kind == ExprKind::name) result->text = rename_name(old->text);
-        for (ExprPtr& each : result->args) each = rename_expr(each);
-        for (Field& each : result->fields) {
-            each.value = rename_expr(each.value);
-            each.pattern = rename_pattern(each.pattern);
+        for (ExprPtr& argument : result->args) argument = rename_expr(argument);
+        for (Field& field : result->fields) {
+            field.value = rename_expr(field.value);
+            field.pattern = rename_pattern(field.pattern);
         }
-        for (Clause& each : result->clauses) {
-            each.value = rename_expr(each.value);
-            each.pattern = rename_pattern(each.pattern);
+        for (Clause& clause : result->clauses) {
+            clause.value = rename_expr(clause.value);
+            clause.pattern = rename_pattern(clause.pattern);
         }
-        for (Link& each : result->links) each = {rename_expr(each.from), rename_expr(each.to)};
-        for (PatternPtr& each : result->patterns) each = rename_pattern(each);
-        for (DeclPtr& each : result->decls) each = rename_decl(each);
+        for (Link& link : result->links) link = {rename_expr(link.from), rename_expr(link.to)};
+        for (PatternPtr& pattern : result->patterns) pattern = rename_pattern(pattern);
+        for (DeclPtr& decl : result->decls) decl = rename_decl(decl);
         return result;
     }
 
@@ -101,7 +101,7 @@ private:
 class Bound {
 public:
     void collect_decls(const std::vector<DeclPtr>& list, bool local) {
-        for (const DeclPtr& each : list) collect_decl(*each, local);
+        for (const DeclPtr& decl : list) collect_decl(*decl, local);
     }
     std::set<std::string> names;
 
@@ -112,13 +112,13 @@ private:
         if (local) names.insert(decl.names.begin(), decl.names.end());
         names.insert(decl.parameters.begin(), decl.parameters.end());
         collect_expr(decl.body);
-        for (const Constructor& each : decl.constructors) collect_expr(each.fields);
+        for (const Constructor& constructor : decl.constructors) collect_expr(constructor.fields);
         collect_decls(decl.decls, local);
         collect_decls(decl.exports, local);
-        for (const ExprPtr& each : decl.arguments) collect_expr(each);
+        for (const ExprPtr& argument : decl.arguments) collect_expr(argument);
     }
     void collect_patterns(const std::vector<PatternPtr>& list) {
-        for (const PatternPtr& each : list) collect_pattern(each);
+        for (const PatternPtr& pattern : list) collect_pattern(pattern);
     }
     void collect_pattern(const PatternPtr& pattern) {
         if (!pattern) return;
@@ -127,14 +127,14 @@ private:
     }
     void collect_expr(const ExprPtr& expr) {
         if (!expr) return;
-        for (const ExprPtr& each : expr->args) this->collect_expr(each);
-        for (const Field& each : expr->fields) {
-            this->collect_expr(each.value);
-            collect_pattern(each.pattern);
+        for (const ExprPtr& argument : expr->args) this->collect_expr(argument);
+        for (const Field& field : expr->fields) {
+            this->collect_expr(field.value);
+            collect_pattern(field.pattern);
         }
-        for (const Clause& each : expr->clauses) {
-            this->collect_expr(each.value);
-            collect_pattern(each.pattern);
+        for (const Clause& clause : expr->clauses) {
+            this->collect_expr(clause.value);
+            collect_pattern(clause.pattern);
         }
         collect_patterns(expr->patterns);
         collect_decls(expr->decls, true);
@@ -151,7 +151,7 @@ std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, cons
     if (names.plain.empty() && names.first.empty() && names.inside.empty() && names.last.empty()) return decls;
     const Renaming renaming(names);
     std::vector<DeclPtr> result;
-    for (const DeclPtr& each : decls) result.push_back(renaming.rename_decl(each));
+    for (const DeclPtr& decl : decls) result.push_back(renaming.rename_decl(decl));
     return result;
 }
 
@@ -163,10 +163,10 @@ std::set<std::string> bound_names(const std::vector<DeclPtr>& decls) {
 
 std::set<std::string> value_names(const std::vector<DeclPtr>& decls) {
     std::set<std::string> result;
-    for (const DeclPtr& each : decls) {
-        if (each->kind == DeclKind::value)
-            for (const PatternPtr& pattern : each->patterns.front()) result.insert(pattern->text);
-        for (const auto* parts : {&each->decls, &each->exports}) result.merge(value_names(*parts));
+    for (const DeclPtr& decl : decls) {
+        if (decl->kind == DeclKind::value)
+            for (const PatternPtr& pattern : decl->patterns.front()) result.insert(pattern->text);
+        for (const auto* parts : {&decl->decls, &decl->exports}) result.merge(value_names(*parts));
     }
     return result;
 }

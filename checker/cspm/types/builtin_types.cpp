@@ -109,7 +109,7 @@ private:
     TypeId type(const WrittenType& written) {
         if (written.kind == TypeKind::variable) return name(written.name);
         std::vector<TypeId> args;
-        for (const WrittenType& each : written.args) args.push_back(type(each));
+        for (const WrittenType& argument : written.args) args.push_back(type(argument));
         if (written.kind == TypeKind::extendable) std::swap(args[0], args[1]);
         return store_.make_type(written.kind, args);
     }

@@ -33,8 +33,8 @@ std::string in_words(Constraint constraint) {
 }  // namespace
 
 void Unifier::constrain_all(Constraints constraints, TypeId type) {
-    for (const Constraint each : {can_equal, can_order, can_input, can_collect, can_yield}) {
-        if ((constraints & each) != 0) constrain(each, type);
+    for (const Constraint constraint : {can_equal, can_order, can_input, can_collect, can_yield}) {
+        if ((constraints & constraint) != 0) constrain(constraint, type);
     }
 }
 
@@ -80,8 +80,8 @@ void Unifier::constrain_variable(Constraint constraint, TypeId variable) {
 // Whether the type's constructor allows the constraint; its parts are constrained too.
 bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
     const TypeNode node = store_.node(type);
-    const auto all = [&](Constraint wanted) {
-        for (const TypeId each : store_.arguments(type)) constrain(wanted, each);
+    const auto all = [&](Constraint required) {
+        for (const TypeId argument : store_.arguments(type)) constrain(required, argument);
         return true;
     };
     switch (node.kind) {
@@ -96,7 +96,7 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
             const TypeId evaluated = evaluate_dots(type);
             if (!has_kind(evaluated, TypeKind::dot)) return constrain(constraint, evaluated), true;
             if (constraint == can_yield) return false;
-            for (const TypeId each : store_.dot_parts(evaluated)) constrain(constraint, each);
+            for (const TypeId part : store_.dot_parts(evaluated)) constrain(constraint, part);
             return true;
         }
         case TypeKind::datatype:
@@ -144,9 +144,9 @@ std::optional<std::uint32_t> replacement(const Replacements& sorted, std::uint32
 TypeId Unifier::instantiate(const Scheme& scheme) {
     if (scheme.quantified.empty()) return scheme.type;
     std::vector<std::pair<TypeId, TypeId>> variables;
-    for (const TypeId each : scheme.quantified) {
+    for (const TypeId variable : scheme.quantified) {
         store_.count_step();
-        variables.emplace_back(each, store_.fresh_variable(store_.node(each).constraints));
+        variables.emplace_back(variable, store_.fresh_variable(store_.node(variable).constraints));
     }
     std::ranges::sort(variables);
     return copy_type(scheme.type, variables, {});
@@ -167,7 +167,7 @@ TypeId Unifier::copy_type(TypeId type, const std::vector<std::pair<TypeId, TypeI
     }
     const Parts before = store_.arguments(type);
     Parts after;
-    for (const TypeId each : before) after.push_back(copy_type(each, variables, datatypes));
+    for (const TypeId argument : before) after.push_back(copy_type(argument, variables, datatypes));
     return before == after ? type : store_.make_type(node.kind, after);
 }
 

@@ -31,7 +31,7 @@ TypeId Unifier::evaluate_dots(TypeId type) {
     if (!inside) return type;
     const Parts before = store_.arguments(type);
     Parts after;
-    for (const TypeId each : before) after.push_back(evaluate_dots(each));
+    for (const TypeId argument : before) after.push_back(evaluate_dots(argument));
     return before == after ? type : store_.make_type(kind, after);
 }
 
@@ -66,7 +66,7 @@ Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
         return evaluate(std::move(spread), match);
     }
     if (kind == TypeKind::dotable) {
-        const TypeId wanted = store_.argument(first, 0);
+        const TypeId argument = store_.argument(first, 0);
         const TypeId yielded = store_.argument(first, 1);
         const TypeId next = store_.head(parts[1]);
         const TypeKind given = store_.node(next).kind;
@@ -81,15 +81,15 @@ Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
             return {store_.dotable_type(all, 1, end)};
         }
         if (given == TypeKind::extendable) {
-            (void)unify(wanted, store_.argument(next, 0));
+            (void)unify(argument, store_.argument(next, 0));
             return evaluate(replace_first_two(store_.extendable_type(yielded, store_.argument(next, 1)), parts), match);
         }
-        if (given == TypeKind::dotable && !has_kind(wanted, TypeKind::dotable)) {
+        if (given == TypeKind::dotable && !has_kind(argument, TypeKind::dotable)) {
             Parts needed;
-            (void)unify(wanted, store_.split(next, needed));
+            (void)unify(argument, store_.split(next, needed));
             return evaluate(replace_first_two(store_.dotable_type(needed, 0, yielded), parts), match);
         }
-        (void)unify(wanted, next);
+        (void)unify(argument, next);
         return evaluate(replace_first_two(yielded, parts), match);
     }
     if (kind == TypeKind::extendable) {
@@ -113,11 +113,11 @@ Unifier::Parts Unifier::combine(Parts a, Parts b) {
     const TypeStore::Depth guard(store_);
     if (a.empty() && b.empty()) return {};
     if (a.empty() || b.empty()) mismatch();
-    for (Parts* each : {&a, &b}) {
-        if (!has_kind(each->front(), TypeKind::dot)) continue;
-        Parts spread = store_.dot_parts(each->front());
-        append(spread, without_first(*each));
-        *each = std::move(spread);
+    for (Parts* side : {&a, &b}) {
+        if (!has_kind(side->front(), TypeKind::dot)) continue;
+        Parts spread = store_.dot_parts(side->front());
+        append(spread, without_first(*side));
+        *side = std::move(spread);
     }
     if (a.size() == 1 || b.size() == 1) return {unify(store_.dot_type(a), store_.dot_type(b))};
     if (has_kind(a.front(), TypeKind::dotable)) return take_left(std::move(a), b);
@@ -131,10 +131,10 @@ Unifier::Parts Unifier::combine(Parts a, Parts b) {
 Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId first = one_by_one(store_.head(a[0]));
     const TypeId next = store_.head(a[1]);
-    const TypeId wanted = store_.argument(first, 0);
+    const TypeId argument = store_.argument(first, 0);
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
-    if (given == TypeKind::variable && a.size() == 2 && !has_kind(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::variable && a.size() == 2 && !has_kind(argument, TypeKind::dotable)) {
         // The variable represents all the arguments and the parts of b after their result.
         Parts all;
         const TypeId end = store_.split(first, all);
@@ -144,12 +144,12 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
         (void)combine(all, {next});
         return rest;
     }
-    if (given == TypeKind::dotable && !has_kind(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::dotable && !has_kind(argument, TypeKind::dotable)) {
         Parts needed;
-        (void)unify(wanted, store_.split(next, needed));
+        (void)unify(argument, store_.split(next, needed));
         return combine(replace_first_two(store_.dotable_type(needed, 0, yielded), a), b);
     }
-    (void)unify(wanted, next);
+    (void)unify(argument, next);
     return combine(replace_first_two(yielded, a), b);
 }
 
@@ -157,10 +157,10 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
 Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
     const TypeId first = one_by_one(store_.head(b[0]));
     const TypeId next = store_.head(b[1]);
-    const TypeId wanted = store_.argument(first, 0);
+    const TypeId argument = store_.argument(first, 0);
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
-    if (given == TypeKind::variable && b.size() == 2 && !has_kind(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::variable && b.size() == 2 && !has_kind(argument, TypeKind::dotable)) {
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(a, Match::longest);
@@ -169,12 +169,12 @@ Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
         (void)combine({next}, all);
         return rest;
     }
-    if (given == TypeKind::dotable && !has_kind(wanted, TypeKind::dotable)) {
+    if (given == TypeKind::dotable && !has_kind(argument, TypeKind::dotable)) {
         Parts needed;
-        (void)unify(store_.split(next, needed), wanted);
+        (void)unify(store_.split(next, needed), argument);
         return combine(a, replace_first_two(store_.dotable_type(needed, 0, yielded), b));
     }
-    (void)unify(next, wanted);
+    (void)unify(next, argument);
     return combine(a, replace_first_two(yielded, b));
 }
 

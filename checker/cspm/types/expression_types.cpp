@@ -134,7 +134,8 @@ TypeId ExpressionTypes::infer_value(const Term& term) {
         case times:
         case divide:
         case modulus:
-            for (const Term* each : term.args) expect_atom(*each, TypeKind::integer, "arithmetic is done on integers");
+            for (const Term* argument : term.args)
+                expect_atom(*argument, TypeKind::integer, "arithmetic is done on integers");
             return atom(TypeKind::integer);
         case equal:
         case not_equal:
@@ -146,8 +147,8 @@ TypeId ExpressionTypes::infer_value(const Term& term) {
         case logical_not:
         case logical_and:
         case logical_or:
-            for (const Term* each : term.args)
-                expect_atom(*each, TypeKind::boolean, "`not`, `and` and `or` take Bools");
+            for (const Term* argument : term.args)
+                expect_atom(*argument, TypeKind::boolean, "`not`, `and` and `or` take Bools");
             return atom(TypeKind::boolean);
         case concat: {
             const TypeId sequence = store_.sequence_of(store_.fresh_variable());
@@ -170,7 +171,7 @@ TypeId ExpressionTypes::infer_name(const Term& term) {
 
 TypeId ExpressionTypes::infer_tuple(const Term& term) {
     std::vector<TypeId> types;
-    for (const Term* each : term.args) types.push_back(infer(*each));
+    for (const Term* argument : term.args) types.push_back(infer(*argument));
     return store_.make_type(TypeKind::tuple, types);
 }
 
@@ -186,7 +187,7 @@ TypeId ExpressionTypes::infer_map(const Term& term) {
 
 TypeId ExpressionTypes::infer_dot(const Term& term) {
     std::vector<TypeId> types;
-    for (const Term* each : term.args) types.push_back(infer(*each));
+    for (const Term* argument : term.args) types.push_back(infer(*argument));
     return store_.dot_type(types);
 }
 
@@ -214,7 +215,7 @@ TypeId ExpressionTypes::infer_lambda(const Term& term) {
     bind_locals(term.binds);
     const TypeId result = infer(*term.args[0]);
     std::vector<TypeId> types;
-    for (const PatternTerm& each : term.patterns) types.push_back(infer_pattern(each));
+    for (const PatternTerm& pattern : term.patterns) types.push_back(infer_pattern(pattern));
     types.push_back(result);
     return store_.make_type(TypeKind::function, types);
 }
@@ -226,9 +227,9 @@ std::string parameters_text(const Symbol* function) {
     if (function == nullptr || function->owner == nullptr || function->owner->equations.empty()) return "";
     const auto& groups = function->owner->equations.front().groups;
     std::vector<std::string> names;
-    for (const PatternTerm& each : groups.empty() ? std::vector<PatternTerm>{} : groups.front()) {
-        if (each.syntax == nullptr || each.syntax->kind != PatternKind::name) return "";
-        names.push_back(each.syntax->text);
+    for (const PatternTerm& pattern : groups.empty() ? std::vector<PatternTerm>{} : groups.front()) {
+        if (pattern.syntax == nullptr || pattern.syntax->kind != PatternKind::name) return "";
+        names.push_back(pattern.syntax->text);
     }
     return names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "));
 }
@@ -241,23 +242,23 @@ TypeId ExpressionTypes::infer_application(const Term& term) {
     const TypeId type = store_.head(infer(function));
     const TypeKind kind = store_.node(type).kind;
     const diagnostics::Span span = inside_parentheses(function).syntax->span;
-    std::vector<TypeId> wanted;
+    std::vector<TypeId> expected;
     if (kind == TypeKind::function) {
-        wanted = store_.arguments(type);
-        if (wanted.size() != count + 1) {
+        expected = store_.arguments(type);
+        if (expected.size() != count + 1) {
             const std::string subject = inside_parentheses(function).symbol != nullptr
                                             ? "'" + inside_parentheses(function).symbol->name + "'"
                                             : "this function";
             throw TypeFault{
                 &rules::wrong_arity,
-                {subject, arguments_text(wanted.size() - 1) + parameters_text(inside_parentheses(function).symbol),
+                {subject, arguments_text(expected.size() - 1) + parameters_text(inside_parentheses(function).symbol),
                  arguments_text(count)},
                 {},
                 term.syntax->span};
         }
     } else if (kind == TypeKind::variable && !store_.node(type).rigid) {
-        for (std::size_t i = 0; i <= count; ++i) wanted.push_back(store_.fresh_variable());
-        (void)unify(span, store_.make_type(TypeKind::function, wanted), type);
+        for (std::size_t i = 0; i <= count; ++i) expected.push_back(store_.fresh_variable());
+        (void)unify(span, store_.make_type(TypeKind::function, expected), type);
     } else {
         TypeWriter writer(store_);
         TypeFault fault{&rules::not_a_function, {writer.type_text(type)}, {}, span};
@@ -270,22 +271,22 @@ TypeId ExpressionTypes::infer_application(const Term& term) {
     for (std::size_t i = 0; i < count; ++i) {
         here_ = inside_parentheses(*term.args[i + 1]).syntax->span;
         const TypeId actual = unifier_.evaluate_dots(given[i]);
-        (void)unifier_.unify_one_way(unifier_.evaluate_dots(wanted[i]), actual);
+        (void)unifier_.unify_one_way(unifier_.evaluate_dots(expected[i]), actual);
     }
-    return wanted.back();
+    return expected.back();
 }
 
 // ---------------------------------------------------------------- sets, sequences
 
 TypeId ExpressionTypes::infer_elements(const Term& term, Constraints constraints) {
     const TypeId type = store_.fresh_variable(constraints);
-    for (const Term* each : term.args) (void)expect_type(*each, type, "the elements have one type");
+    for (const Term* element : term.args) (void)expect_type(*element, type, "the elements have one type");
     return type;
 }
 
 void ExpressionTypes::check_range(const Term& term) {
-    for (const Term* each : term.args) {
-        if (each != nullptr) expect_atom(*each, TypeKind::integer, "a range runs over integers");
+    for (const Term* bound : term.args) {
+        if (bound != nullptr) expect_atom(*bound, TypeKind::integer, "a range runs over integers");
     }
 }
 
@@ -315,8 +316,8 @@ TypeId ExpressionTypes::infer_collection(const Term& term) {
         case productions_comprehension: {
             check_clauses(term.clauses, TypeKind::set);
             const TypeId type = store_.fresh_variable(can_yield);
-            for (const Term* each : term.args) {
-                (void)expect_extendable(*each, type,
+            for (const Term* argument : term.args) {
+                (void)expect_extendable(*argument, type,
                                         "`{| |}` takes channels and constructors, with their first fields");
             }
             return store_.set_of(type);
@@ -333,7 +334,7 @@ TypeId ExpressionTypes::infer_prefix(const Term& term) {
     const TypeId channel = infer(event);
     bind_locals(term.binds);
     std::vector<TypeId> parts{channel};
-    for (const FieldTerm& each : term.fields) parts.push_back(infer_field(each));
+    for (const FieldTerm& field : term.fields) parts.push_back(infer_field(field));
     diagnostics::Span span = inside_parentheses(event).syntax->span;
     if (!term.fields.empty()) span = diagnostics::join_spans(span, term.fields.back().span);
     (void)unify(span, atom(TypeKind::event), store_.dot_type(parts), "an event must precede `->`");
@@ -415,9 +416,9 @@ TypeId ExpressionTypes::infer_replicated(const Term& term) {
 // Checks links and renamings. To be events, both ends need the same remaining fields.
 void ExpressionTypes::check_links(const Term& term) {
     std::vector<TypeId> left;
-    for (const LinkTerm& each : term.links) {
+    for (const LinkTerm& link : term.links) {
         left.push_back(
-            expect_extendable(*each.from, atom(TypeKind::event), "events and channels are renamed and linked"));
+            expect_extendable(*link.from, atom(TypeKind::event), "events and channels are renamed and linked"));
     }
     for (std::size_t i = 0; i < left.size(); ++i) {
         (void)expect_type(*term.links[i].to, left[i], "both sides take the same further fields");
@@ -425,16 +426,16 @@ void ExpressionTypes::check_links(const Term& term) {
 }
 
 void ExpressionTypes::check_clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection) {
-    for (const ClauseTerm& each : clauses) {
-        if (!each.generator) {
-            expect_atom(*each.value, TypeKind::boolean, "a condition is a Bool");
+    for (const ClauseTerm& clause : clauses) {
+        if (!clause.generator) {
+            expect_atom(*clause.value, TypeKind::boolean, "a condition is a Bool");
             continue;
         }
-        const TypeId values = infer(*each.value);
-        here_ = inside_parentheses(*each.value).syntax->span;
+        const TypeId values = infer(*clause.value);
+        here_ = inside_parentheses(*clause.value).syntax->span;
         const TypeId evaluated = unifier_.evaluate_dots(values);
-        const TypeId element = unifier_.evaluate_dots(infer_pattern(each.pattern));
-        here_ = inside_parentheses(*each.value).syntax->span;
+        const TypeId element = unifier_.evaluate_dots(infer_pattern(clause.pattern));
+        here_ = inside_parentheses(*clause.value).syntax->span;
         try {
             (void)unifier_.unify_one_way(store_.make_type(collection, {element}), evaluated);
         } catch (TypeFault& fault) {
@@ -448,9 +449,9 @@ void ExpressionTypes::check_clauses(const std::vector<ClauseTerm>& clauses, Type
 // ---------------------------------------------------------------- patterns
 
 void ExpressionTypes::bind_locals(const std::vector<Symbol*>& symbols) {
-    for (Symbol* each : symbols) {
-        each->scheme = {{}, store_.fresh_variable()};
-        each->failed = false;
+    for (Symbol* symbol : symbols) {
+        symbol->scheme = {{}, store_.fresh_variable()};
+        symbol->failed = false;
     }
 }
 
@@ -475,14 +476,14 @@ TypeId ExpressionTypes::infer_pattern(const PatternTerm& term) {
         case PatternKind::tuple:
         case PatternKind::dot: {
             std::vector<TypeId> types;
-            for (const PatternTerm& each : term.args) types.push_back(infer_pattern(each));
+            for (const PatternTerm& argument : term.args) types.push_back(infer_pattern(argument));
             const bool dot = term.syntax->kind == PatternKind::dot;
             return dot ? store_.dot_type(types) : store_.make_type(TypeKind::tuple, types);
         }
         case PatternKind::sequence:
         case PatternKind::set: {
             const TypeId element = store_.fresh_variable();
-            for (const PatternTerm& each : term.args) expect_pattern(each, element);
+            for (const PatternTerm& argument : term.args) expect_pattern(argument, element);
             if (term.syntax->kind == PatternKind::sequence) return store_.sequence_of(element);
             // Eq, not Set, because a pattern compares.
             constrain(term.syntax->span, can_equal, element, "a pattern compares what it matches");
@@ -490,7 +491,7 @@ TypeId ExpressionTypes::infer_pattern(const PatternTerm& term) {
         }
         case PatternKind::concat: {
             const TypeId sequence = store_.sequence_of(store_.fresh_variable());
-            for (const PatternTerm& each : term.args) expect_pattern(each, sequence);
+            for (const PatternTerm& argument : term.args) expect_pattern(argument, sequence);
             return sequence;
         }
         case PatternKind::both: {

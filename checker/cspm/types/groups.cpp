@@ -15,10 +15,10 @@ using UseGraph = boost::adjacency_list<boost::setS, boost::vecS, boost::directed
 
 UseGraph uses_of(const DeclarationList& list) {
     UseGraph graph(list.items.size());
-    for (const Declaration& each : list.items)
-        for (const Symbol* used : each.uses)
+    for (const Declaration& declaration : list.items)
+        for (const Symbol* used : declaration.uses)
             if (used->owner != nullptr && used->owner->list == &list)
-                boost::add_edge(each.index, used->owner->index, graph);
+                boost::add_edge(declaration.index, used->owner->index, graph);
     return graph;
 }
 

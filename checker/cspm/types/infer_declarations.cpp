@@ -37,7 +37,7 @@ void Inference::fail_group(const Group& group, TypeFault fault) {
     diagnostics::Diagnostic& finding = diagnostics_.report(*fault.rule, fault.span, std::move(fault.arguments));
     finding.notes = std::move(fault.notes);
     for (const Declaration* declaration : group) {
-        for (Symbol* each : declaration->binds) each->failed = true;
+        for (Symbol* symbol : declaration->binds) symbol->failed = true;
     }
 }
 
@@ -45,16 +45,17 @@ namespace {
 
 // Returns an instance whose module is in the same group.
 const Declaration* cyclic_instance(const std::vector<Declaration*>& group) {
-    for (const Declaration* each : group) {
-        if (each->kind != DeclKind::instance || each->module->original == nullptr) continue;
-        const Declaration* original = each->module->original->symbol->owner;
-        if (std::ranges::find(group, original) != group.end()) return each;
+    for (const Declaration* declaration : group) {
+        if (declaration->kind != DeclKind::instance || declaration->module->original == nullptr) continue;
+        const Declaration* original = declaration->module->original->symbol->owner;
+        if (std::ranges::find(group, original) != group.end()) return declaration;
     }
     return nullptr;
 }
 
 bool has_datatypes(const std::vector<Declaration*>& group) {
-    return std::ranges::any_of(group, [](const Declaration* each) { return each->kind == DeclKind::datatype; });
+    return std::ranges::any_of(group,
+                               [](const Declaration* declaration) { return declaration->kind == DeclKind::datatype; });
 }
 
 }  // namespace
@@ -65,21 +66,21 @@ void Inference::check_group(Group group, ListKind kind) {
         throw TypeFault{&rules::module_cycle, {original.name, instance->module->name}, {}, instance->span};
     }
     std::stable_partition(group.begin(), group.end(),
-                          [](const Declaration* each) { return each->kind == DeclKind::datatype; });
+                          [](const Declaration* declaration) { return declaration->kind == DeclKind::datatype; });
     if (has_datatypes(group)) {
         check_datatypes_with(group, kind);
     } else {
         try_group(group, kind);
     }
-    for (const Declaration* each : group) check_fields_known(*each, kind);
+    for (const Declaration* declaration : group) check_fields_known(*declaration, kind);
 }
 
 // Whether values of a datatype can be compared depends on its fields, whose types may include that datatype. The
 // inference first assumes that they can be compared, and drops the assumption if this fails.
 void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     const auto set_comparable = [&](bool value) {
-        for (const Declaration* each : group) {
-            for (const Symbol* symbol : each->binds) {
+        for (const Declaration* declaration : group) {
+            for (const Symbol* symbol : declaration->binds) {
                 if (symbol->kind == SymbolKind::datatype) store_.set_comparable(symbol->datatype, value);
             }
         }
@@ -109,7 +110,7 @@ void Inference::check_datatypes_with(const Group& group, ListKind kind) {
 void Inference::try_group(const Group& group, ListKind kind) {
     store_.enter_level();
     for (const Declaration* declaration : group) {
-        for (Symbol* each : declaration->binds) each->scheme = {{}, store_.fresh_variable()};
+        for (Symbol* symbol : declaration->binds) symbol->scheme = {{}, store_.fresh_variable()};
     }
     for (Declaration* declaration : group) {
         store_.renew_steps();
@@ -121,11 +122,11 @@ void Inference::try_group(const Group& group, ListKind kind) {
 }
 
 void Inference::generalise(const Declaration& declaration, ListKind kind) {
-    for (Symbol* each : declaration.binds) {
+    for (Symbol* symbol : declaration.binds) {
         if (kind == ListKind::let && declaration.annotation == nullptr) {
-            (void)store_.lower_and_find(each->scheme.type, no_type, store_.level());
+            (void)store_.lower_and_find(symbol->scheme.type, no_type, store_.level());
         } else {
-            each->scheme.quantified = store_.open_variables(each->scheme.type);
+            symbol->scheme.quantified = store_.open_variables(symbol->scheme.type);
         }
     }
 }
@@ -140,11 +141,11 @@ void Inference::check_fields_known(const Declaration& declaration, ListKind kind
         throw TypeFault{&rules::open_fields, {symbol.name, writer.type_text(symbol.scheme.type)}, {}, span};
     };
     if (declaration.kind == DeclKind::instance) {
-        for (const Copy& each : declaration.copies) {
-            if (each.checked) check_symbol(*each.copy, declaration.span);
+        for (const Copy& copied : declaration.copies) {
+            if (copied.checked) check_symbol(*copied.copy, declaration.span);
         }
     } else if (kind == ListKind::top) {
-        for (const Symbol* each : declaration.binds) check_symbol(*each, each->span);
+        for (const Symbol* symbol : declaration.binds) check_symbol(*symbol, symbol->span);
     }
 }
 
@@ -180,7 +181,8 @@ void Inference::check_declaration(Declaration& declaration) {
 // ---------------------------------------------------------------- annotations
 
 TypeId Inference::bind_annotation(const Annotation& annotation) {
-    for (TypeVariable* each : annotation.binds) each->type = store_.rigid_variable(each->name, each->constraints);
+    for (TypeVariable* variable : annotation.binds)
+        variable->type = store_.rigid_variable(variable->name, variable->constraints);
     return annotated_type(annotation.type);
 }
 
@@ -189,7 +191,7 @@ TypeId Inference::annotated_type(const TypeTerm& term) {
         return term.variable == nullptr ? store_.fresh_variable() : term.variable->type;
     if (term.kind == TypeKind::datatype) return store_.datatype(term.datatype->datatype);
     std::vector<TypeId> args;
-    for (const TypeTerm& each : term.args) args.push_back(annotated_type(each));
+    for (const TypeTerm& argument : term.args) args.push_back(annotated_type(argument));
     if (args.empty() && term.kind != TypeKind::tuple) return store_.atom(term.kind);
     if (term.kind == TypeKind::extendable) std::swap(args[0], args[1]);
     return store_.make_type(term.kind, args);
@@ -202,10 +204,11 @@ void Inference::check_function(const Declaration& declaration) {
     TypeId signature = no_type;
     if (declaration.annotation != nullptr) signature = bind_annotation(*declaration.annotation);
     std::vector<TypeId> types;
-    for (const EquationTerm& each : declaration.equations) {
-        terms_.set_span(each.span);
-        terms_.bind_locals(each.binds);
-        types.push_back(signature == no_type ? infer_equation(each) : check_annotated_equation(each, signature));
+    for (const EquationTerm& equation : declaration.equations) {
+        terms_.set_span(equation.span);
+        terms_.bind_locals(equation.binds);
+        types.push_back(signature == no_type ? infer_equation(equation)
+                                             : check_annotated_equation(equation, signature));
     }
     TypeId type = own;
     for (std::size_t i = 0; i < types.size(); ++i) {
@@ -234,9 +237,9 @@ TypeId Inference::infer_equation(const EquationTerm& equation) {
         groups.clear();
         for (const auto& group : equation.groups) {
             std::vector<TypeId>& types = groups.emplace_back();
-            for (const PatternTerm& each : group) {
-                terms_.set_span(each.syntax->span);
-                types.push_back(unifier_.evaluate_dots(terms_.infer_pattern(each)));
+            for (const PatternTerm& pattern : group) {
+                terms_.set_span(pattern.syntax->span);
+                types.push_back(unifier_.evaluate_dots(terms_.infer_pattern(pattern)));
             }
         }
     };
@@ -249,20 +252,20 @@ TypeId Inference::infer_equation(const EquationTerm& equation) {
 }
 
 TypeId Inference::check_annotated_equation(const EquationTerm& equation, TypeId signature) {
-    std::vector<std::vector<TypeId>> wanted;
+    std::vector<std::vector<TypeId>> expected;
     for (const auto& group : equation.groups) {
-        std::vector<TypeId>& types = wanted.emplace_back();
+        std::vector<TypeId>& types = expected.emplace_back();
         for (std::size_t i = 0; i < group.size(); ++i) types.push_back(store_.fresh_variable());
     }
     const TypeId result = store_.fresh_variable();
-    (void)terms_.unify(equation.span, signature, function_type(store_, wanted, result),
+    (void)terms_.unify(equation.span, signature, function_type(store_, expected, result),
                        "the annotation has another form");
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        for (std::size_t k = 0; k < wanted[i].size(); ++k) {
-            const PatternTerm& each = equation.groups[i][k];
-            terms_.set_span(each.syntax->span);
-            const TypeId annotated = unifier_.evaluate_dots(wanted[i][k]);
-            const TypeId type = unifier_.evaluate_dots(terms_.infer_pattern(each));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        for (std::size_t k = 0; k < expected[i].size(); ++k) {
+            const PatternTerm& pattern = equation.groups[i][k];
+            terms_.set_span(pattern.syntax->span);
+            const TypeId annotated = unifier_.evaluate_dots(expected[i][k]);
+            const TypeId type = unifier_.evaluate_dots(terms_.infer_pattern(pattern));
             (void)unifier_.evaluate_dots(unifier_.unify_one_way(type, annotated));
         }
     }
@@ -270,7 +273,7 @@ TypeId Inference::check_annotated_equation(const EquationTerm& equation, TypeId 
     std::vector<std::vector<TypeId>> groups;
     for (const auto& group : equation.groups) {
         std::vector<TypeId>& types = groups.emplace_back();
-        for (const PatternTerm& each : group) types.push_back(unifier_.evaluate_dots(terms_.infer_pattern(each)));
+        for (const PatternTerm& pattern : group) types.push_back(unifier_.evaluate_dots(terms_.infer_pattern(pattern)));
     }
     return function_type(store_, groups, unifier_.evaluate_dots(body));
 }
@@ -317,7 +320,7 @@ TypeId Inference::element_type(TypeId type) {
     const TypeKind kind = store_.node(type).kind;
     if (kind == TypeKind::tuple || kind == TypeKind::dot) {
         std::vector<TypeId> types;
-        for (const TypeId each : store_.arguments(type)) types.push_back(element_type(each));
+        for (const TypeId part : store_.arguments(type)) types.push_back(element_type(part));
         return store_.make_type(kind, types);
     }
     const TypeId result = store_.fresh_variable();
@@ -329,10 +332,10 @@ TypeId Inference::infer_fields(const Term& fields, Constraints constraints) {
     const TypeId written = terms_.infer(fields);
     terms_.set_span(fields.syntax->span);
     const TypeId values = element_type(unifier_.evaluate_dots(written));
-    for (const Constraint each : {can_equal, can_input}) {
-        if ((constraints & each) == 0) continue;
-        terms_.constrain(fields.syntax->span, each, values,
-                         each == can_equal ? "the values of channels are compared" : "a field holds whole values");
+    for (const Constraint constraint : {can_equal, can_input}) {
+        if ((constraints & constraint) == 0) continue;
+        terms_.constrain(fields.syntax->span, constraint, values,
+                         constraint == can_equal ? "the values of channels are compared" : "a field holds whole values");
     }
     return values;
 }
@@ -345,7 +348,7 @@ void Inference::check_channel(const Declaration& declaration) {
         (void)terms_.unify(declaration.span, bind_annotation(*declaration.annotation), type,
                            "the annotation has another type");
     }
-    for (const Symbol* each : declaration.binds) (void)terms_.unify(declaration.span, each->scheme.type, type);
+    for (const Symbol* symbol : declaration.binds) (void)terms_.unify(declaration.span, symbol->scheme.type, type);
 }
 
 // An annotation `A => B => Event` states that the fields are a set of A and a set of B.
@@ -359,7 +362,7 @@ TypeId Inference::channel_fields(const Declaration& declaration) {
     (void)terms_.unify(declaration.span, store_.dotable_type(store_.fresh_variable(), store_.atom(TypeKind::event)),
                        written, "the channel has fields");
     std::vector<TypeId> sets;
-    for (const TypeId each : given) sets.push_back(store_.set_of(each));
+    for (const TypeId field : given) sets.push_back(store_.set_of(field));
     const TypeId type = terms_.expect_type(*declaration.body, store_.dot_type(sets), "the annotation says so");
     terms_.set_span(declaration.body->syntax->span);
     const TypeId values = element_type(unifier_.evaluate_dots(type));
@@ -373,22 +376,22 @@ void Inference::check_datatype(const Declaration& declaration) {
     const TypeId type = store_.datatype((*symbol)->datatype);
     (void)terms_.unify(declaration.span, (*symbol)->scheme.type, store_.set_of(type));
     std::vector<std::pair<TypeId, diagnostics::Span>> all;
-    for (const ConstructorTerm& each : declaration.constructors) {
+    for (const ConstructorTerm& constructor : declaration.constructors) {
         TypeId signature = no_type;
-        if (each.annotation != nullptr) {
-            signature = bind_annotation(*each.annotation);
-            (void)terms_.unify(each.span, signature, store_.extendable_type(type, store_.fresh_variable()),
+        if (constructor.annotation != nullptr) {
+            signature = bind_annotation(*constructor.annotation);
+            (void)terms_.unify(constructor.span, signature, store_.extendable_type(type, store_.fresh_variable()),
                                "a constructor's annotation ends in its datatype");
         }
         std::vector<TypeId> parts;
-        if (each.fields != nullptr) {
-            const TypeId values = infer_fields(*each.fields, can_input);
+        if (constructor.fields != nullptr) {
+            const TypeId values = infer_fields(*constructor.fields, can_input);
             parts = store_.dot_parts(values);
-            for (const TypeId part : parts) all.emplace_back(part, each.fields->syntax->span);
+            for (const TypeId part : parts) all.emplace_back(part, constructor.fields->syntax->span);
         }
         const TypeId own = store_.dotable_type(parts, 0, type);
-        if (signature != no_type) (void)terms_.unify(each.span, signature, own, "the annotation says so");
-        (void)terms_.unify(each.span, own, each.symbol->scheme.type);
+        if (signature != no_type) (void)terms_.unify(constructor.span, signature, own, "the annotation says so");
+        (void)terms_.unify(constructor.span, own, constructor.symbol->scheme.type);
     }
     if (!store_.is_comparable((*symbol)->datatype)) return;
     for (const auto& [part, span] : all) terms_.constrain(span, can_equal, part, "values of the datatype are compared");
@@ -396,20 +399,23 @@ void Inference::check_datatype(const Declaration& declaration) {
 
 void Inference::check_subtype(const Declaration& declaration) {
     const TypeId parent = store_.fresh_variable();
-    for (const ConstructorTerm& each : declaration.constructors) {
+    for (const ConstructorTerm& constructor : declaration.constructors) {
         std::vector<TypeId> parts;
-        if (each.fields != nullptr) parts = store_.dot_parts(infer_fields(*each.fields, can_input));
-        if (each.symbol == nullptr || each.symbol->failed) continue;
+        if (constructor.fields != nullptr) parts = store_.dot_parts(infer_fields(*constructor.fields, can_input));
+        if (constructor.symbol == nullptr || constructor.symbol->failed) continue;
         std::vector<TypeId> has;
-        const TypeId datatype = store_.split(each.symbol->scheme.type, has);
+        const TypeId datatype = store_.split(constructor.symbol->scheme.type, has);
         if (parts.size() > has.size()) {
             const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " field" : " fields"); };
-            throw TypeFault{
-                &rules::subtype_fields, {each.symbol->name, count(has.size()), count(parts.size())}, {}, each.span};
+            throw TypeFault{&rules::subtype_fields,
+                            {constructor.symbol->name, count(has.size()), count(parts.size())},
+                            {},
+                            constructor.span};
         }
-        (void)terms_.unify(each.span, store_.extendable_type(parent, store_.fresh_variable()), datatype,
+        (void)terms_.unify(constructor.span, store_.extendable_type(parent, store_.fresh_variable()), datatype,
                            "all constructors of a subtype belong to one datatype");
-        for (std::size_t i = 0; i < parts.size(); ++i) (void)terms_.unify(each.fields->syntax->span, has[i], parts[i]);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            (void)terms_.unify(constructor.fields->syntax->span, has[i], parts[i]);
     }
     (void)terms_.unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(parent));
 }
@@ -433,8 +439,8 @@ void Inference::check_assertion(const Declaration& declaration) {
     const Term* other = declaration.implementation;
     if (other != nullptr && declaration.assertion->kind == AssertionKind::has_trace) {
         if (other->syntax->kind == ExprKind::sequence) {
-            for (const Term* each : other->args)
-                (void)terms_.expect_type(*each, store_.atom(TypeKind::event), "a trace is made of events");
+            for (const Term* event : other->args)
+                (void)terms_.expect_type(*event, store_.atom(TypeKind::event), "a trace is made of events");
         } else {
             (void)terms_.expect_type(*other, store_.sequence_of(store_.atom(TypeKind::event)),
                                      "a trace is a sequence of events");

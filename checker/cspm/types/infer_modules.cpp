@@ -15,7 +15,8 @@ void Inference::check_module(const Declaration& declaration) {
     terms_.bind_locals(declaration.parameters);
     if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
     std::vector<TypeId> types;
-    for (const Symbol* each : declaration.parameters) types.push_back(unifier_.evaluate_dots(each->scheme.type));
+    for (const Symbol* parameter : declaration.parameters)
+        types.push_back(unifier_.evaluate_dots(parameter->scheme.type));
     const TypeId type = store_.make_type(TypeKind::tuple, types);
     (void)terms_.unify(declaration.span, declaration.module->symbol->scheme.type, type);
 }
@@ -23,27 +24,27 @@ void Inference::check_module(const Declaration& declaration) {
 void Inference::check_instance(const Declaration& declaration) {
     const Module* original = declaration.module->original;
     if (original == nullptr || original->symbol->failed) {
-        for (Symbol* each : declaration.binds) each->failed = true;
-        for (const Term* each : declaration.arguments) (void)terms_.infer(*each);
+        for (Symbol* symbol : declaration.binds) symbol->failed = true;
+        for (const Term* argument : declaration.arguments) (void)terms_.infer(*argument);
         return;
     }
     const Scheme& scheme = original->symbol->scheme;
     std::vector<std::pair<TypeId, TypeId>> parameters;
-    for (const TypeId each : scheme.quantified)
-        parameters.emplace_back(each, store_.fresh_variable(store_.node(each).constraints));
+    for (const TypeId variable : scheme.quantified)
+        parameters.emplace_back(variable, store_.fresh_variable(store_.node(variable).constraints));
     std::ranges::sort(parameters);
     const TypeId type = store_.head(unifier_.copy_type(scheme.type, parameters, {}));
-    const std::vector<TypeId> wanted =
+    const std::vector<TypeId> expected =
         store_.node(type).kind == TypeKind::tuple ? store_.arguments(type) : std::vector<TypeId>{};
-    if (wanted.size() != declaration.arguments.size()) {
+    if (expected.size() != declaration.arguments.size()) {
         const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " argument" : " arguments"); };
         throw TypeFault{&rules::module_arguments,
-                        {original->name, count(wanted.size()), count(declaration.arguments.size())},
+                        {original->name, count(expected.size()), count(declaration.arguments.size())},
                         {},
                         declaration.span};
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        (void)terms_.expect_type(*declaration.arguments[i], wanted[i], "the module uses its parameter so");
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        (void)terms_.expect_type(*declaration.arguments[i], expected[i], "the module uses its parameter so");
     }
     (void)terms_.unify(declaration.span, declaration.module->symbol->scheme.type, type);
     copy_types(declaration, parameters);
@@ -56,37 +57,37 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
     std::vector<std::pair<std::uint32_t, std::uint32_t>> datatypes;
     std::set<TypeId> known;
     for (const auto& [variable, copy] : variables) known.insert(variable);
-    for (const Copy& each : instance.copies) {
-        if (each.original->kind == SymbolKind::datatype)
-            datatypes.emplace_back(each.original->datatype, each.copy->datatype);
-        for (const TypeId open : each.original->scheme.quantified) {
+    for (const Copy& copied : instance.copies) {
+        if (copied.original->kind == SymbolKind::datatype)
+            datatypes.emplace_back(copied.original->datatype, copied.copy->datatype);
+        for (const TypeId open : copied.original->scheme.quantified) {
             if (!known.insert(open).second) continue;
             variables.emplace_back(open, store_.fresh_variable(store_.node(open).constraints));
         }
     }
     std::ranges::sort(variables);
     std::ranges::sort(datatypes);
-    for (const Copy& each : instance.copies) {
-        if (each.original->failed) {
-            each.copy->failed = true;
+    for (const Copy& copied : instance.copies) {
+        if (copied.original->failed) {
+            copied.copy->failed = true;
             continue;
         }
-        const TypeId type = unifier_.copy_type(each.original->scheme.type, variables, datatypes);
-        (void)terms_.unify(instance.span, each.copy->scheme.type, type);
+        const TypeId type = unifier_.copy_type(copied.original->scheme.type, variables, datatypes);
+        (void)terms_.unify(instance.span, copied.copy->scheme.type, type);
     }
 }
 
 // A datatype is assumed to be comparable until the fields of a constructor are not, as for datatypes of the script.
 void Inference::find_comparable(const Declaration& instance) {
-    for (const Copy& each : instance.copies) {
-        if (each.copy->kind == SymbolKind::datatype) store_.set_comparable(each.copy->datatype, true);
+    for (const Copy& copied : instance.copies) {
+        if (copied.copy->kind == SymbolKind::datatype) store_.set_comparable(copied.copy->datatype, true);
     }
     for (bool changed = true; changed;) {
         changed = false;
-        for (const Copy& each : instance.copies) {
-            if (each.copy->kind != SymbolKind::constructor || each.copy->failed) continue;
+        for (const Copy& copied : instance.copies) {
+            if (copied.copy->kind != SymbolKind::constructor || copied.copy->failed) continue;
             std::vector<TypeId> parts;
-            const TypeId end = store_.head(store_.split(each.copy->scheme.type, parts));
+            const TypeId end = store_.head(store_.split(copied.copy->scheme.type, parts));
             if (store_.node(end).kind != TypeKind::datatype || !store_.is_comparable(store_.node(end).first)) continue;
             try {
                 for (const TypeId part : parts) unifier_.constrain(can_equal, part);

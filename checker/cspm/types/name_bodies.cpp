@@ -49,10 +49,10 @@ void NameResolver::resolve_name(const Expr& expr, Term& term) {
 
 // Every pattern of a lambda is a separate scope, so names in a later pattern hide those in an earlier one.
 void NameResolver::resolve_lambda(const Expr& expr, Term& term) {
-    for (const PatternPtr& each : expr.patterns) {
+    for (const PatternPtr& pattern : expr.patterns) {
         scope_ = new_scope(scope_);
         std::vector<Symbol*> distinct;
-        term.patterns.push_back(resolve_pattern(*each, term.binds, distinct));
+        term.patterns.push_back(resolve_pattern(*pattern, term.binds, distinct));
     }
     term.args = {resolve_expression(expr.args.at(0))};
 }
@@ -72,7 +72,7 @@ std::size_t open_parts(const Pattern& pattern) {
     if (pattern.kind == PatternKind::sequence || pattern.kind == PatternKind::string) return 0;
     if (pattern.kind != PatternKind::concat) return 1;
     std::size_t count = 0;
-    for (const PatternPtr& each : pattern.args) count += open_parts(*each);
+    for (const PatternPtr& argument : pattern.args) count += open_parts(*argument);
     return count;
 }
 
@@ -80,7 +80,7 @@ std::size_t open_parts(const Pattern& pattern) {
 bool doubles_fields(const Pattern& pattern) {
     if (pattern.kind == PatternKind::both) return true;
     return pattern.kind == PatternKind::dot &&
-           std::ranges::any_of(pattern.args, [](const PatternPtr& each) { return doubles_fields(*each); });
+           std::ranges::any_of(pattern.args, [](const PatternPtr& argument) { return doubles_fields(*argument); });
 }
 
 }  // namespace
@@ -139,9 +139,9 @@ void NameResolver::resolve_clauses(const Expr& expr, Term& term) {
     if (!expr.clauses.empty()) clause_list(expr.clauses, term.clauses, term.binds);
     arguments(false);
     if (linked && expr.args.size() > 1) clause_list(expr.args[1]->clauses, term.link_clauses, term.binds);
-    for (const Link& each : expr.links) {
-        const Term* from = resolve_expression(each.from);
-        term.links.push_back({from, resolve_expression(each.to)});
+    for (const Link& link : expr.links) {
+        const Term* from = resolve_expression(link.from);
+        term.links.push_back({from, resolve_expression(link.to)});
     }
 }
 
@@ -149,12 +149,12 @@ void NameResolver::clause_list(const std::vector<Clause>& list, std::vector<Clau
                                std::vector<Symbol*>& binds) {
     scope_ = new_scope(scope_);
     std::vector<Symbol*> distinct;
-    for (const Clause& each : list) {
-        ClauseTerm clause;
-        clause.generator = each.pattern != nullptr;
-        clause.value = resolve_expression(each.value);
-        if (each.pattern) clause.pattern = resolve_pattern(*each.pattern, binds, distinct);
-        out.push_back(std::move(clause));
+    for (const Clause& clause : list) {
+        ClauseTerm term;
+        term.generator = clause.pattern != nullptr;
+        term.value = resolve_expression(clause.value);
+        if (clause.pattern) term.pattern = resolve_pattern(*clause.pattern, binds, distinct);
+        out.push_back(std::move(term));
     }
 }
 
@@ -207,7 +207,7 @@ PatternTerm NameResolver::resolve_pattern(const Pattern& given, std::vector<Symb
         const bool plain = given.text.find("::") == std::string::npos;
         if (term.symbol == nullptr && plain) term.symbol = resolve_variable(given, binds, distinct);
     }
-    for (const PatternPtr& each : given.args) term.args.push_back(resolve_pattern(*each, binds, distinct));
+    for (const PatternPtr& argument : given.args) term.args.push_back(resolve_pattern(*argument, binds, distinct));
     return term;
 }
 
@@ -275,7 +275,7 @@ TypeTerm NameResolver::type_term(const WrittenType& written, Annotation& into) {
     if (written.kind == TypeKind::variable) return named_type(written, into);
     TypeTerm result;
     result.kind = written.kind;
-    for (const WrittenType& each : written.args) result.args.push_back(type_term(each, into));
+    for (const WrittenType& argument : written.args) result.args.push_back(type_term(argument, into));
     if (written.kind == TypeKind::extendable && result.args[0].kind != TypeKind::variable) {
         report(rules::bad_type_variable, into.span, {"the left of `=>*` must be a type variable"});
         result.args[0] = TypeTerm{TypeKind::variable, {}, nullptr, nullptr};

@@ -18,14 +18,14 @@ DeclarationList* NameResolver::resolve_declarations(const std::vector<DeclPtr>& 
     const bool timed = timed_;
     Items items;
     flatten(decls, inside, items);
-    for (Item& each : items) add_labels(each);
-    for (Item& each : items) add_names(each);
+    for (Item& item : items) add_labels(item);
+    for (Item& item : items) add_names(item);
     Declaration* const current = current_;
-    for (Item& each : items) {
-        scope_ = each.inside != nullptr ? each.inside : each.place.scope;
-        timed_ = each.place.timed;
-        current_ = each.declaration;
-        add_body(each);
+    for (Item& item : items) {
+        scope_ = item.inside != nullptr ? item.inside : item.place.scope;
+        timed_ = item.place.timed;
+        current_ = item.declaration;
+        add_body(item);
     }
     scope_ = scope;
     timed_ = timed;
@@ -200,10 +200,10 @@ void NameResolver::add_labels(Item& item) {
     if (decl.kind == DeclKind::channel) {
         for (const std::string& name : decl.names) declare_symbol(item, name, decl.span, SymbolKind::channel);
     } else if (decl.kind == DeclKind::datatype) {
-        for (const Constructor& each : decl.constructors) {
+        for (const Constructor& constructor : decl.constructors) {
             ConstructorTerm& term = item.declaration->constructors.emplace_back();
-            term.symbol = declare_symbol(item, each.name, each.span, SymbolKind::constructor);
-            term.span = each.span;
+            term.symbol = declare_symbol(item, constructor.name, constructor.span, SymbolKind::constructor);
+            term.span = constructor.span;
         }
     } else if (decl.kind == DeclKind::instance && item.original != nullptr) {
         copy_names(*item.original, *item.made, true, true, *item.declaration);
@@ -235,13 +235,13 @@ void NameResolver::add_names(Item& item) {
         case DeclKind::instance:
             if (item.original == nullptr) break;
             copy_names(*item.original, *item.made, false, true, *item.declaration);
-            for (const Copy& each : item.declaration->copies) {
-                each.copy->owner = item.declaration;
-                item.declaration->binds.push_back(each.copy);
-                if (each.original->kind == SymbolKind::datatype) {
-                    each.copy->datatype = store_.new_datatype(each.copy->name);
+            for (const Copy& copied : item.declaration->copies) {
+                copied.copy->owner = item.declaration;
+                item.declaration->binds.push_back(copied.copy);
+                if (copied.original->kind == SymbolKind::datatype) {
+                    copied.copy->datatype = store_.new_datatype(copied.copy->name);
                 }
-                if (item.place.top && each.copy->kind != SymbolKind::module) script_->shown.push_back(each.copy);
+                if (item.place.top && copied.copy->kind != SymbolKind::module) script_->shown.push_back(copied.copy);
             }
             break;
         default:
@@ -282,7 +282,7 @@ PatternTerm NameResolver::declared_pattern(const Item& item, const Pattern& patt
             term.symbol = declare_symbol(item, pattern.text, pattern.span, SymbolKind::variable);
         }
     }
-    for (const PatternPtr& each : pattern.args) term.args.push_back(declared_pattern(item, *each));
+    for (const PatternPtr& argument : pattern.args) term.args.push_back(declared_pattern(item, *argument));
     return term;
 }
 
@@ -313,8 +313,8 @@ void NameResolver::add_body(Item& item) {
             declaration.body = resolve_expression(decl.body);
             break;
         case DeclKind::channel:
-            for (const std::string& each : decl.names) {
-                if (declaration.annotation == nullptr) declaration.annotation = annotation_of(item, each);
+            for (const std::string& name : decl.names) {
+                if (declaration.annotation == nullptr) declaration.annotation = annotation_of(item, name);
             }
             if (decl.body) declaration.body = resolve_expression(decl.body);
             break;
@@ -359,7 +359,8 @@ void NameResolver::body_of_function(Item& item) {
         std::vector<Symbol*> distinct;
         for (const auto& group : decl->patterns) {
             std::vector<PatternTerm>& terms = equation.groups.emplace_back();
-            for (const PatternPtr& each : group) terms.push_back(resolve_pattern(*each, equation.binds, distinct));
+            for (const PatternPtr& pattern : group)
+                terms.push_back(resolve_pattern(*pattern, equation.binds, distinct));
         }
         equation.body = resolve_expression(decl->body);
         scope_ = outer;
@@ -370,28 +371,28 @@ void NameResolver::body_of_function(Item& item) {
 void NameResolver::body_of_datatype(Item& item) {
     const Decl& decl = *item.decls[0];
     for (std::size_t i = 0; i < decl.constructors.size(); ++i) {
-        const Constructor& each = decl.constructors[i];
+        const Constructor& constructor = decl.constructors[i];
         if (decl.kind == DeclKind::subtype) {
-            Symbol* symbol = value_named(each.name, each.span);
+            Symbol* symbol = value_named(constructor.name, constructor.span);
             if (symbol != nullptr && !symbol->label()) {
                 script_->names_missing = true;
-                report(rules::wrong_kind_of_name, each.span, {each.name, "a value", "a constructor"});
+                report(rules::wrong_kind_of_name, constructor.span, {constructor.name, "a value", "a constructor"});
                 symbol = nullptr;
             }
-            item.declaration->constructors.push_back({symbol, nullptr, nullptr, each.span});
+            item.declaration->constructors.push_back({symbol, nullptr, nullptr, constructor.span});
         }
         ConstructorTerm& term = item.declaration->constructors[i];
         Scope* const outer = scope_;
         scope_ = new_scope(outer);
-        if (decl.kind == DeclKind::datatype) term.annotation = annotation_of(item, each.name);
-        if (each.fields) term.fields = resolve_expression(each.fields);
+        if (decl.kind == DeclKind::datatype) term.annotation = annotation_of(item, constructor.name);
+        if (constructor.fields) term.fields = resolve_expression(constructor.fields);
         scope_ = outer;
     }
 }
 
 void NameResolver::body_of_instance(Item& item) {
     const Decl& decl = *item.decls[0];
-    for (const ExprPtr& each : decl.arguments) item.declaration->arguments.push_back(resolve_expression(each));
+    for (const ExprPtr& argument : decl.arguments) item.declaration->arguments.push_back(resolve_expression(argument));
     if (item.original != nullptr) record_use(item.original->symbol);
 }
 

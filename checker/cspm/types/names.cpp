@@ -164,8 +164,8 @@ std::string NameResolver::suggest_name(std::string_view name) {
                 if (name.find("::") != std::string_view::npos) candidates.push_back(std::move(member));
             }
         }
-    for (const BuiltinName& each : builtin_names())
-        if (each.visibility == Visibility::always) candidates.emplace_back(each.name);
+    for (const BuiltinName& builtin : builtin_names())
+        if (builtin.visibility == Visibility::always) candidates.emplace_back(builtin.name);
     return name.size() < 3 ? "" : diagnostics::nearest_spelling(name, candidates);
 }
 
@@ -202,7 +202,8 @@ Symbol* NameResolver::value_named(std::string_view name, Span span) {
 
 void NameResolver::record_use(Symbol* symbol) {
     if (symbol->owner == nullptr) return;
-    for (Declaration* each = current_; each != nullptr; each = each->enclosing) each->uses.push_back(symbol);
+    for (Declaration* declaration = current_; declaration != nullptr; declaration = declaration->enclosing)
+        declaration->uses.push_back(symbol);
 }
 
 // ---------------------------------------------------------------- entering

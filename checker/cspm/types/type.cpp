@@ -72,8 +72,8 @@ TypeId TypeStore::make_type(TypeKind kind, const std::vector<TypeId>& args) {
     node.count = static_cast<std::uint32_t>(args.size());
     node.closed = true;
     node.plain = kind != TypeKind::dot && kind != TypeKind::dotable && kind != TypeKind::extendable;
-    for (const TypeId each : args) {
-        const TypeId end = follow_links(each);
+    for (const TypeId argument : args) {
+        const TypeId end = follow_links(argument);
         args_.push_back(end);
         node.closed = node.closed && nodes_[end].closed;
         node.plain = node.plain && nodes_[end].plain;
@@ -180,17 +180,17 @@ void TypeStore::lower_level(TypeId variable, std::uint32_t level) {
     nodes_[variable].level = level;
 }
 
-bool TypeStore::lower_and_find(TypeId type, TypeId wanted, std::uint32_t level) {
+bool TypeStore::lower_and_find(TypeId type, TypeId sought, std::uint32_t level) {
     const Depth guard(*this);
     type = head(type);
     if (nodes_[type].closed) return false;
     if (nodes_[type].kind == TypeKind::variable) {
         lower_level(type, level);
-        return type == wanted;
+        return type == sought;
     }
     bool found = false;
     for (std::uint32_t i = 0; i < nodes_[type].count; ++i)
-        found = lower_and_find(argument(type, i), wanted, level) || found;
+        found = lower_and_find(argument(type, i), sought, level) || found;
     return found;
 }
 

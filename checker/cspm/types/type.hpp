@@ -114,8 +114,8 @@ public:
     void bind(TypeId variable, TypeId type);
     void constrain(TypeId variable, Constraints constraints);
     void lower_level(TypeId variable, std::uint32_t level);
-    /// Lowers the variables of a type to at most this level; returns whether `wanted` occurs in it.
-    bool lower_and_find(TypeId type, TypeId wanted, std::uint32_t level);
+    /// Lowers the variables of a type to at most this level; returns whether `sought` occurs in it.
+    bool lower_and_find(TypeId type, TypeId sought, std::uint32_t level);
     /// Variables of a type above the current level, sorted.
     [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
 

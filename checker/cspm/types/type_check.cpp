@@ -17,10 +17,10 @@ namespace {
 
 std::vector<NamedType> named_types(const types::ResolvedScript& script, types::TypeStore& store) {
     std::vector<NamedType> result;
-    for (const types::Symbol* each : script.shown) {
-        if (each->failed) continue;
+    for (const types::Symbol* symbol : script.shown) {
+        if (symbol->failed) continue;
         types::TypeWriter writer(store);
-        result.push_back({each->name, each->span, writer.with_constraints(each->scheme.type)});
+        result.push_back({symbol->name, symbol->span, writer.with_constraints(symbol->scheme.type)});
     }
     return result;
 }
@@ -31,11 +31,11 @@ public:
     explicit NameTableMaker(types::TypeStore& store) : store_(store) {}
 
     NameTable run(const types::ResolvedScript& script) {
-        for (const types::Symbol& each : script.symbols)
-            if (each.span.is_known()) (void)number_of(each);
-        for (const types::Term& each : script.terms) term(each);
+        for (const types::Symbol& symbol : script.symbols)
+            if (symbol.span.is_known()) (void)number_of(symbol);
+        for (const types::Term& term : script.terms) this->term(term);
         for (const types::DeclarationList& list : script.lists)
-            for (const types::Declaration& each : list.items) declaration(each);
+            for (const types::Declaration& declaration : list.items) this->declaration(declaration);
         const auto place = [](const NameUse& use) { return std::tuple(use.span.source, use.span.begin, use.span.end); };
         std::ranges::sort(table_.uses, {}, place);
         return std::move(table_);
@@ -59,28 +59,28 @@ private:
 
     void pattern(const types::PatternTerm& pattern) {
         if (pattern.syntax != nullptr) add_use(pattern.syntax->span, pattern.symbol);
-        for (const types::PatternTerm& each : pattern.args) this->pattern(each);
+        for (const types::PatternTerm& argument : pattern.args) this->pattern(argument);
     }
     void clauses(const std::vector<types::ClauseTerm>& clauses) {
-        for (const types::ClauseTerm& each : clauses) pattern(each.pattern);
+        for (const types::ClauseTerm& clause : clauses) pattern(clause.pattern);
     }
     void term(const types::Term& term) {
         if (term.syntax != nullptr) add_use(term.syntax->span, term.symbol);
-        for (const types::FieldTerm& each : term.fields) pattern(each.pattern);
-        for (const types::PatternTerm& each : term.patterns) pattern(each);
+        for (const types::FieldTerm& field : term.fields) pattern(field.pattern);
+        for (const types::PatternTerm& parameter : term.patterns) pattern(parameter);
         clauses(term.clauses);
         clauses(term.link_clauses);
     }
     void declaration(const types::Declaration& declaration) {
         pattern(declaration.pattern);
-        for (const types::EquationTerm& each : declaration.equations) equation(each, declaration);
+        for (const types::EquationTerm& equation : declaration.equations) this->equation(equation, declaration);
         if (declaration.kind != DeclKind::subtype) return;
-        for (const types::ConstructorTerm& each : declaration.constructors) constructor(each);
+        for (const types::ConstructorTerm& constructor : declaration.constructors) this->constructor(constructor);
     }
     void equation(const types::EquationTerm& equation, const types::Declaration& function) {
         if (!function.binds.empty()) add_use(name_span(equation.span, *function.binds.front()), function.binds.front());
         for (const auto& group : equation.groups)
-            for (const types::PatternTerm& each : group) pattern(each);
+            for (const types::PatternTerm& parameter : group) pattern(parameter);
     }
     void constructor(const types::ConstructorTerm& constructor) {
         if (constructor.symbol != nullptr)

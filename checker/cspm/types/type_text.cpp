@@ -155,8 +155,8 @@ std::string TypeWriter::type_text(TypeId type) {
 std::string TypeWriter::with_constraints(TypeId type) {
     const std::string body = type_text(type);
     std::vector<std::string> constraints;
-    for (const auto& [each, name] : seen_) {
-        const Constraints held = store_.node(each).constraints;
+    for (const auto& [variable, name] : seen_) {
+        const Constraints held = store_.node(variable).constraints;
         for (const Constraint constraint : all_constraints) {
             if ((held & constraint) == 0) continue;
             if (constraint == can_collect && (held & can_equal) != 0) continue;

@@ -189,9 +189,9 @@ TypeId Unifier::unify_dot_with(TypeId dot, TypeId other, bool dot_expected) {
         if (parts.size() == 1) return unify(other, parts.front());
     }
     const TypeId rest = store_.dot_type({parts.begin() + 1, parts.end()});
-    const TypeId wanted = store_.dotable_type(rest, other);
+    const TypeId head_type = store_.dotable_type(rest, other);
     const bool swapped = dot_expected && store_.node(other).kind == TypeKind::dotable;
-    const TypeId first = swapped ? unify(parts.front(), wanted) : unify(wanted, parts.front());
+    const TypeId first = swapped ? unify(parts.front(), head_type) : unify(head_type, parts.front());
     return open ? store_.dot_type({first, rest}) : other;
 }
 

@@ -35,8 +35,8 @@ private:
         const std::string first = read_name();
         const std::string second = read_name();
         if (first.empty() || second.empty()) return false;
-        for (const Constraint each : all) {
-            if (constraint_name(each) == first) scheme.constraints.emplace_back(each, second);
+        for (const Constraint constraint : all) {
+            if (constraint_name(constraint) == first) scheme.constraints.emplace_back(constraint, second);
         }
         return true;
     }

@@ -179,20 +179,20 @@ int compare_rows(const Word* a, const Word* b, std::size_t width) {
 class Sought {
 public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
-    /// Advances to the first row that is not before `wanted`, in increasing steps (Bentley and Yao, Information
+    /// Advances to the first row that is not before `row`, in increasing steps (Bentley and Yao, Information
     /// Processing Letters 5(3), 1976). False if there is none.
-    bool seek_row(const Word* wanted) {
-        if (at_ == end() || !is_before(at_, wanted)) return at_ != end();
+    bool seek_row(const Word* row) {
+        if (at_ == end() || !is_before(at_, row)) return at_ != end();
         std::size_t step = stride();
-        std::size_t low = at_;  // a row before `wanted`
-        while (end() - low > step && is_before(low + step, wanted)) {
+        std::size_t low = at_;  // a row before `row`
+        while (end() - low > step && is_before(low + step, row)) {
             low += step;
             step *= 2;
         }
         std::size_t high = std::min(end(), low + step);
         while (high - low > stride()) {
             const std::size_t middle = low + (high - low) / stride() / 2 * stride();
-            (is_before(middle, wanted) ? low : high) = middle;
+            (is_before(middle, row) ? low : high) = middle;
         }
         assert(high > at_ && high % (width_ + 1) == 0);
         at_ = high;
@@ -220,8 +220,8 @@ public:
 private:
     [[nodiscard]] std::size_t stride() const { return width_ + 1; }
     [[nodiscard]] std::size_t end() const { return rows_.size(); }
-    [[nodiscard]] bool is_before(std::size_t at, const Word* wanted) const {
-        return compare_rows(&rows_[at], wanted, width_) < 0;
+    [[nodiscard]] bool is_before(std::size_t at, const Word* row) const {
+        return compare_rows(&rows_[at], row, width_) < 0;
     }
     std::vector<Word>& rows_;
     std::size_t width_;

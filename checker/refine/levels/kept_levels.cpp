@@ -33,7 +33,7 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
         files_.number_from(greatest);
         return;
     }
-    for (const storage::Checkpoint& each : found) check(each);
+    for (const storage::Checkpoint& checkpoint : found) check(checkpoint);
     const Level levels = std::ranges::min_element(found, [](const auto& one, const auto& other) {
                              return one.levels < other.levels;
                          })->levels;

@@ -307,8 +307,8 @@ std::optional<Level> LevelSearch::settle_unsure_rows() {
     work_.execute_part([&] { wrong = store_.settle_unsure_rows(); });
     work_.sum({});
     std::optional<Level> least;
-    for (const Words& each : exchange_.gather(wrong ? Words{*wrong} : Words{}))
-        if (!each.empty() && (!least || each[0] < *least)) least = each[0];
+    for (const Words& of_rank : exchange_.gather(wrong ? Words{*wrong} : Words{}))
+        if (!of_rank.empty() && (!least || of_rank[0] < *least)) least = of_rank[0];
     return least;
 }
 
@@ -366,8 +366,8 @@ void LevelSearch::count_levels(Level last) {
     depth_ = last;
 }
 
-void LevelSearch::keep_least(std::optional<Fault>& kept, Fault found) {
-    if (!kept || found.row < kept->row) kept = std::move(found);
+void LevelSearch::keep_least(std::optional<Fault>& least, Fault found) {
+    if (!least || found.row < least->row) least = std::move(found);
 }
 
 /// Returns the least fault of all ranks.
@@ -379,9 +379,10 @@ std::optional<LevelSearch::Fault> LevelSearch::least_fault() {
         words.insert(words.end(), own->row.begin(), own->row.end());
     }
     std::optional<Fault> least;
-    for (const Words& each : exchange_.gather(words))
-        if (!each.empty())
-            keep_least(least, {{each.begin() + 2, each.end()}, static_cast<ViolationKind>(each[0]), each[1]});
+    for (const Words& of_rank : exchange_.gather(words))
+        if (!of_rank.empty())
+            keep_least(least,
+                       {{of_rank.begin() + 2, of_rank.end()}, static_cast<ViolationKind>(of_rank[0]), of_rank[1]});
     return least;
 }
 
@@ -415,15 +416,15 @@ namespace {
 /// The least transition from one row to another.
 class StepTo final : public lts::SuccessorSink {
 public:
-    StepTo(Monitor& monitor, bool nodes, StateView wanted) : monitor_(monitor), nodes_(nodes), wanted_(wanted) {}
+    StepTo(Monitor& monitor, bool nodes, StateView goal) : monitor_(monitor), nodes_(nodes), goal_(goal) {}
     void begin(StateView row) {
         row_ = row;
         found = false;
     }
     void add(Event event, StateView target, Event revealed) override {
-        const StateView wanted = nodes_ ? wanted_.subspan(1) : wanted_;
+        const StateView goal_state = nodes_ ? goal_.subspan(1) : goal_;
         if (found && std::pair(least_event, least_revealed) <= std::pair(event, revealed)) return;
-        if (!std::equal(target.begin(), target.end(), wanted.begin()) || !leads_on(event)) return;
+        if (!std::equal(target.begin(), target.end(), goal_state.begin()) || !leads_on(event)) return;
         found = true;
         least_event = event;
         least_revealed = revealed;
@@ -434,14 +435,14 @@ public:
 
 private:
     bool leads_on(Event event) {
-        if (event == process::tau) return !nodes_ || row_[0] == wanted_[0];
+        if (event == process::tau) return !nodes_ || row_[0] == goal_[0];
         if (!nodes_) return true;
         const Monitor::Advance next = monitor_.advance(row_[0], event);
-        return next.effect == Monitor::Effect::follow && next.node == wanted_[0];
+        return next.effect == Monitor::Effect::follow && next.node == goal_[0];
     }
     Monitor& monitor_;
     bool nodes_;
-    StateView wanted_;
+    StateView goal_;
     StateView row_;
 };
 
@@ -495,9 +496,9 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
         words.insert(words.end(), least->row.begin(), least->row.end());
     }
     std::optional<Step> first;
-    for (const Words& each : exchange_.gather(words)) {
-        if (each.empty()) continue;
-        Step step{{each.begin() + 2, each.end()}, each[0], each[1]};
+    for (const Words& of_rank : exchange_.gather(words)) {
+        if (of_rank.empty()) continue;
+        Step step{{of_rank.begin() + 2, of_rank.end()}, of_rank[0], of_rank[1]};
         if (!first || step < *first) first = std::move(step);
     }
     if (!first) throw std::logic_error("a row of the search has no predecessor");

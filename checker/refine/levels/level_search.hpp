@@ -103,7 +103,7 @@ private:
     [[nodiscard]] LevelFigures figures_until(std::size_t levels) const;
 
     std::optional<Fault> least_fault();
-    static void keep_least(std::optional<Fault>& kept, Fault found);
+    static void keep_least(std::optional<Fault>& least, Fault found);
     LevelFinding finding_of(const Fault& fault, Level level);
     Run run_to(const Words& row, Level level);
     Step last_step(const Words& row, Level level);

@@ -44,8 +44,8 @@ void RowFilter::reset(std::uint64_t rows) {
     memory_.reset();
     for (keep_bits(most_bits_);; keep_bits(8 * (bytes_of_row_ - 1))) {
         const std::uint64_t most = most_bytes_ / line;
-        const std::uint64_t wanted = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
-        const std::uint64_t buckets = wanted > most / 4 ? most : wanted;
+        const std::uint64_t needed = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
+        const std::uint64_t buckets = needed > most / 4 ? most : needed;
         const bool fits = buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1;
         // Fewer bits make a filter for more rows, which is refilled later.
         const bool fewer = bytes_of_row_ > 1 && errors_with(8 * (bytes_of_row_ - 1), buckets) < fewest_errors;
@@ -118,8 +118,8 @@ void RowFilter::add(std::uint64_t hash) {
     std::uint8_t* const place = at + counts_size + std::size_t{zero - part} * bytes_of_row_;
     const auto used = static_cast<unsigned>(sums_of(counts) >> 56U);
     std::memmove(place + bytes_of_row_, place, std::size_t{used + part - zero} * bytes_of_row_);
-    const auto kept = static_cast<std::uint32_t>(hash) & mask_;
-    std::memcpy(place, &kept, bytes_of_row_);
+    const auto bits = static_cast<std::uint32_t>(hash) & mask_;
+    std::memcpy(place, &bits, bytes_of_row_);
     const std::uint64_t below = (std::uint64_t{1} << zero) - 1;
     counts = (counts & below) | std::uint64_t{1} << zero | (counts & ~below) << 1U;
     if (used + 1 == places_) {
@@ -132,26 +132,26 @@ void RowFilter::add(std::uint64_t hash) {
 
 /// The rows of a part are stored before its zero.
 bool RowFilter::bucket_contains(const std::uint8_t* bucket, std::uint64_t counts, unsigned part,
-                                std::uint32_t wanted) const {
+                                std::uint32_t bits) const {
     unsigned zero = zero_after(counts, part);
     for (const std::uint8_t* at = bucket + counts_size + std::size_t{zero - part} * bytes_of_row_;
          zero > 0 && (counts >> (zero - 1) & 1U) != 0; --zero) {
         at -= bytes_of_row_;
-        std::uint32_t kept = 0;
-        std::memcpy(&kept, at, sizeof kept);
-        if ((kept & mask_) == wanted) return true;
+        std::uint32_t stored = 0;
+        std::memcpy(&stored, at, sizeof stored);
+        if ((stored & mask_) == bits) return true;
     }
     return false;
 }
 
 bool RowFilter::may_have(std::uint64_t hash) const {
     if (buckets_ == 0) return true;
-    const auto wanted = static_cast<std::uint32_t>(hash) & mask_;
+    const auto bits = static_cast<std::uint32_t>(hash) & mask_;
     const unsigned part = part_of(hash);
     for (std::uint64_t home = home_of(hash), tried = 0; tried < buckets_; ++tried) {
         const std::uint8_t* const at = bucket(home);
         const std::uint64_t counts = counts_of(at);
-        if (bucket_contains(at, counts, part, wanted)) return true;
+        if (bucket_contains(at, counts, part, bits)) return true;
         if ((counts & full) == 0) return false;
         home = home + 1 == buckets_ ? 0 : home + 1;
     }

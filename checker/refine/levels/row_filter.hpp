@@ -51,7 +51,7 @@ private:
         return static_cast<std::uint8_t*>(memory_.get()) + number * line;
     }
     [[nodiscard]] bool bucket_contains(const std::uint8_t* bucket, std::uint64_t counts, unsigned part,
-                                       std::uint32_t wanted) const;
+                                       std::uint32_t bits) const;
 
     unsigned most_bits_;
     std::uint64_t most_bytes_;

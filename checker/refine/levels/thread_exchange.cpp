@@ -118,11 +118,11 @@ private:
 
     void read_those_of_threads(Messages& in) const {
         std::size_t size = 0;
-        for (const Messages* const each : meeting_.out_) size += each->sizes[rank()];
+        for (const Messages* const messages : meeting_.out_) size += messages->sizes[rank()];
         in.words.clear();
         in.words.reserve(size);
         unsigned from = first_rank(meeting_.programs_.rank());
-        for (const Messages* const each : meeting_.out_) append(each->message_of(rank()), in, from++);
+        for (const Messages* const messages : meeting_.out_) append(messages->message_of(rank()), in, from++);
     }
     void read_those_of_programs(Messages& in) const {
         const Messages& came = meeting_.from_programs_;
@@ -203,9 +203,9 @@ void Meeting::exchange_rows() {
     if (programs == 1) return;
     const auto is_other = [&](std::size_t rank) { return rank / threads_ != programs_.rank(); };
     std::size_t size = std::size_t{programs} * threads_ * threads_;
-    for (const Messages* const each : out_)
-        for (std::size_t rank = 0; rank < each->sizes.size(); ++rank)
-            if (is_other(rank)) size += each->sizes[rank];
+    for (const Messages* const messages : out_)
+        for (std::size_t rank = 0; rank < messages->sizes.size(); ++rank)
+            if (is_other(rank)) size += messages->sizes[rank];
     Words& words = to_programs_.words;
     words.clear();
     words.reserve(size);
@@ -214,11 +214,12 @@ void Meeting::exchange_rows() {
         if (program != programs_.rank()) {
             const unsigned first = program * threads_;
             for (unsigned to = first; to < first + threads_; ++to)
-                for (const Messages* const each : out_) words.push_back(static_cast<lts::Word>(each->sizes[to]));
+                for (const Messages* const messages : out_)
+                    words.push_back(static_cast<lts::Word>(messages->sizes[to]));
             const std::size_t head = words.size();
             for (unsigned to = first; to < first + threads_; ++to)
-                for (const Messages* const each : out_)
-                    words.insert(words.end(), each->message_of(to).begin(), each->message_of(to).end());
+                for (const Messages* const messages : out_)
+                    words.insert(words.end(), messages->message_of(to).begin(), messages->message_of(to).end());
             if (words.size() == head) words.resize(begin);
         }
         to_programs_.begins[program] = begin;
@@ -229,7 +230,8 @@ void Meeting::exchange_rows() {
 
 void Meeting::exchange_sums() {
     sum_.assign(sums_.front().size(), 0);
-    for (const std::vector<std::uint64_t>& each : sums_) std::ranges::transform(sum_, each, sum_.begin(), std::plus());
+    for (const std::vector<std::uint64_t>& of_thread : sums_)
+        std::ranges::transform(sum_, of_thread, sum_.begin(), std::plus());
     assert(std::ranges::all_of(sums_, [this](const auto& own) { return own.size() == sum_.size(); }));
     programs_.sum(sum_);
 }
@@ -237,8 +239,8 @@ void Meeting::exchange_sums() {
 /// A message contains, for each program, the number of words of each thread, and then these words.
 void Meeting::exchange_words() {
     Words own;
-    for (const Words* const each : words_) own.push_back(static_cast<lts::Word>(each->size()));
-    for (const Words* const each : words_) own.insert(own.end(), each->begin(), each->end());
+    for (const Words* const of_thread : words_) own.push_back(static_cast<lts::Word>(of_thread->size()));
+    for (const Words* const of_thread : words_) own.insert(own.end(), of_thread->begin(), of_thread->end());
     all_words_.clear();
     for (const Words& of_program : programs_.gather(own)) {
         assert(of_program.size() >= threads_);
@@ -282,7 +284,7 @@ public:
     void finish_all() {
         run_as_rank(0);
         others_->join();
-        if (std::ranges::all_of(exchanges_, [](const auto& each) { return each->left_together(); }))
+        if (std::ranges::all_of(exchanges_, [](const auto& exchange) { return exchange->left_together(); }))
             programs_.leave_together();
         for (const auto* const kind : {&errors_, &heard_, &lost_})
             for (const std::exception_ptr& error : *kind)

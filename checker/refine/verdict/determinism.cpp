@@ -145,8 +145,8 @@ public:
     std::optional<Event> refused_event(Node node, const Offer& offer) {
         const std::optional<EventSet> accepted = acceptance(offer);
         if (!accepted) return std::nullopt;
-        const EventSet wanted = acceptance(graph_.state_offer(node)).value();
-        for (Event event : wanted)
+        const EventSet required = acceptance(graph_.state_offer(node)).value();
+        for (Event event : required)
             if (!std::ranges::binary_search(*accepted, event)) return event;
         return std::nullopt;
     }

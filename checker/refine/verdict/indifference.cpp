@@ -62,8 +62,8 @@ bool Indifference::holds_at(NormalForm::Node node, const lts::EventPermutation& 
         if (normal_->node_after(node, event) != normal_->node_after(node, other)) return false;
     if (model_ == Model::traces) return true;
     const std::vector<EventSet>& acceptances = normal_->acceptances(node);
-    return std::ranges::all_of(acceptances, [&](const EventSet& each) {
-        return std::ranges::find(acceptances, image_of(each, exchange)) != acceptances.end();
+    return std::ranges::all_of(acceptances, [&](const EventSet& acceptance) {
+        return std::ranges::find(acceptances, image_of(acceptance, exchange)) != acceptances.end();
     });
 }
 

@@ -190,7 +190,7 @@ void KeptSearch::write_questions() const {
     std::vector<Asked> all = asked_;
     if (earlier_.size() > all.size())
         all.insert(all.end(), earlier_.begin() + static_cast<std::ptrdiff_t>(all.size()), earlier_.end());
-    for (const Asked& each : all) text += fmt::format("{} {}\n", each.digest, each.text);
+    for (const Asked& question : all) text += fmt::format("{} {}\n", question.digest, question.text);
     if (const std::string error = diagnostics::replace_file(path(questions_name), text); !error.empty())
         throw storage::CannotWrite(error);
 }
@@ -202,11 +202,11 @@ void KeptSearch::refuse_question(std::size_t place, const std::string& instead) 
 
 /// Until an assertion is identified, the digest of its text is used.
 void KeptSearch::begin_question(const std::string& text) {
-    Asked asked{hex_text(digest_of(text)), one_line(text)};
+    Asked question{hex_text(digest_of(text)), one_line(text)};
     const std::size_t place = asked_.size();
-    if (place < earlier_.size() && earlier_[place].text != asked.text)
-        refuse_question(place, fmt::format("where this run asks `{}`", diagnostics::escape_for_display(asked.text)));
-    asked_.push_back(std::move(asked));
+    if (place < earlier_.size() && earlier_[place].text != question.text)
+        refuse_question(place, fmt::format("where this run asks `{}`", diagnostics::escape_for_display(question.text)));
+    asked_.push_back(std::move(question));
     question_.reset();
     searches_ = 0;
     folders_.clear();
@@ -217,30 +217,30 @@ void KeptSearch::begin_question(const std::string& text) {
 /// identifies its assertion again.
 void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
     assert(!asked_.empty());
-    Asked& asked = asked_.back();
-    const std::string unidentified = asked.digest;
-    if (digest) asked.digest = hex_text(*digest);
+    Asked& question = asked_.back();
+    const std::string unidentified = question.digest;
+    if (digest) question.digest = hex_text(*digest);
     question_ = digest;
     const bool again = asked_.size() <= earlier_.size();
     const std::string& before = again ? earlier_[asked_.size() - 1].digest : unidentified;
-    if (before != unidentified && before != asked.digest)
+    if (before != unidentified && before != question.digest)
         refuse_question(asked_.size() - 1, "about other processes or with other options");
-    if (before != asked.digest) write_questions();
-    if (again) earlier_[asked_.size() - 1].digest = asked.digest;
+    if (before != question.digest) write_questions();
+    if (again) earlier_[asked_.size() - 1].digest = question.digest;
     if (!digest && settings_.say)
         settings_.say(
             fmt::format("nothing is kept of the search for `{}`: its states have other numbers in each run, "
                         "or what it depends on is too large to be looked at as a whole",
-                        diagnostics::escape_for_display(asked.text)));
+                        diagnostics::escape_for_display(question.text)));
 }
 
 /// If the answer of a decided assertion was not stored, its search is the only record of it.
 void KeptSearch::end_question(bool decided) {
     assert(!asked_.empty() && decided_ < asked_.size());
     if (decided) ++decided_;
-    const bool kept = question_ && answers_->find(*question_);
+    const bool stored = question_ && answers_->find(*question_);
     question_.reset();
-    if (decided && kept) return remove_searches();
+    if (decided && stored) return remove_searches();
     if (decided) answered_.insert(answered_.end(), folders_.begin(), folders_.end());
     folders_.clear();
 }
@@ -262,7 +262,7 @@ void KeptSearch::remove_left_over() const {
     for (fs::directory_iterator at(settings_.folder, ignored); !ignored && at != fs::directory_iterator();
          at.increment(ignored))
         if (is_finished(at->path().filename().string()) || is_unfinished(*at)) found.push_back(at->path());
-    for (const fs::path& each : found) fs::remove_all(each, ignored);
+    for (const fs::path& path : found) fs::remove_all(path, ignored);
 }
 
 /// Each search of an assertion has a folder with its number. An assertion has the same searches in every run.
@@ -317,10 +317,10 @@ std::optional<Violation> KeptSearch::search(lts::TransitionSystem& system, const
     const std::size_t width = question.row_width(system.width());
     if (!question_ || system.states_are_terms() || width == 0)
         return ranks_.search(system, question, budget, statistics);
-    LevelQuestion kept = question;
-    kept.rows = rows_of(question, width, budget);
+    LevelQuestion with_rows = question;
+    with_rows.rows = rows_of(question, width, budget);
     const std::uint64_t settled = statistics.settled, rolled_back = statistics.rolled_back;
-    std::optional<Violation> found = ranks_.search(system, kept, budget, statistics);
+    std::optional<Violation> found = ranks_.search(system, with_rows, budget, statistics);
     if (statistics.settled > settled && settings_.say)
         settings_.say(
             fmt::format("the states of `{}` on disk were read through {} times, and the search went back {} times",

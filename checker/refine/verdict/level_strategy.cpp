@@ -79,9 +79,9 @@ void end_of_stores(Exchange& exchange, const StoreFigures& figures, Statistics& 
         return static_cast<lts::Word>(std::min<std::uint64_t>(figure, std::numeric_limits<lts::Word>::max()));
     };
     lts::Word settled = 0, rolled_back = 0;
-    for (const Words& each : exchange.gather({word(figures.settled), word(figures.rolled_back)})) {
-        settled = std::max(settled, each[0]);
-        rolled_back = std::max(rolled_back, each[1]);
+    for (const Words& of_rank : exchange.gather({word(figures.settled), word(figures.rolled_back)})) {
+        settled = std::max(settled, of_rank[0]);
+        rolled_back = std::max(rolled_back, of_rank[1]);
     }
     statistics.settled += settled;
     statistics.rolled_back += rolled_back;
@@ -117,8 +117,8 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     return search_with_files(system, question, waiting, budget, statistics);
 }
 
-unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted) {
-    return wanted > 1 && system.clone_for_thread() ? wanted : 1;
+unsigned threads_for(const lts::TransitionSystem& system, unsigned limit) {
+    return limit > 1 && system.clone_for_thread() ? limit : 1;
 }
 
 std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,

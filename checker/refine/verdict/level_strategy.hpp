@@ -40,9 +40,9 @@ struct LevelQuestion {
 std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
 
-/// Returns the number of threads of a program that can search the system, at most `wanted`. It is one if the system
+/// Returns the number of threads of a program that can search the system, at most `limit`. It is one if the system
 /// supports only one thread.
-[[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted);
+[[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned limit);
 
 /// Runs the part of one program in a search; collective over `programs`. The program's threads are ranks (as_ranks);
 /// the first is the caller's thread. Each thread has its own rows. The budget and the statistics are those of the first

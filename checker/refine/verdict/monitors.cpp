@@ -21,12 +21,13 @@ Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
 
 /// F: the acceptance of a stable state must include one of the specification's acceptances after the same trace. This
 /// is the inclusion of refusals: refusals are the subsets of an acceptance's complement.
-std::optional<ViolationKind> refusal(const std::vector<EventSet>& wanted, const Offer& offer) {
+std::optional<ViolationKind> refusal(const std::vector<EventSet>& acceptances, const Offer& offer) {
     if (offer.tau && !offer.can_tick()) return std::nullopt;
     const auto first = offer.events.begin();
     const auto last = offer.can_tick() ? first + 1 : offer.events.end();
-    const bool allowed = std::ranges::any_of(
-        wanted, [&](const EventSet& required) { return std::includes(first, last, required.begin(), required.end()); });
+    const bool allowed = std::ranges::any_of(acceptances, [&](const EventSet& required) {
+        return std::includes(first, last, required.begin(), required.end());
+    });
     return allowed ? std::nullopt : std::optional(ViolationKind::refusal);
 }
 

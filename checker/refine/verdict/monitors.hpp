@@ -14,7 +14,8 @@ namespace robochart::refine {
 
 /// In F and FD: returns the fault of a state with this offer if the specification has these acceptances. No value for
 /// an unstable state.
-[[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& wanted, const Offer& offer);
+[[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& acceptances,
+                                                   const Offer& offer);
 
 /// specification [M= implementation. The nodes are those of the specification's normal form.
 class RefinementMonitor final : public Monitor {

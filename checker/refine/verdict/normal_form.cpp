@@ -91,14 +91,14 @@ bool is_shorter(const EventSet& a, const EventSet& b) {
 std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
     std::ranges::sort(sets, is_shorter);
     sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
-    std::vector<EventSet> kept;
+    std::vector<EventSet> minimal;
     for (EventSet& set : sets) {
         budget.charge();
-        const bool contains_kept =
-            std::ranges::any_of(kept, [&](const EventSet& smaller) { return std::ranges::includes(set, smaller); });
-        if (!contains_kept) kept.push_back(std::move(set));
+        const bool contains_smaller =
+            std::ranges::any_of(minimal, [&](const EventSet& smaller) { return std::ranges::includes(set, smaller); });
+        if (!contains_smaller) minimal.push_back(std::move(set));
     }
-    return kept;
+    return minimal;
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ Run run_along(lts::TransitionSystem& system, const lts::Exploration& all, const 
     for (const StateIndex state : way) {
         const std::vector<lts::Word> target = words(state);
         std::vector<RunStep> steps = steps_from(system, run.last_state());
-        const auto step = std::ranges::find_if(steps, [&](const RunStep& each) { return each.state == target; });
+        const auto step =
+            std::ranges::find_if(steps, [&](const RunStep& candidate) { return candidate.state == target; });
         if (step == steps.end()) throw std::logic_error("a transition that was explored cannot be taken again");
         run.steps.push_back(std::move(*step));
     }

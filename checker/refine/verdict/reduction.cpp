@@ -39,16 +39,16 @@ public:
 private:
     /// Finds the replicas that the assertion does not distinguish.
     void find_symmetry(const std::function<void()>& poll) {
-        std::vector<lts::ReplicaSet> kept;
+        std::vector<lts::ReplicaSet> replicas;
         for (lts::ReplicaSet set : system_.replicas(poll)) {
             const std::size_t all = set.size();
             std::erase_if(set, [&](const lts::Replica& replica) {
                 return !replica.exchange.empty() && !question_.indifferent(replica.exchange);
             });
             if (set.size() < all) distinguished_ = std::max(distinguished_, all);
-            if (set.size() > 1) kept.push_back(std::move(set));
+            if (set.size() > 1) replicas.push_back(std::move(set));
         }
-        if (!kept.empty()) symmetry_.emplace(std::move(kept));
+        if (!replicas.empty()) symmetry_.emplace(std::move(replicas));
     }
 
     void record_reduction(Statistics& statistics) const {
