@@ -78,7 +78,12 @@ std::optional<QuestionKey> key_of(const Question& question, const std::function<
         hasher.add(part);
     for (const process::Event event : named.named_events()) hasher.add(question.process->events().name(event));
     machine::add_content(*process, named, hasher);
-    hasher.add(std::string_view(specification != nullptr ? "compiled" : graph ? "graph" : ""));
+    std::string_view form_of_specification = "";
+    if (specification != nullptr)
+        form_of_specification = "compiled";
+    else if (graph)
+        form_of_specification = "graph";
+    hasher.add(form_of_specification);
     if (specification != nullptr) machine::add_content(*specification, named, hasher);
     if (graph) machine::add_content(*graph, named, hasher);
     return QuestionKey{hasher.finish(), named.named_events()};

@@ -38,9 +38,8 @@ bool matches_description(std::string_view with_places, std::string_view with_val
     for (std::size_t place = next_place(with_places, 0); place != std::string_view::npos;
          place = next_place(with_places, begin)) {
         const std::string_view part = with_places.substr(begin, place - begin);
-        const std::size_t found =
-            begin == 0 ? (with_values.starts_with(part) ? 0 : std::string_view::npos) : with_values.find(part, at);
-        if (found == std::string_view::npos) return false;
+        const std::size_t found = begin == 0 ? 0 : with_values.find(part, at);
+        if (found == std::string_view::npos || (begin == 0 && !with_values.starts_with(part))) return false;
         at = found + part.size();
         begin = place + 1;
     }

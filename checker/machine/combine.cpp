@@ -381,14 +381,23 @@ void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
     if (node.op == Op::internal_choice || node.op == Op::prefix) running = 1;
     if (node.op == Op::sliding) running = 2;
     assert(running <= node.children.size());
-    for (std::size_t i = 0; i < node.children.size(); ++i)
-        i < running ? start_operands(node.children[i], made) : turn_off(node.children[i], made);
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (i < running)
+            start_operands(node.children[i], made);
+        else
+            turn_off(node.children[i], made);
+    }
 }
 
 /// Returns the assignments, sorted by slot. If several actions assign to one slot, the last one counts.
 std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     std::vector<Assignment> made;
-    for (const Action& action : actions) action.start ? start_operands(action.node, made) : turn_off(action.node, made);
+    for (const Action& action : actions) {
+        if (action.start)
+            start_operands(action.node, made);
+        else
+            turn_off(action.node, made);
+    }
     std::ranges::reverse(made);
     std::ranges::stable_sort(made, [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
     const auto same = [](const Assignment& a, const Assignment& b) { return a.slot == b.slot; };

@@ -303,7 +303,10 @@ public:
             next_.by.clear();
             const Locals found = Locals(found_).subspan(i * width_, width_);
             state_.assign(found.begin(), found.end());
-            if (!all_.holds_now(tracked, state_, next_, disturbing)) return record_blame(disturbing, i), false;
+            if (!all_.holds_now(tracked, state_, next_, disturbing)) {
+                record_blame(disturbing, i);
+                return false;
+            }
             for (std::size_t j = 0; j < next_.by.size(); ++j)
                 add(Locals(next_.states).subspan(j * width_, width_), i, next_.by[j]);
             if (keys_.size() > most_together) return false;
@@ -431,7 +434,10 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
             ++next.rules;
             const WholeRule& other = rules_->rules[by];
             if (by == tracked.rule || cannot_fire(other, tracked, state)) return true;
-            if (!commutes_with(rule, other, state)) return disturbing = by, false;
+            if (!commutes_with(rule, other, state)) {
+                disturbing = by;
+                return false;
+            }
             add_outcomes(tracked, by, 0, state, next);
             return true;
         });
@@ -449,8 +455,11 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
         if (!leave_it_possible(rules_->assigning[slot])) return false;
         const Part* const part = rule.find_part(slot);
         if (part == nullptr || stays_unchanged(*part, local)) continue;
-        for (const RuleNumber by : rules_->preventable[slot])
-            if (!cannot_fire(rules_->rules[by], tracked, state)) return disturbing = by, false;
+        for (const RuleNumber by : rules_->preventable[slot]) {
+            if (cannot_fire(rules_->rules[by], tracked, state)) continue;
+            disturbing = by;
+            return false;
+        }
     }
     return true;
 }

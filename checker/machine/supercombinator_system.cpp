@@ -153,7 +153,10 @@ private:
         }
         if (rule.level != 0 && rule.level != no_level && system_.best_level(number_) < rule.level) return;
         const Event revealed = rule.revealed == tau ? revealed_by_participant : rule.revealed;
-        sink_ != nullptr ? to_sink(rule, revealed) : to_list(rule, revealed);
+        if (sink_ != nullptr)
+            to_sink(rule, revealed);
+        else
+            to_list(rule, revealed);
     }
 
     void to_list(const Rule& rule, Event revealed) {

@@ -203,8 +203,9 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
     Steps own;
     for (const Transition& transition : *inside) own.push_back({own.size(), transition});
     Behaviour within = Splitter(semantics_, own.size(), work_, offers_).split_run(operand, own, depth + 1);
+    const std::size_t last = length_ == 0 ? 0 : length_ - 1;
     for (std::size_t i = 0, done = 0; i < inside->size(); ++i) {
-        within.shown_by.push_back(done < shown.size() ? shown[done] : length_ == 0 ? 0 : length_ - 1);
+        within.shown_by.push_back(done < shown.size() ? shown[done] : last);
         if ((*inside)[i].event != tau) ++done;
     }
     within.own_run = true;

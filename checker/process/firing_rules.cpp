@@ -45,7 +45,10 @@ void put_in_order(std::vector<Transition>& list) {
     if (!std::ranges::is_sorted(list, earlier)) std::ranges::stable_sort(list, earlier);
     const auto same = [](const Transition& a, const Transition& b) { return a.event == b.event; };
     if (std::ranges::adjacent_find(list, same) == list.end()) return;
-    list.size() <= short_list ? drop_repeated_targets_of_few(list) : drop_repeated_targets(list);
+    if (list.size() <= short_list)
+        drop_repeated_targets_of_few(list);
+    else
+        drop_repeated_targets(list);
 }
 
 }  // namespace

@@ -81,10 +81,20 @@ bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
         row += width_;
         --count;
     }
-    const bool good = width_ == 1   ? decode_after<1>(count, row)
-                      : width_ == 2 ? decode_after<2>(count, row)
-                      : width_ == 3 ? decode_after<3>(count, row)
-                                    : decode_after<0>(count, row);
+    bool good = false;
+    switch (width_) {
+        case 1:
+            good = decode_after<1>(count, row);
+            break;
+        case 2:
+            good = decode_after<2>(count, row);
+            break;
+        case 3:
+            good = decode_after<3>(count, row);
+            break;
+        default:
+            good = decode_after<0>(count, row);
+    }
     last_.assign(rows.end() - static_cast<std::ptrdiff_t>(width_), rows.end());
     return good;
 }

@@ -16,7 +16,10 @@ bool ProcessShape::makes_process(const Function& function) {
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
     // A negative answer during an outer query may depend on that query, so it is not stored.
     const bool open = --open_ > 0;
-    function.process = result ? std::int8_t{1} : (open ? std::int8_t{-1} : std::int8_t{0});
+    if (result)
+        function.process = 1;
+    else
+        function.process = open ? std::int8_t{-1} : std::int8_t{0};
     return result;
 }
 

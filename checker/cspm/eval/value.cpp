@@ -13,7 +13,8 @@ constexpr std::int64_t least_small = -64;
 constexpr std::int64_t most_small = 1024;
 
 int three_way(std::int64_t a, std::int64_t b) {
-    return a < b ? -1 : (a > b ? 1 : 0);
+    if (a == b) return 0;
+    return a < b ? -1 : 1;
 }
 
 int compare_items(const Values& a, const Values& b) {

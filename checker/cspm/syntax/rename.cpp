@@ -54,14 +54,16 @@ private:
         std::vector<std::string> parts = parts_of(old);
         const std::size_t first = parts.front().empty() ? 1 : 0;
         const bool own = names_.modules.contains(parts[first]);
+        const bool plain = own || parts.size() == first + 1;
         for (std::size_t i = first; i < parts.size(); ++i) {
-            if (own || parts.size() == first + 1)
+            if (plain)
                 parts[i] = new_name_of(names_.plain, parts[i]);
+            else if (i == first)
+                parts[i] = new_name_of(names_.first, parts[i]);
+            else if (i + 1 == parts.size())
+                parts[i] = new_name_of(names_.last, parts[i]);
             else
-                parts[i] = new_name_of(i == first              ? names_.first
-                                       : i + 1 == parts.size() ? names_.last
-                                                               : names_.inside,
-                                       parts[i]);
+                parts[i] = new_name_of(names_.inside, parts[i]);
         }
         std::string result = parts.front();
         for (std::size_t i = 1; i < parts.size(); ++i) result += "::" + parts[i];

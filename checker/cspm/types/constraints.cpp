@@ -94,7 +94,10 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
         case TypeKind::dot: {
             if (constraint != can_input && constraint != can_yield) return constraint != can_order && all(constraint);
             const TypeId evaluated = evaluate_dots(type);
-            if (!has_kind(evaluated, TypeKind::dot)) return constrain(constraint, evaluated), true;
+            if (!has_kind(evaluated, TypeKind::dot)) {
+                constrain(constraint, evaluated);
+                return true;
+            }
             if (constraint == can_yield) return false;
             for (const TypeId part : store_.dot_parts(evaluated)) constrain(constraint, part);
             return true;

@@ -63,7 +63,8 @@ private:
         std::unique_ptr<lts::TransitionSystem> folded;
         if (symmetry_) folded = std::make_unique<lts::SymmetricSystem>(clone_system(reduced), *symmetry_);
         const PollGuard guard({folded.get()}, budget);
-        lts::TransitionSystem& searched = folded ? *folded : reduced ? *reduced : system_;
+        lts::TransitionSystem& unfolded = reduced ? *reduced : system_;
+        lts::TransitionSystem& searched = folded ? *folded : unfolded;
         std::optional<Violation> violation = question_.search(searched, budget, statistics, known);
         followed_ = statistics.chased > 0 || searched.chased_state_count() > 0;
         if (!violation || &searched == &system_) return violation;
