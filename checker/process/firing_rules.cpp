@@ -64,7 +64,15 @@ void refuse_unsupported(const Term& compressed) {
             return refuse("trace_watchdog");
         case Compression::failure_watchdog:
             return refuse("failure_watchdog");
-        default:
+        case Compression::normal:
+        case Compression::sbisim:
+        case Compression::dbisim:
+        case Compression::wbisim:
+        case Compression::diamond:
+        case Compression::tau_loop_factor:
+        case Compression::model_compress:
+        case Compression::explicate:
+        case Compression::lazyenumerate:
             return;
     }
 }
@@ -93,7 +101,24 @@ std::optional<TermId> FiringRules::missing_operand(TermId id) {
             return unless_known(term.children.front());
         case Op::chase:
             return unless_known(end_of_chase(term.children.front()));
-        default:
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::external_choice:
+        case Op::interrupt:
+        case Op::sync_choice:
+        case Op::sync_interrupt:
+        case Op::parallel:
+        case Op::alphabetised:
+        case Op::hide:
+        case Op::rename:
+        case Op::prioritise:
+        case Op::prioritise_order:
+        case Op::compress:
+        case Op::chaos_offer:
             break;
     }
     for (TermId child : term.children)
@@ -113,136 +138,75 @@ void FiringRules::fire(const Term& term, List& list) {
     switch (term.op) {
         case Op::stop:
         case Op::omega:
+            return;  // STOP and Ω have no rule
+        // UCS 9.2: SKIP --✓--> Ω.
         case Op::skip:
-        case Op::div:
-        case Op::run:
-        case Op::chaos:
-        case Op::chaos_offer:
-        case Op::prefix:
-            return stop_family(term, list);
-        case Op::external_choice:
-        case Op::internal_choice:
-        case Op::sliding:
-        case Op::sync_choice:
-            return choice_family(term, list);
-        case Op::sequential:
-        case Op::interrupt:
-        case Op::sync_interrupt:
-        case Op::exception:
-        case Op::parallel:
-        case Op::alphabetised:
-            return parallel_family(term, list);
-        case Op::call:
-        case Op::hide:
-        case Op::rename:
-        case Op::prioritise:
-        case Op::prioritise_order:
-        case Op::chase:
-        case Op::machine:
-        case Op::compress:
-            return unary_family(term, list);
-    }
-}
-
-void FiringRules::stop_family(const Term& term, List& list) {
-    switch (term.op) {
-        // UCS 9.2: SKIP --✓--> Ω. STOP and Ω have no rule.
-        case Op::skip:
-            list.push_back({tick, tick, omega_});
-            break;
+            return list.push_back({tick, tick, omega_});
         // FDR manual: DIV performs taus forever. DIV --τ--> DIV.
         case Op::div:
-            list.push_back({tau, tau, terms_.intern_term(term)});
-            break;
+            return list.push_back({tau, tau, terms_.intern_term(term)});
         case Op::run:
         case Op::chaos_offer:
-            fire_run(term, list);
-            break;
+            return fire_run(term, list);
         case Op::chaos:
-            fire_chaos(term, list);
-            break;
+            return fire_chaos(term, list);
         case Op::prefix:
-            fire_prefix(term, list);
-            break;
-        default:
-            break;
-    }
-}
-
-void FiringRules::choice_family(const Term& term, List& list) {
-    switch (term.op) {
+            return fire_prefix(term, list);
         case Op::external_choice:
-            fire_external_choice(term, list);
-            break;
+            return fire_external_choice(term, list);
         case Op::internal_choice:
-            fire_internal_choice(term, list);
-            break;
+            return fire_internal_choice(term, list);
         case Op::sliding:
-            fire_sliding(term, list);
-            break;
-        default:
-            fire_sync_choice(term, list);
-            break;
-    }
-}
-
-void FiringRules::parallel_family(const Term& term, List& list) {
-    switch (term.op) {
+            return fire_sliding(term, list);
+        case Op::sync_choice:
+            return fire_sync_choice(term, list);
         case Op::sequential:
-            fire_sequential(term, list);
-            break;
+            return fire_sequential(term, list);
         case Op::interrupt:
-            fire_interrupt(term, list);
-            break;
+            return fire_interrupt(term, list);
         case Op::sync_interrupt:
-            fire_sync_interrupt(term, list);
-            break;
+            return fire_sync_interrupt(term, list);
         case Op::exception:
-            fire_exception(term, list);
-            break;
+            return fire_exception(term, list);
         case Op::parallel:
-            fire_parallel(term, list);
-            break;
-        default:
-            fire_alphabetised(term, list);
-            break;
-    }
-}
-
-void FiringRules::unary_family(const Term& term, List& list) {
-    const auto copy = [&](TermId operand) {
-        const std::span<const Transition> steps = known_.list_transitions(operand);
-        list.assign(steps.begin(), steps.end());
-    };
-    switch (term.op) {
-        // A name has the transitions of its body. UCS 9.2 unfolds recursion by a tau; FDR does not, and no model
-        // distinguishes them if every recursion reaches an event.
+            return fire_parallel(term, list);
+        case Op::alphabetised:
+            return fire_alphabetised(term, list);
         case Op::call:
-            copy(terms_.unfold(term.payload));
-            break;
+            return fire_call(term, list);
         case Op::hide:
-            fire_hide(term, list);
-            break;
+            return fire_hide(term, list);
         case Op::rename:
-            fire_rename(term, list);
-            break;
+            return fire_rename(term, list);
         case Op::prioritise:
-            fire_prioritise(term, list);
-            break;
+            return fire_prioritise(term, list);
         case Op::prioritise_order:
-            fire_prioritise_order(term, list);
-            break;
+            return fire_prioritise_order(term, list);
         case Op::chase:
-            fire_chase(term, list);
-            break;
+            return fire_chase(term, list);
+        case Op::compress:
+            return fire_compressed(term, list);
         case Op::machine:
             throw std::logic_error("a state of a machine that another semantics has made");
-        default:
-            // FDR manual, "Compression": a compression preserves the value of its operand in the models that it
-            // supports. The identity preserves all models.
-            refuse_unsupported(term);
-            copy(term.children.front());
     }
+}
+
+void FiringRules::copy_transitions(TermId operand, List& list) const {
+    const std::span<const Transition> steps = known_.list_transitions(operand);
+    list.assign(steps.begin(), steps.end());
+}
+
+// A name has the transitions of its body. UCS 9.2 unfolds recursion by a tau; FDR does not, and no model distinguishes
+// them if every recursion reaches an event.
+void FiringRules::fire_call(const Term& term, List& list) {
+    copy_transitions(terms_.unfold(term.payload), list);
+}
+
+// FDR manual, "Compression": a compression preserves the value of its operand in the models that it supports. The
+// identity preserves all models.
+void FiringRules::fire_compressed(const Term& term, List& list) {
+    refuse_unsupported(term);
+    copy_transitions(term.children.front(), list);
 }
 
 // FDR manual: RUN(A) offers all of A forever. RUN(A) --a--> RUN(A), a ∈ A.

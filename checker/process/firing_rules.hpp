@@ -40,11 +40,10 @@ private:
     std::function<void()> poll_;
 
     void fire(const Term&, List&);
-    void stop_family(const Term&, List&);
-    void choice_family(const Term&, List&);
-    void parallel_family(const Term&, List&);
-    void unary_family(const Term&, List&);
+    void copy_transitions(TermId, List&) const;
 
+    void fire_call(const Term&, List&);
+    void fire_compressed(const Term&, List&);
     void fire_run(const Term&, List&);
     void fire_chaos(const Term&, List&);
     void fire_prefix(const Term&, List&);
