@@ -170,9 +170,13 @@ struct Session::Impl {
             case Model::none:
             case Model::failures_divergences:
                 return refine::Model::failures_divergences;
-            default:
-                throw EvaluationError("the models R, RD, V and VD are not supported", assertion.span, {});
+            case Model::refusals:
+            case Model::refusals_divergences:
+            case Model::revivals:
+            case Model::revivals_divergences:
+                break;
         }
+        throw EvaluationError("the models R, RD, V and VD are not supported", assertion.span, {});
     }
 
     /// During its lifetime, definitions are evaluated within the limits of the check that needs them.

@@ -176,9 +176,24 @@ Vectors Combiner::operator_vectors(const Node& node, Region& region) {
         case Op::internal_choice:
         case Op::prefix:
             return combine_gated(node, std::move(operands));
-        default:
-            throw std::logic_error("an operator that is no part of a skeleton");
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::call:
+        case Op::sync_choice:
+        case Op::sync_interrupt:
+        case Op::prioritise:
+        case Op::prioritise_order:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+        case Op::chaos_offer:
+            break;
     }
+    throw std::logic_error("an operator that is no part of a skeleton");
 }
 
 /// Adds all combinations of vectors with this event, one vector of each operand.

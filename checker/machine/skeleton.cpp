@@ -114,9 +114,23 @@ bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
                        return is_composite(branch.target, depth + 1, prefixes + 1);
                    });
         }
-        default:
-            return false;
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::call:
+        case Op::sync_choice:
+        case Op::sync_interrupt:
+        case Op::prioritise_order:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+        case Op::chaos_offer:
+            break;
     }
+    return false;
 }
 
 NodeId Builder::add(Node::Kind kind, TermId term, NodeId region) {

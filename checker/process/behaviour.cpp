@@ -159,7 +159,23 @@ bool Splitter::worth_taking_apart(TermId id, int look) {
         case Op::sync_interrupt:
         case Op::compress:
             return true;
-        default:
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::call:
+        case Op::prefix:
+        case Op::external_choice:
+        case Op::internal_choice:
+        case Op::sequential:
+        case Op::interrupt:
+        case Op::sliding:
+        case Op::exception:
+        case Op::chase:
+        case Op::machine:
+        case Op::chaos_offer:
             break;
     }
     if (!is_operator(term.op)) return false;
@@ -328,9 +344,22 @@ std::string Splitter::notation_of(const Term& term) {
         case Op::prioritise:
         case Op::prioritise_order:
             return "prioritise";
-        default:
-            return "";
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::call:
+        case Op::prefix:
+        case Op::internal_choice:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+        case Op::chaos_offer:
+            break;
     }
+    return "";
 }
 
 }  // namespace

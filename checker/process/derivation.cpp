@@ -190,9 +190,22 @@ std::optional<Derivation> Deriver::derive() {
         case Op::prioritise:
         case Op::prioritise_order:
             return event == tick ? terminate_operands({0}) : move_alone(0, event);
-        default:
-            return std::nullopt;
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::call:
+        case Op::prefix:
+        case Op::internal_choice:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+        case Op::chaos_offer:
+            break;
     }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -213,9 +226,22 @@ bool is_operator(Op op) {
         case Op::prioritise:
         case Op::prioritise_order:
             return true;
-        default:
-            return false;
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::run:
+        case Op::chaos:
+        case Op::call:
+        case Op::prefix:
+        case Op::internal_choice:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+        case Op::chaos_offer:
+            break;
     }
+    return false;
 }
 
 std::optional<Derivation> derivation(OperationalSemantics& semantics, TermId term, const Transition& step) {

@@ -114,7 +114,25 @@ Value BuiltinFunctions::with_text(Value value, Span span) {
         case Kind::stream:
         case Kind::sequence_from:
             work_.fail("'show' of an infinite sequence: " + text_(value), span);
-        default:
+        case Kind::integer:
+        case Kind::boolean:
+        case Kind::character:
+        case Kind::tuple:
+        case Kind::sequence:
+        case Kind::set:
+        case Kind::map:
+        case Kind::head:
+        case Kind::dot:
+        case Kind::integers:
+        case Kind::integers_from:
+        case Kind::processes:
+        case Kind::datatype:
+        case Kind::sequences_over:
+        case Kind::subsets_of:
+        case Kind::maps_over:
+        case Kind::united:
+        case Kind::group:
+        case Kind::thunk:
             break;
     }
     value = store_.form_as_part(value);

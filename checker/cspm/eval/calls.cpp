@@ -243,9 +243,11 @@ bool Evaluator::match_pattern(const MatchCode& pattern, Value& value, Frame& fra
             Value again = found;
             return match_pattern(pattern.args[0], again, frame) && match_pattern(pattern.args[1], again, frame);
         }
-        default:
-            return false;
+        case PatternKind::wildcard:
+        case PatternKind::string:
+            break;
     }
+    return false;
 }
 
 namespace {

@@ -50,7 +50,22 @@ Value Domains::explicit_set(Value set, Span span) {
             work_.fail("the set " + text_(set) + " is infinite", span);
         case Kind::processes:
             work_.fail("the elements of Proc cannot be listed", span);
-        default:
+        case Kind::integer:
+        case Kind::boolean:
+        case Kind::character:
+        case Kind::tuple:
+        case Kind::sequence:
+        case Kind::set:
+        case Kind::map:
+        case Kind::head:
+        case Kind::dot:
+        case Kind::process:
+        case Kind::function:
+        case Kind::builtin:
+        case Kind::sequence_from:
+        case Kind::stream:
+        case Kind::group:
+        case Kind::thunk:
             work_.fail("expected a set, found " + text_(set), span);
     }
     explicit_.emplace(set, result);
@@ -275,9 +290,24 @@ bool Domains::member_of(Value value, Value set, Span span) {
             return std::ranges::any_of(set->items, [&](Value part) { return member_of(value, part, span); });
         case Kind::set:
             return std::ranges::binary_search(set->items, value, [](Value a, Value b) { return compare(a, b) < 0; });
-        default:
-            work_.fail("expected a set, found " + text_(set), span);
+        case Kind::integer:
+        case Kind::boolean:
+        case Kind::character:
+        case Kind::tuple:
+        case Kind::sequence:
+        case Kind::map:
+        case Kind::head:
+        case Kind::dot:
+        case Kind::process:
+        case Kind::function:
+        case Kind::builtin:
+        case Kind::sequence_from:
+        case Kind::stream:
+        case Kind::group:
+        case Kind::thunk:
+            break;
     }
+    work_.fail("expected a set, found " + text_(set), span);
 }
 
 Value Domains::set_union(Value a, Value b, Span span) {

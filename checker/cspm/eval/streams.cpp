@@ -217,9 +217,29 @@ bool ByNeed::is_less_or_equal(Value a, Value b, Span span) {
                 if (!is_less_or_equal(values_.evaluated_value(a->items[i + 1]), other, span)) return false;
             }
             return true;
-        default:
-            work_.fail("values like " + text_(a) + " have no order", span);
+        case Kind::boolean:
+        case Kind::sequence:
+        case Kind::set:
+        case Kind::head:
+        case Kind::dot:
+        case Kind::process:
+        case Kind::function:
+        case Kind::builtin:
+        case Kind::integers:
+        case Kind::integers_from:
+        case Kind::processes:
+        case Kind::datatype:
+        case Kind::sequences_over:
+        case Kind::subsets_of:
+        case Kind::maps_over:
+        case Kind::united:
+        case Kind::sequence_from:
+        case Kind::stream:
+        case Kind::group:
+        case Kind::thunk:
+            break;
     }
+    work_.fail("values like " + text_(a) + " have no order", span);
 }
 
 bool ByNeed::is_less(Value a, Value b, Span span) {

@@ -134,9 +134,25 @@ void DirectSteps::steps_of_row(ByteReader& in) {
             return row_hide(in);
         case Op::rename:
             return row_rename(in);
-        default:
-            throw NotDirect{};
+        case Op::div:
+        case Op::run:
+        case Op::chaos:
+        case Op::interrupt:
+        case Op::sliding:
+        case Op::exception:
+        case Op::sync_choice:
+        case Op::sync_interrupt:
+        case Op::parallel:
+        case Op::alphabetised:
+        case Op::prioritise:
+        case Op::prioritise_order:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+        case Op::chaos_offer:
+            break;
     }
+    throw NotDirect{};
 }
 
 void DirectSteps::row_call(ByteReader& in) {

@@ -47,9 +47,26 @@ bool has_number(Kind kind) {
         case Kind::function:
         case Kind::group:
             return false;
-        default:
-            return true;
+        case Kind::integer:
+        case Kind::boolean:
+        case Kind::character:
+        case Kind::head:
+        case Kind::process:
+        case Kind::builtin:
+        case Kind::integers:
+        case Kind::integers_from:
+        case Kind::processes:
+        case Kind::datatype:
+        case Kind::sequences_over:
+        case Kind::subsets_of:
+        case Kind::maps_over:
+        case Kind::united:
+        case Kind::sequence_from:
+        case Kind::stream:
+        case Kind::thunk:
+            break;
     }
+    return true;
 }
 
 /// The number of operands of an operator. No value if it varies; it is then written before the operands.
@@ -75,9 +92,18 @@ std::optional<std::size_t> operands_of(Op op) {
         case Op::exception:
         case Op::sync_interrupt:
             return 2;
-        default:
-            return std::nullopt;
+        case Op::call:
+        case Op::prefix:
+        case Op::external_choice:
+        case Op::internal_choice:
+        case Op::sync_choice:
+        case Op::parallel:
+        case Op::alphabetised:
+        case Op::compress:
+        case Op::machine:
+            break;
     }
+    return std::nullopt;
 }
 
 /// The table to which the payload of an operator refers.
@@ -99,9 +125,24 @@ Part part_of(Op op) {
             return Part::renaming;
         case Op::prioritise:
             return Part::order;
-        default:
-            return Part::none;
+        case Op::stop:
+        case Op::skip:
+        case Op::div:
+        case Op::omega:
+        case Op::call:
+        case Op::prefix:
+        case Op::external_choice:
+        case Op::internal_choice:
+        case Op::sequential:
+        case Op::interrupt:
+        case Op::sliding:
+        case Op::alphabetised:
+        case Op::chase:
+        case Op::compress:
+        case Op::machine:
+            break;
     }
+    return Part::none;
 }
 
 template <class T>

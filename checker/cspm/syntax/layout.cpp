@@ -50,7 +50,10 @@ std::vector<std::size_t> Layout::group_widths() const {
             case Kind::hard_line:
                 total += never_fits;
                 break;
-            default:
+            case Kind::text:
+            case Kind::line:
+            case Kind::indent:
+            case Kind::outdent:
                 total += pieces_[i].text.size();
                 break;
         }

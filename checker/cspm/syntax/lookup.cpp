@@ -26,9 +26,16 @@ bool declares_name(const Decl& decl, std::string_view name) {
         case DeclKind::module:
         case DeclKind::instance:
             return std::ranges::find(decl.names, name) != decl.names.end();
-        default:
-            return false;
+        case DeclKind::timed:
+        case DeclKind::transparent:
+        case DeclKind::external:
+        case DeclKind::annotation:
+        case DeclKind::print:
+        case DeclKind::assertion:
+        case DeclKind::include:
+            break;
     }
+    return false;
 }
 
 /// Timed sections are not scopes.

@@ -446,9 +446,11 @@ Place timed_inside(Place outer) {
         case Place::module:
         case Place::timed_in_module:
             return Place::timed_in_module;
-        default:
-            return Place::timed;
+        case Place::top:
+        case Place::timed:
+            break;
     }
+    return Place::timed;
 }
 
 // The rules are those of FDR's front end (libcspm, Parser.ppy).

@@ -211,9 +211,11 @@ std::string_view property_name(AssertionKind kind) {
             return "divergence free";
         case AssertionKind::deterministic:
             return "deterministic";
-        default:
-            return "has trace";
+        case AssertionKind::refinement:
+        case AssertionKind::has_trace:
+            break;
     }
+    return "has trace";
 }
 
 }  // namespace

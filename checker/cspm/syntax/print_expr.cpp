@@ -99,9 +99,27 @@ Writing notation_of(ExprKind kind) {
         case ExprKind::apply:
         case ExprKind::rename:
             return {postfix_level, ""};
-        default:
-            return {atom_level, ""};
+        case ExprKind::integer:
+        case ExprKind::character:
+        case ExprKind::string:
+        case ExprKind::boolean:
+        case ExprKind::name:
+        case ExprKind::tuple:
+        case ExprKind::sequence:
+        case ExprKind::set:
+        case ExprKind::map:
+        case ExprKind::sequence_range:
+        case ExprKind::set_range:
+        case ExprKind::sequence_comprehension:
+        case ExprKind::set_comprehension:
+        case ExprKind::sequence_range_comprehension:
+        case ExprKind::set_range_comprehension:
+        case ExprKind::productions:
+        case ExprKind::productions_comprehension:
+        case ExprKind::parenthesised:
+            break;
     }
+    return {atom_level, ""};
 }
 
 }  // namespace

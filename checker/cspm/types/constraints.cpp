@@ -125,9 +125,12 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
             return constraint == can_input || all(constraint);
         case TypeKind::dotable:
             return (constraint == can_equal || constraint == can_collect) && all(constraint);
-        default:
-            return false;
+        case TypeKind::variable:
+        case TypeKind::function:
+        case TypeKind::complete:
+            break;
     }
+    return false;
 }
 
 // ---------------------------------------------------------------- schemes

@@ -173,7 +173,10 @@ void Inference::check_declaration(Declaration& declaration) {
             return check_assertion(declaration);
         case DeclKind::print:
             return check_print(declaration);
-        default:
+        case DeclKind::transparent:
+        case DeclKind::external:
+        case DeclKind::annotation:
+        case DeclKind::include:
             return;
     }
 }

@@ -244,7 +244,13 @@ void NameResolver::add_names(Item& item) {
                 if (item.place.top && copied.copy->kind != SymbolKind::module) script_->shown.push_back(copied.copy);
             }
             break;
-        default:
+        case DeclKind::channel:
+        case DeclKind::module:
+        case DeclKind::timed:
+        case DeclKind::annotation:
+        case DeclKind::print:
+        case DeclKind::assertion:
+        case DeclKind::include:
             break;
     }
 }
@@ -343,7 +349,10 @@ void NameResolver::add_body(Item& item) {
         case DeclKind::print:
             body_of_print(item);
             break;
-        default:
+        case DeclKind::transparent:
+        case DeclKind::external:
+        case DeclKind::annotation:
+        case DeclKind::include:
             break;
     }
     scope_ = outer;

@@ -43,7 +43,8 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
             return std::make_unique<ChoiceMonitor>();
         case LevelQuestion::Kind::refinement:
             return std::make_unique<TableMonitor>(question.specification, question.model);
-        default:
+        case LevelQuestion::Kind::states:
+        case LevelQuestion::Kind::deadlock:
             return std::make_unique<StateMonitor>(question.kind == LevelQuestion::Kind::deadlock);
     }
 }

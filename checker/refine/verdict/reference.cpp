@@ -182,9 +182,12 @@ std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem&
                 const auto own = acceptance(moves.offer);
                 return own && event && !std::ranges::binary_search(*own, *event);
             };
-        default:
-            return [](const State&, const Moves&) { return true; };
+        case ViolationKind::trace:
+        case ViolationKind::no_return:
+        case ViolationKind::no_trace:
+            break;
     }
+    return [](const State&, const Moves&) { return true; };
 }
 
 Limits share_of(Limits limits) {

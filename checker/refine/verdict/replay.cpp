@@ -192,7 +192,10 @@ void confirm_refinement_violation(lts::TransitionSystem& specification, lts::Tra
         case ViolationKind::divergence:
             require_claim(with_divergence, "divergence does not matter to this model");
             return confirm_loop(implementation, violation, budget);
-        default:
+        case ViolationKind::deadlock:
+        case ViolationKind::nondeterminism:
+        case ViolationKind::no_return:
+        case ViolationKind::no_trace:
             require_claim(false, "a kind that refinement does not have");
     }
 }
