@@ -3,10 +3,8 @@
 // own checker of scripts must decide the script as `conform` does.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <algorithm>
 
-#include <filesystem>
 #include <fstream>
 
 #include "command.hpp"
@@ -17,15 +15,10 @@ namespace {
 
 using tests::read_contents;
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 using ::testing::StartsWith;
-
-std::string temporary(const std::string& name) {
-    return (fs::temp_directory_path() / ("export_" + std::to_string(::getpid()) + "_" + name)).string();
-}
 
 /// The model leaves a choice, so its code has more states with all choices. Both relations are tested.
 TEST(Conform, RelationsAndChoices) {
@@ -45,7 +38,8 @@ TEST(Conform, RelationsAndChoices) {
 
 TEST(CodeExport, TheScriptRepeatsTheCheck) {
     for (const char* study : {"corpus/aggregation", "tests/conformance/models/nested"}) {
-        const std::string path = temporary("code.csp");
+        const testing::Folder folder;
+        const std::string path = folder / "code.csp";
         const auto ran = run({"conform", repository(study), "--export", path});
         ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
         EXPECT_THAT(read_contents(path), HasSubstr("assert NF__ [FD= Code__"));
@@ -60,13 +54,13 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
         broken.replace(write, arrow - write, "tock ");
         std::ofstream(path, std::ios::binary) << broken;
         EXPECT_EQ(run({"cspm", path}).exit, 1);
-        fs::remove(path);
     }
 }
 
 /// Aldebaran's format: `des (0, transitions, states)`, then one line for each transition.
 TEST(CodeExport, AldebaranHasEveryTransition) {
-    const std::string path = temporary("code.aut");
+    const testing::Folder folder;
+    const std::string path = folder / "code.aut";
     ASSERT_EQ(run({"conform", repository("corpus/aggregation"), "--export", path}).exit, 0);
     const std::string text = read_contents(path);
     EXPECT_THAT(text, StartsWith("des (0,"));
@@ -74,7 +68,6 @@ TEST(CodeExport, AldebaranHasEveryTransition) {
     EXPECT_THAT(text, HasSubstr("registerWrite.wrote__set_linearSpeed.-1088"));
     const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
     EXPECT_EQ(text.substr(0, text.find('\n')).find("," + std::to_string(lines - 1) + ","), 6U) << text.substr(0, 40);
-    fs::remove(path);
 }
 
 TEST(CodeExport, OptionsThatDoNotFitAreSaid) {

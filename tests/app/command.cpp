@@ -10,20 +10,12 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 
 namespace robochart::app::testing {
-namespace fs = std::filesystem;
 namespace {
 
 using tests::read_contents;
-
-std::string fresh_folder() {
-    std::string pattern = (fs::temp_directory_path() / "robochart-test-XXXXXX").string();
-    return mkdtemp(pattern.data()) == nullptr ? std::string() : pattern;
-}
 
 /// Removes AddressSanitizer's warning about the evaluator's own stack, which the program did not print.
 std::string without_sanitizer_note(std::string text) {
@@ -56,13 +48,13 @@ using Become = std::function<void(const std::string& folder)>;
 /// `before` runs in the child, `meanwhile` in the parent.
 Ran run_child(const Become& become, const std::string& input, const std::function<void()>& before,
               const std::function<void(pid_t)>& meanwhile) {
-    const std::string folder = fresh_folder();
-    std::ofstream(folder + "/stdin.txt", std::ios::binary) << input;
+    const tests::TemporaryFolder folder;
+    folder.write("stdin.txt", input);
     const pid_t child = fork();
     if (child == 0) {
-        setenv("XDG_CACHE_HOME", folder.c_str(), 1);  // keeps existing caches of users out of the test
+        setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);  // keeps existing caches of users out of the test
         before();
-        become(folder);
+        become(folder.path());
         _exit(127);
     }
     meanwhile(child);
@@ -70,10 +62,8 @@ Ran run_child(const Become& become, const std::string& input, const std::functio
     waitpid(child, &status, 0);
     Ran ran;
     ran.exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ran.out = read_contents(folder + "/stdout.txt");
-    ran.err = without_sanitizer_note(read_contents(folder + "/stderr.txt"));
-    std::error_code ignored;  // processes that a command left running may still write there
-    fs::remove_all(folder, ignored);
+    ran.out = read_contents(folder.in("stdout.txt"));
+    ran.err = without_sanitizer_note(read_contents(folder.in("stderr.txt")));
     return ran;
 }
 
@@ -119,25 +109,10 @@ Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint6
     return run_between(arguments, "", restrict, [](pid_t) {});
 }
 
-TemporaryFile::TemporaryFile(const std::string& name, const std::string& text)
-    : folder_(fresh_folder()), path_(folder_ + "/" + name) {
-    std::ofstream(path_, std::ios::binary) << text;
-}
+TemporaryFile::TemporaryFile(const std::string& name, const std::string& text) : path_(folder_.write(name, text)) {}
 
-Folder::Folder(const std::vector<std::pair<std::string, std::string>>& files) : path_(fresh_folder()) {
-    for (const auto& [name, text] : files) {
-        fs::create_directories(fs::path(path(name)).parent_path());
-        std::ofstream(path(name), std::ios::binary) << text;
-    }
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
-TemporaryFile::~TemporaryFile() {
-    fs::remove_all(folder_);
+Folder::Folder(const std::vector<std::pair<std::string, std::string>>& files) {
+    for (const auto& [name, text] : files) folder_.write(name, text);
 }
 
 std::string repository(const std::string& path) {

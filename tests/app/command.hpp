@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/temporary_folder.hpp"
+
 namespace robochart::app::testing {
 
 struct Ran {
@@ -26,35 +28,29 @@ struct Ran {
 /// Runs shell commands in an empty temporary folder; "$verify" is the command.
 [[nodiscard]] Ran run_shell(const std::string& commands);
 
-/// A file in a fresh temporary folder, removed by the destructor.
+/// A file alone in a temporary folder.
 class TemporaryFile {
 public:
     TemporaryFile(const std::string& name, const std::string& text);
-    ~TemporaryFile();
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
     [[nodiscard]] const std::string& path() const { return path_; }
 
 private:
-    std::string folder_;
+    tests::TemporaryFolder folder_;
     std::string path_;
 };
 
-/// A fresh temporary folder with these files, removed by the destructor.
+/// A temporary folder with these files.
 class Folder {
 public:
     explicit Folder(const std::vector<std::pair<std::string, std::string>>& files = {});
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
     /// The path of a file in the folder (it need not exist), or of the folder itself if `name` is empty.
     [[nodiscard]] std::string path(const std::string& name = "") const {
-        return name.empty() ? path_ : path_ + "/" + name;
+        return name.empty() ? folder_.path() : folder_.in(name);
     }
     [[nodiscard]] std::string operator/(const std::string& name) const { return path(name); }
 
 private:
-    std::string path_;
+    tests::TemporaryFolder folder_;
 };
 
 /// The absolute path of a path inside the repository.

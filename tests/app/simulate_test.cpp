@@ -2,7 +2,6 @@
 // The verb `simulate` as a user runs it: outcomes, formats, files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -40,7 +39,8 @@ private:
 };
 
 TEST(Simulate, AggregationHoldsAndLeavesFiles) {
-    const std::string out = fs::temp_directory_path() / ("simulate_test_" + std::to_string(::getpid()));
+    const testing::Folder folder;
+    const std::string out = folder / "out";
     const auto ran = run({"simulate", repository("corpus/aggregation/aggregation.scenario"), "--out", out});
     EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("7 of 7 bands hold"));
@@ -49,8 +49,6 @@ TEST(Simulate, AggregationHoldsAndLeavesFiles) {
         EXPECT_TRUE(fs::exists(fs::path(out) / "simulation/Aggregation" / name)) << name;
     EXPECT_THAT(read_contents(out + "/simulation/Aggregation/trial-01.csv"),
                 ::testing::StartsWith("t,id,x,y,theta,state\n0.000,0,"));
-    std::error_code ignored;
-    fs::remove_all(out, ignored);
 }
 
 TEST(Simulate, JsonTellsBandsAndTrials) {

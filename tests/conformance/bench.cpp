@@ -2,11 +2,8 @@
 #include "tests/conformance/bench.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
-#include <filesystem>
 #include <fstream>
-#include <stdexcept>
 
 #include "base/diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
@@ -14,8 +11,6 @@
 #include "tests/source_folder.hpp"
 
 namespace robochart::conformance::test {
-
-namespace fs = std::filesystem;
 
 Model::Model(const std::string& folder, const ir::InstantiationOptions& options) {
     const std::string path = folder.front() == '/' ? folder : tests::source_folder().string() + "/" + folder;
@@ -25,29 +20,14 @@ Model::Model(const std::string& folder, const ir::InstantiationOptions& options)
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
 }
 
-TemporaryFolder::TemporaryFolder(const std::string& model)
-    : path_((fs::path(testing::TempDir()) / "robochart-XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    if (!model.empty()) write("model.rct", model);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
-void TemporaryFolder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(fs::path(path_) / name) << text;
-}
-
-TemporaryFolder changed_copy(const std::string& file, const std::string& from, const std::string& to) {
+ModelFolder changed_copy(const std::string& file, const std::string& from, const std::string& to) {
     std::ifstream in(tests::source_folder().string() + "/" + file);
     std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     std::size_t changes = 0;
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()), ++changes)
         text.replace(at, from.size(), to);
     EXPECT_GT(changes, 0U) << from;
-    return TemporaryFolder(text);
+    return ModelFolder(text);
 }
 
 ir::ComponentRef Model::first_module() const {

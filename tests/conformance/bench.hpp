@@ -15,23 +15,14 @@
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::conformance::test {
 
-/// A folder with a model below the system's temporary folder. The destructor removes it.
-class TemporaryFolder {
+/// A temporary folder with a model.
+class ModelFolder : public tests::TemporaryFolder {
 public:
-    explicit TemporaryFolder(const std::string& model = "");
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] const std::string& path() const { return path_; }
-    /// Writes a file into the folder.
-    void write(const std::string& name, const std::string& text) const;
-
-private:
-    std::string path_;
+    explicit ModelFolder(const std::string& model) { write("model.rct", model); }
 };
 
 /// Loads a project from an absolute path, or from a path relative to the source folder.
@@ -49,7 +40,7 @@ struct Model {
 };
 
 /// A copy of a file of the corpus with every `from` replaced by `to`.
-[[nodiscard]] TemporaryFolder changed_copy(const std::string& file, const std::string& from, const std::string& to);
+[[nodiscard]] ModelFolder changed_copy(const std::string& file, const std::string& from, const std::string& to);
 
 class Bench {
 public:

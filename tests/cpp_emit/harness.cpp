@@ -6,38 +6,18 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "semantics/instantiate/instantiate.hpp"
 
 namespace robochart::cpp_emit::testing {
 
-namespace fs = std::filesystem;
-
-Folder::Folder() {
-    std::string pattern = (fs::temp_directory_path() / "robochart-cpp-emit-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
 void Folder::write(const Emission& emission) const {
-    for (const OutputFile& file : emission.files) {
-        const fs::path place = fs::path(path_) / file.path;
-        fs::create_directories(place.parent_path());
-        std::ofstream(place) << file.text;
-    }
+    for (const OutputFile& file : emission.files) write(file.path, file.text);
 }
 
 int Folder::status(const std::string& command, std::string& output) const {
-    FILE* pipe = popen(("cd '" + path_ + "' && (" + command + ") 2>&1").c_str(), "r");
+    FILE* pipe = popen(("cd '" + path() + "' && (" + command + ") 2>&1").c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("no shell");
     std::array<char, 4096> chunk{};
     for (std::size_t got = 0; (got = fread(chunk.data(), 1, chunk.size(), pipe)) > 0;) output.append(chunk.data(), got);

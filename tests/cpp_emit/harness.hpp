@@ -10,25 +10,18 @@
 #include "cpp_emit/runtime/explore_abi.h"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::cpp_emit::testing {
 
-/// A folder below the system's temporary folder; the destructor removes it.
-class Folder {
+/// A temporary folder for generated code.
+class Folder : public tests::TemporaryFolder {
 public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] const std::string& path() const { return path_; }
+    using tests::TemporaryFolder::write;
     void write(const Emission&) const;
     /// Runs a shell command in the folder and returns its output. A nonzero exit code fails the test.
     std::string run(const std::string& command) const;
     [[nodiscard]] int status(const std::string& command, std::string& output) const;
-
-private:
-    std::string path_;
 };
 
 /// The inputs of one cycle: register name -> value text as in rc_input::text ("" for inputs without value).

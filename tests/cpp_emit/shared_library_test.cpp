@@ -10,18 +10,18 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/temporary_folder.hpp"
+
 namespace robochart::cpp_emit {
 namespace {
 
 class Programs : public ::testing::Test {
 protected:
-    void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-    [[nodiscard]] std::string log() const { return folder_ + "/log"; }
+    [[nodiscard]] std::string log() const { return folder_.in("log"); }
 
     std::string error_;
 
-    std::string folder_ = testing::TempDir() + "programs-XXXXXX";
+    tests::TemporaryFolder folder_;
 };
 
 TEST_F(Programs, ReturnTheirExitStatus) {
@@ -93,14 +93,14 @@ TEST_F(Programs, HaveTheSignalsOfAnyProgram) {
 }
 
 TEST_F(Programs, LeaveNoFolderBehind) {
-    const auto folders = [] {
+    const std::string own = folder_.in("tmp");
+    std::filesystem::create_directory(own);
+    const auto folders = [&] {
         std::size_t count = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
+        for (const auto& entry : std::filesystem::directory_iterator(own))
             count += entry.path().filename().string().starts_with("robochart-") ? 1U : 0U;
         return count;
     };
-    const std::string own = folder_ + "/tmp";
-    std::filesystem::create_directory(own);
     setenv("TMPDIR", own.c_str(), 1);
     BuildOptions options;
     const std::vector<OutputFile> wrong{{"a.cpp", "this is no program\n"}};

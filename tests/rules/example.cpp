@@ -3,11 +3,9 @@
 #include "app/command/command_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "app/command/options.hpp"
@@ -26,30 +24,12 @@
 #include "simulation/chain/chain.hpp"
 #include "sleec/checks/check.hpp"
 #include "sleec/syntax/reader.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::testing {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that the destructor removes.
-class Folder {
-public:
-    Folder() {
-        std::string pattern = (fs::temp_directory_path() / "rule_page_XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 std::string file_name(const diagnostics::Block& block, std::size_t number) {
     if (!block.file.empty()) return block.file;
@@ -227,7 +207,7 @@ std::set<std::string> Judgement::codes() const {
 }
 
 Judgement judge(const std::vector<diagnostics::Block>& example) {
-    const Folder folder;
+    const tests::TemporaryFolder folder;
     Judgement result;
     std::string console;
     std::vector<std::string> scripts;
@@ -240,10 +220,7 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
             console = block.text;
             continue;
         }
-        const std::string name = file_name(block, number++);
-        const fs::path path = folder.path() / name;
-        fs::create_directories(path.parent_path());
-        std::ofstream(path, std::ios::binary) << block.text;
+        const fs::path path = folder.write(file_name(block, number++), block.text);
         add_expectations(path.filename().string(), block.text, result.expected);
         if (block.language == "cspm") scripts.push_back(path.string());
         if (block.language == "prism" || block.language == "props") {
@@ -259,7 +236,7 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
     if (!console.empty()) {
         run_command(console, folder.path(), result);
     } else {
-        if (has_model) read_model({folder.path().string()}, result);
+        if (has_model) read_model({folder.path()}, result);
         if (!scripts.empty()) read_script(scripts.front(), result);
         if (!prism.empty()) read_prism(prism, result);
     }
@@ -269,9 +246,9 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
 Judgement judge_file(const std::string& path) {
     Judgement result;
     // The fixture is copied into its own folder, so that other fixtures are not loaded with it.
-    const Folder folder;
-    fs::copy_file(path, folder.path() / fs::path(path).filename());
-    read_model({folder.path().string()}, result);
+    const tests::TemporaryFolder folder;
+    fs::copy_file(path, folder.in(fs::path(path).filename().string()));
+    read_model({folder.path()}, result);
     return result;
 }
 

@@ -66,6 +66,19 @@ TEST(Sanity, NoLeftovers) {
     }
 }
 
+/// Tests run at the same time, and a file with a fixed path would belong to several of them.
+TEST(Sanity, TestsMakeTemporaryFoldersInOnePlace) {
+    const std::string marks[] = {std::string("Temp") + "Dir()", std::string("temp_directory") + "_path",
+                                 std::string("mkd") + "temp"};
+    for (const fs::path& path : files(root() / "tests", {".hpp", ".cpp"})) {
+        if (path.stem() == "temporary_folder") continue;
+        const std::string text = read_contents(path);
+        for (const std::string& mark : marks)
+            EXPECT_EQ(text.find(mark), std::string::npos)
+                << path << " has " << mark << "; tests/temporary_folder.hpp makes temporary folders";
+    }
+}
+
 /// Text from models is ForeignText until a function of base/diagnostics/escape.hpp returns it. This test lists the
 /// files that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
 /// printer escapes it.

@@ -9,8 +9,9 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <vector>
+
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::diagnostics {
 namespace {
@@ -95,21 +96,16 @@ TEST(Budget, CountsTheMemoryOfAProcessAndItsChildren) {
 }
 
 TEST(Budget, ReleasesWhatIsHeldAndNothingElse) {
-    std::string folder = testing::TempDir() + "held-XXXXXX";
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    const auto file = [&](const char* name) {
-        std::ofstream(folder + "/" + name) << "text";
-        return folder + "/" + name;
-    };
+    const tests::TemporaryFolder folder;
+    const auto file = [&](const char* name) { return folder.write(name, "text"); };
     Budget budget;
     const Budget::Held held(&budget, file("held"));
     { const Budget::Held finished(&budget, file("finished")); }
     const Budget::Held of_nobody(nullptr, file("free"));
     budget.release_resources();
-    EXPECT_FALSE(std::filesystem::exists(folder + "/held"));
-    EXPECT_TRUE(std::filesystem::exists(folder + "/finished"));
-    EXPECT_TRUE(std::filesystem::exists(folder + "/free"));
-    std::filesystem::remove_all(folder);
+    EXPECT_FALSE(std::filesystem::exists(folder.in("held")));
+    EXPECT_TRUE(std::filesystem::exists(folder.in("finished")));
+    EXPECT_TRUE(std::filesystem::exists(folder.in("free")));
 }
 
 }  // namespace

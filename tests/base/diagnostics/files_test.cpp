@@ -16,6 +16,7 @@
 
 #include "base/diagnostics/fixes.hpp"
 #include "tests/contents.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::diagnostics {
 namespace {
@@ -28,16 +29,14 @@ using ::testing::HasSubstr;
 
 class Files : public ::testing::Test {
 protected:
-    void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
-    void TearDown() override { fs::remove_all(folder_); }
-    [[nodiscard]] std::string in(const std::string& name) const { return folder_ + "/" + name; }
-    void put(const std::string& name, const std::string& text) const { std::ofstream(in(name)) << text; }
+    [[nodiscard]] std::string in(const std::string& name) const { return folder_.in(name); }
+    void put(const std::string& name, const std::string& text) const { folder_.write(name, text); }
     /// The number of files in a folder, including hidden ones.
     static std::size_t count(const std::string& path) {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
 
-    std::string folder_ = testing::TempDir() + "files-XXXXXX";
+    tests::TemporaryFolder folder_;
 };
 
 TEST_F(Files, AreWrittenWithTheFoldersAboveThem) {
@@ -51,7 +50,7 @@ TEST_F(Files, AreWrittenWithTheFoldersAboveThem) {
 TEST_F(Files, StayBelowTheirFolder) {
     for (const char* path : {"../x", "a/../../x", "/etc/x", "..", ".", "", "a/", "a/./x"})
         EXPECT_THAT(write_below(in("out"), path, "text"), HasSubstr("refusing")) << path;
-    EXPECT_EQ(count(folder_), 0U);
+    EXPECT_EQ(count(folder_.path()), 0U);
 }
 
 TEST_F(Files, DoNotFollowLinksBelowTheirFolder) {
@@ -89,14 +88,14 @@ TEST_F(Files, ThatDoNotFitLeaveTheOldOne) {
     const auto handler = signal(SIGXFSZ, SIG_IGN);
     const rlimit small{1000, before.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
-    const std::string below = write_below(folder_, "new", std::string(10'000, 'x'));
+    const std::string below = write_below(folder_.path(), "new", std::string(10'000, 'x'));
     const std::string replaced = replace_file(in("old"), std::string(10'000, 'x'));
     setrlimit(RLIMIT_FSIZE, &before);
     signal(SIGXFSZ, handler);
     EXPECT_THAT(below, HasSubstr("File too large"));
     EXPECT_THAT(replaced, HasSubstr("File too large"));
     EXPECT_EQ(read_contents(in("old")), "old text");
-    EXPECT_EQ(count(folder_), 1U);
+    EXPECT_EQ(count(folder_.path()), 1U);
 }
 
 TEST_F(Files, ReplacedTextsKeepTheirByteOrderMark) {
@@ -118,13 +117,13 @@ TEST_F(Files, ReplacedInPlaceKeepTheirModeAndTheLinkToThem) {
     struct stat status {};
     ASSERT_EQ(stat(in("source").c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 07777U, 0640U);
-    EXPECT_EQ(count(folder_), 2U);
+    EXPECT_EQ(count(folder_.path()), 2U);
 }
 
 TEST_F(Files, ReplacedAreRegularOnes) {
     ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
     EXPECT_THAT(replace_file(in("pipe"), "text"), HasSubstr("not a regular file"));
-    EXPECT_THAT(replace_file(folder_, "text"), HasSubstr("not a regular file"));
+    EXPECT_THAT(replace_file(folder_.path(), "text"), HasSubstr("not a regular file"));
     fs::create_symlink("nowhere", in("dangling"));
     EXPECT_THAT(replace_file(in("dangling"), "text"), HasSubstr("cannot write"));
     EXPECT_EQ(replace_file(in("fresh/new"), "text"), "");
@@ -165,7 +164,7 @@ TEST_F(Files, TemporaryFoldersAreOnesOwnAndGo) {
     std::string error;
     std::string path;
     {
-        const TemporaryFolder one(folder_, error);
+        const TemporaryFolder one(folder_.path(), error);
         path = one.path();
         struct stat status {};
         ASSERT_EQ(stat(path.c_str(), &status), 0) << error;

@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
+
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::diagnostics {
 namespace {
@@ -56,25 +56,24 @@ TEST(SourceManager, SaysWhyAFileCannotBeRead) {
     std::string error;
     EXPECT_FALSE(sources.load_file("/nowhere/at/all.rct", error).has_value());
     EXPECT_EQ(error, "no such file");
-    EXPECT_FALSE(sources.load_file(std::filesystem::temp_directory_path().string(), error).has_value());
+    const tests::TemporaryFolder folder;
+    EXPECT_FALSE(sources.load_file(folder.path(), error).has_value());
     EXPECT_EQ(error, "is a folder, not a file");
     EXPECT_FALSE(sources.load_file("/dev/zero", error).has_value());
     EXPECT_EQ(error, "is a device, not a regular file");
-    const std::string pipe = (std::filesystem::temp_directory_path() / "robochart_source_pipe").string();
+    const std::string pipe = folder.in("pipe");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_FALSE(sources.load_file(pipe, error).has_value());  // without waiting for a writer
     EXPECT_EQ(error, "is a pipe, not a regular file");
-    std::filesystem::remove(pipe);
 }
 
 TEST(SourceManager, LoadsBytesAsTheyAre) {
-    const auto path = std::filesystem::temp_directory_path() / "robochart_source_test.bin";
+    const tests::TemporaryFolder folder;
     const std::string bytes("a\0\xFF\nb", 5);
-    std::ofstream(path, std::ios::binary) << bytes;
+    const std::string path = folder.write("bytes.rct", bytes);
     SourceManager sources;
     std::string error;
-    const auto id = sources.load_file(path.string(), error);
-    std::filesystem::remove(path);
+    const auto id = sources.load_file(path, error);
     ASSERT_TRUE(id.has_value()) << error;
     EXPECT_EQ(sources.source_text(*id), bytes);
 }

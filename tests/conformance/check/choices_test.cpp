@@ -43,7 +43,7 @@ TEST(Choices, FaultsBehindOtherChoicesAreFound) {
 
 /// A wait of one or two units: by default the code waits one unit; the model allows both.
 TEST(Choices, TheLengthOfAWait) {
-    test::Model model(test::TemporaryFolder(R"(
+    test::Model model(test::ModelFolder(R"(
 stm S {
     event left
     initial i

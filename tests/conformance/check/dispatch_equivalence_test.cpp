@@ -79,7 +79,7 @@ TEST(EventApi, PassIsACycleWithoutInputs) {
 
 /// `x` is output twice in the same instant, both in a cycle and after a dispatch.
 TEST(EventApi, AnOutputMadeTwiceIsMadeAtOnce) {
-    const test::TemporaryFolder folder(R"(
+    const test::ModelFolder folder(R"(
 stm Twice {
     event go
     event x : nat

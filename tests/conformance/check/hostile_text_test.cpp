@@ -9,6 +9,7 @@
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/check/expect_conforming.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -41,14 +42,14 @@ std::string machine(const std::string& text) {
            literal + " }\n transition t2 { from B to A trigger g condition s != \"other\" action f!s } }\n";
 }
 
-Outcome outcome_of(const test::TemporaryFolder& folder) {
+Outcome outcome_of(const tests::TemporaryFolder& folder) {
     test::Model model(folder.path());
     return test::expect_conforming(model, model.machine_named("S")).outcome;
 }
 
 /// The value of this `let` refers to an outer variable with the same name as the bound variable.
 TEST(HiddenNames, OfLetsMeanTheOuterOneInTheValue) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         "stm S { event e : nat event f : boolean var v : nat = 1\n initial i state A { }\n"
         " transition t0 { from i to A action e ! (let v == v + 1 @ (let v == v, w == v @ (let w == v, v == w @ v)));\n"
         "  f ! (exists v : nat @ v > (let v == v @ (lambda v : nat @ v)(v))) } }\n");
@@ -58,7 +59,7 @@ TEST(HiddenNames, OfLetsMeanTheOuterOneInTheValue) {
 class HostileText : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HostileText, AsAStringIsAValue) {
-    const test::TemporaryFolder folder(machine(GetParam()));
+    const test::ModelFolder folder(machine(GetParam()));
     EXPECT_EQ(outcome_of(folder), Outcome::conforms);
 }
 
@@ -74,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Strings, HostileText,
 
 /// If the text were executed, it would create a file.
 TEST(HostileText, IsNotCarriedOut) {
-    const test::TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const std::string mark = folder.path() + "/carried_out";
     const std::string code =
         "\", }; extern \"C\" int creat(const char*, unsigned); [[gnu::used]] static const int made = "
@@ -88,7 +89,7 @@ TEST(HostileText, IsNotCarriedOut) {
 class HostileFile : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HostileFile, NamesNothingInTheCode) {
-    const test::TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     folder.write(std::string(GetParam()) + ".rct", machine("near"));
     EXPECT_EQ(outcome_of(folder), Outcome::conforms);
 }

@@ -102,7 +102,7 @@ TEST(Limits, NeverExcuseAFault) {
 }
 
 Result unlimited_and_limited(const std::string& text, const std::string& machine) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     Limited limited(model, machine.empty() ? model.first_controller() : model.machine_named(machine));
     limited.expect_the_same_or_nothing(machine);
@@ -154,7 +154,7 @@ stm Sends {
 
 /// A cycle with many outputs is not an endless loop: the log grows, and the code stays below its bound of steps.
 TEST(Limits, OfACycleWithManyOutputs) {
-    const test::TemporaryFolder folder(R"(
+    const test::ModelFolder folder(R"(
 stm Counts {
     event go event x : nat
     var n : nat

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<MissedEvent> missed_in(const std::string& members, std::uint32_t cycle_length = 1) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         "stm M {\n event e event f\n initial i state A { }\n transition t0 { from i to A }\n" + members + "\n}");
     test::Model model(folder.path());
     diagnostics::Diagnostics found;

@@ -22,7 +22,7 @@ stm M { requires Brakes event go initial i state Idle { } state B { entry wait(3
 transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })";
 
 Result with_fault(const std::string& text, cpp_emit::Fault fault, std::uint64_t most_states = 0) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
     Options options;
@@ -77,7 +77,7 @@ TEST(ModelRun, EndsInFrontOfWhatTheModelDoesNotAllow) {
 }
 
 TEST(ModelRun, IsFoundForPartialReadings) {
-    const test::TemporaryFolder folder(late_brake);
+    const test::ModelFolder folder(late_brake);
     test::Model model(folder.path());
     test::Bench bench(model, model.machine_named("M"));
     for (const cpp_emit::Fault fault : {cpp_emit::Fault::call_dropped, cpp_emit::Fault::output_repeated}) {

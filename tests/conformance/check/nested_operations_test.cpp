@@ -12,7 +12,7 @@ namespace robochart::conformance {
 namespace {
 
 void expect_conforming(const std::string& text) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     ASSERT_FALSE(model.system.controllers.empty());
     EXPECT_GT(test::expect_conforming(model, model.first_controller()).code_cycles, 1U);

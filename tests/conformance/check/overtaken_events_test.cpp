@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 /// The overtaken events of a robot with an emergency stop around a composite state with these members.
 std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         "interface Motion { go() halt() brake() }\n"
         "stm M {\n requires Motion\n event obstacle event stop event clear : nat\n clock T\n var x : nat\n initial i\n"
         " state Moving { initial j\n" +

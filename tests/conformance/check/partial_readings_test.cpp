@@ -75,7 +75,7 @@ TEST(PartialReadings, ScaleToManyEvents) {
             " event e{0}\n state S{0} {{ entry x!{1} ; wait(1) }}\n transition t{0} {{ from S{0} to S{2} trigger e{0} "
             "}}\n",
             s, s % 3, (s + 1) % states);
-    const test::TemporaryFolder folder(text + "}\n");
+    const test::ModelFolder folder(text + "}\n");
     test::Model model(folder.path());
     Options options;
     options.limits.max_states = 100'000;

@@ -124,7 +124,7 @@ std::string model_of(const std::string& body, const std::string& precondition = 
 
 /// Checks that the generated code conforms, and that it differs if one of its precondition checks is omitted.
 void expect_asked(const std::string& body) {
-    const test::TemporaryFolder folder(model_of(body));
+    const test::ModelFolder folder(model_of(body));
     test::Model model(folder.path());
     ASSERT_TRUE(model.diagnostics.ok()) << body;
     test::Bench bench(model, model.first_module());
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(OfEveryShape, Preconditions,
 
 // A function as a value contains a pair for each argument that satisfies its precondition.
 TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         model_of(insert_expression("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
     test::Model model(folder.path());
     (void)test::expect_conforming(model, model.first_module());
@@ -178,7 +178,7 @@ TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
 
 // The deadline of a statement that waits forever expires: time stops in the model, so it is not schedulable.
 TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
-    const test::TemporaryFolder folder(model_of(insert_expression(
+    const test::ModelFolder folder(model_of(insert_expression(
         "2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
     test::Model model(folder.path());
     test::Bench bench(model, model.first_module());
@@ -188,7 +188,7 @@ TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
 }
 
 Result conformance_of(const std::string& text) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
     EXPECT_TRUE(model.diagnostics.ok()) << text;
@@ -241,7 +241,7 @@ TEST(PreconditionsOfOperations, AreNamedOneByOne) {
 
 // A fault of the code that calls an operation outside its precondition is not blamed on the model.
 TEST(PreconditionsOfOperations, AreNotBlamedOnTheModelIfTheCodeIsWrong) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         model_of(insert_expression("2 transition t1 { from A to B trigger go action op(2) ; act(1) }", ""),
                  "precondition n > 0"));
     test::Model model(folder.path());
@@ -258,7 +258,7 @@ TEST(PreconditionsOfOperations, AreNotBlamedOnTheModelIfTheCodeIsWrong) {
 // A during action that waits forever is interrupted when its state is left. This is the smallest model that once
 // failed.
 TEST(PreconditionsOfFunctions, HoldUpADuringActionUntilItsStateIsLeft) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         "interface Acts { act(n : nat) } function f() : nat { precondition false }\n"
         "stm S { requires Acts event go initial i state A { during act(f()) } state B { }\n"
         "transition t0 { from i to A } transition t1 { from A to B trigger go } }\n");

@@ -40,7 +40,7 @@ TEST(Probabilistic, ChancesAreExpressions) {
         changed.replace(changed.find("0.75"), 4, first);
         changed.replace(changed.find("0.25"), 4, second);
         changed.replace(changed.find("event go"), 8, "const q : real = 0.5 event go");
-        test::Model model(test::TemporaryFolder(changed).path());
+        test::Model model(test::ModelFolder(changed).path());
         test::Bench bench(model, model.machine_named("S"));
         const Result result = bench.check_code();
         EXPECT_EQ(result.outcome, Outcome::conforms) << first << " and " << second << ": " << result.reason;
@@ -49,7 +49,7 @@ TEST(Probabilistic, ChancesAreExpressions) {
 }
 
 TEST(Probabilistic, EveryWayIsExplored) {
-    test::Model model(test::TemporaryFolder(text).path());
+    test::Model model(test::ModelFolder(text).path());
     test::Bench bench(model, model.machine_named("S"));
     const Result right = bench.check_code();
     EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;

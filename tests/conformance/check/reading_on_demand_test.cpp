@@ -169,7 +169,7 @@ std::string hub(int events) {
 }
 
 Result judge_hub(int events) {
-    const test::TemporaryFolder folder(hub(events));
+    const test::ModelFolder folder(hub(events));
     test::Model model(folder.path());
     Options options;
     options.walks.cycles = 0;
@@ -193,8 +193,8 @@ TEST(ReadingOnDemand, EventsThatTheModelAwaitsNowhereAreTried) {
     for (int e = 0; e < 9; ++e)
         events += fmt::format(" event e{0}\n transition c{0} {{ from C to C trigger e{0} action x!1 }}\n", e);
     const std::string ways = " transition t { from i to A }\n transition a { from A to B trigger e0 }\n";
-    const test::TemporaryFolder one(head + events + ways + "}\n");
-    const test::TemporaryFolder other(head + events + ways + " transition b { from A to A trigger e1 }\n}\n");
+    const test::ModelFolder one(head + events + ways + "}\n");
+    const test::ModelFolder other(head + events + ways + " transition b { from A to A trigger e1 }\n}\n");
     test::Model model(one.path());
     test::Model changed(other.path());
     test::Bench bench(model, model.machine_named("S"));
@@ -206,8 +206,7 @@ TEST(ReadingOnDemand, EventsThatTheModelAwaitsNowhereAreTried) {
     EXPECT_EQ(refined_on_demand(graph, alphabet, same->interface(), 1, {}).outcome, Outcome::conforms);
     // Taking e1 without an effect is no difference; with an output it is.
     EXPECT_EQ(refined_on_demand(graph, alphabet, different->interface(), 1, {}).outcome, Outcome::conforms);
-    const test::TemporaryFolder third(head + events + ways +
-                                      " transition b { from A to A trigger e1 action x!2 }\n}\n");
+    const test::ModelFolder third(head + events + ways + " transition b { from A to A trigger e1 action x!2 }\n}\n");
     test::Model writes(third.path());
     test::Bench writing_bench(writes, writes.machine_named("S"));
     const auto writing = writing_bench.compile_fault(cpp_emit::Fault::none, 0);

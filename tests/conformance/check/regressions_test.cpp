@@ -12,7 +12,7 @@ namespace {
 
 /// Checks that the first module conforms or, if the model has no module, the machine S.
 void expect_conformance_of(const std::string& text) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     const ir::ComponentRef component = model.system.modules.empty() ? model.machine_named("S") : model.first_module();
     (void)test::expect_conforming(model, component);

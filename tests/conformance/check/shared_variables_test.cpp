@@ -72,7 +72,7 @@ private:
 
 class SharedVariables : public ::testing::Test {
 protected:
-    test::TemporaryFolder folder_{shared_by_three};
+    test::ModelFolder folder_{shared_by_three};
 };
 
 using ::testing::Contains;
@@ -186,7 +186,7 @@ TEST(WritesHeldUp, WritesWaitForThem) {
                                             "action wait(1); move() } }\n"
                                           : "operation op() { event e : nat var w : nat initial i final f\n"
                                             "transition t { from i to f action e?w <{3} } }\n";
-        const test::TemporaryFolder folder(with_platform(each.controller) + operation);
+        const test::ModelFolder folder(with_platform(each.controller) + operation);
         test::Model model(folder.path());
         ASSERT_FALSE(model.system.modules.empty()) << each.what;
         SCOPED_TRACE(each.what);

@@ -25,7 +25,7 @@ std::string braking_machine(const std::string& declarations, const std::string& 
 }
 
 Result run_in_cycles(const std::string& text, Options options) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
     return conform(model.system, model.instantiation, model.machine_named("M"), options, model.sources, found);
@@ -146,7 +146,7 @@ TEST(Standstill, IsExplainedWhereWalksFindIt) {
 }
 
 TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
-    const test::TemporaryFolder folder(endless_loop);
+    const test::ModelFolder folder(endless_loop);
     test::Model model(folder.path());
     test::Bench bench(model, model.machine_named("M"));
     const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);

@@ -125,7 +125,7 @@ std::string model(std::size_t first, std::size_t last) {
 }
 
 void expect_cases(std::size_t first, std::size_t last) {
-    test::Model read(test::TemporaryFolder(model(first, last)).path());
+    test::Model read(test::ModelFolder(model(first, last)).path());
     if (!read.diagnostics.ok()) return;
     Options options;
     options.flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
@@ -144,7 +144,7 @@ TEST(Values, EveryExpressionIsThatOfTheModel) {
 
 /// The machine receives every set of reals, including the empty set, which has no minimum or maximum.
 TEST(Values, LeastAndGreatestOfTheRealsReceived) {
-    const test::TemporaryFolder folder(R"(
+    const test::ModelFolder folder(R"(
         import set_toolkit::*
         import sequence_toolkit::*
         stm Values {

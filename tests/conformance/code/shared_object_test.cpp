@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "tests/conformance/support.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -81,12 +82,11 @@ TEST(SharedObject, PathsStayInTheFolder) {
 }
 
 TEST(SharedObject, WorkFolderKeepsSources) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "conformance_work";
+    const tests::TemporaryFolder folder;
     BuildOptions options;
-    options.work_dir = folder.string();
+    options.work_dir = folder.in("work");
     (void)error_of("int f() { return 0; }", options);
-    EXPECT_TRUE(std::filesystem::exists(folder / "a.cpp"));
-    std::filesystem::remove_all(folder);
+    EXPECT_TRUE(std::filesystem::exists(folder.in("work/a.cpp")));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void expect_the_words_of_every_type(const std::string& state) {
 }
 
 TEST(StateText, MatricesAreCanonical) {
-    const test::TemporaryFolder folder(matrix_model);
+    const test::ModelFolder folder(matrix_model);
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
     const Result result =
@@ -66,7 +66,7 @@ TEST(StateText, MatricesAreCanonical) {
 }
 
 TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
-    const test::TemporaryFolder folder(every_type);
+    const test::ModelFolder folder(every_type);
     test::Model model(folder.path());
     test::Bench bench(model, model.machine_named("S"));
     const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
@@ -76,7 +76,7 @@ TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
 
 /// The reported code omits the output `done`, so its last state is the one after the other actions.
 TEST(StateText, ReportsTellThem) {
-    const test::TemporaryFolder folder(every_type);
+    const test::ModelFolder folder(every_type);
     test::Model model(folder.path());
     test::Bench bench(model, model.machine_named("S"));
     const Result result = bench.check_code(cpp_emit::Fault::send_dropped, 0);
@@ -90,7 +90,7 @@ TEST(StateText, IsPrintedForCandidatesOfABatch) {
     std::vector<std::unique_ptr<test::Model>> models;
     std::vector<std::unique_ptr<Candidate>> candidates;
     for (const char* text : {matrix_model, every_type, every_type}) {
-        const test::TemporaryFolder folder(text);
+        const test::ModelFolder folder(text);
         models.push_back(std::make_unique<test::Model>(folder.path()));
         test::Model& model = *models.back();
         candidates.push_back(candidate(model.system, model.instantiation, model.machine_named("S"), {}, model.sources,
@@ -109,7 +109,7 @@ TEST(StateText, IsPrintedForCandidatesOfABatch) {
 
 /// Values in buffers between two machines are reported like values of variables.
 TEST(StateText, BuffersTellWhatTheyHold) {
-    const test::TemporaryFolder folder(
+    const test::ModelFolder folder(
         "datatype Pose { far : real lit : boolean }\n"
         "stm A { event e : Pose event b : real var p : Pose initial i state X { } transition t0 { from i to X\n"
         "action p.far = 0.5; p.lit = true; e!p; b!(0.5) } }\n"

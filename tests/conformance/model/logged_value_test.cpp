@@ -42,7 +42,7 @@ stm M {
 
 /// The C++ types of the model's variables cover all kinds of types.
 TEST(LoggedValues, EveryValueIsReadAsWritten) {
-    const test::Model model(test::TemporaryFolder(text).path());
+    const test::Model model(test::ModelFolder(text).path());
     ASSERT_EQ(model.system.machines.size(), 1U);
     for (const ir::Variable& variable : model.system.machines[0].variables) {
         const ValueReader reader(model.system, model.instantiation, variable.type, {});

@@ -63,7 +63,7 @@ ir::InstantiationOptions two_numbers() {
 }
 
 Representatives choose_for_text(const std::string& text) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path());
     const auto component = cpp_emit::resolve_component(
         model.system, model.instantiation, model.machine_named(model.system.machines.front().name), model.diagnostics);
@@ -71,7 +71,7 @@ Representatives choose_for_text(const std::string& text) {
 }
 
 Result check_text(const std::string& text, Fault fault = Fault::none, const ir::InstantiationOptions& values = {}) {
-    const test::TemporaryFolder folder(text);
+    const test::ModelFolder folder(text);
     test::Model model(folder.path(), values);
     Options options;
     options.generator.fault = fault;
@@ -95,7 +95,7 @@ TEST(Representatives, AreTheDefaultAndTwoThatDifferInEveryPart) {
 }
 
 TEST(Representatives, AreNotUsedWhereAllCanBeExplored) {
-    const test::TemporaryFolder folder(forward);
+    const test::ModelFolder folder(forward);
     test::Model model(folder.path(), two_numbers());
     const auto component = cpp_emit::resolve_component(model.system, model.instantiation,
                                                        model.machine_named("Forward"), model.diagnostics);

@@ -13,6 +13,7 @@
 #include "conformance/traces/trace_check.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/support.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -134,8 +135,8 @@ TEST(TestSuites, TheMachineOfAggregationIsSmall) {
 
 /// The suite is written as a log: every run must be a run of the model.
 TEST(TestSuites, AreRunsOfTheModel) {
-    const test::TemporaryFolder pumps(pump);
-    const test::TemporaryFolder stores(store);
+    const test::ModelFolder pumps(pump);
+    const test::ModelFolder stores(store);
     for (const std::string& folder : {std::string("corpus/aggregation"), pumps.path(), stores.path()}) {
         const Suites suites(folder);
         const auto tests = complete_suite(suites.machine, 0);
@@ -188,7 +189,7 @@ TEST(TestSuites, KillTheMutantsOfAggregation) {
 }
 
 TEST(TestSuites, KillTheMutantsOfAPump) {
-    check_mutants(test::TemporaryFolder(pump).path(),
+    check_mutants(test::ModelFolder(pump).path(),
                   {Fault::guard_negated, Fault::guard_dropped, Fault::wrong_target, Fault::entry_dropped,
                    Fault::clock_not_reset, Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
 }
@@ -236,7 +237,7 @@ int main(int argc, char** argv) {
     return RUN_ALL_TESTS();
 }
 )"});
-    const test::TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     for (const auto& file : files) folder.write(file.path, file.text);
     for (const auto& [fault, exit] :
          {std::pair<const char*, int>{"\\\"linearSpeed!0\\\"", 0}, {"\\\"linearSpeed!1\\\"", 1}}) {

@@ -183,7 +183,7 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
 
 /// A value that the model tests must be in the finite instantiation. Otherwise the rest of the run is undecided.
 TEST(Traces, ValuesThatMatterLeaveTheRunUndecided) {
-    Replay replay(test::TemporaryFolder(R"(
+    Replay replay(test::ModelFolder(R"(
 interface Ops { near() }
 interface Events { event distance : real event name : Colour }
 enumeration Colour { Red Green }
@@ -234,7 +234,7 @@ stm M {
 
 /// One value has several spellings: blanks, the order and duplicates in sets, and names as in CSP may differ.
 TEST(Traces, ValuesWithPartsAreReadByTheirType) {
-    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    Replay replay(test::ModelFolder(carrier).path(), "M");
     for (const char* cycle :
          {"pose?(1,true) go!(1,true)", "pose?( 1.0 , true ) go!(1,true)", "path?<> follow!<>",
           "path?<2,0> follow!<2, 0>", "seen?{Red,Green} paint!{Green,Red,Green}", "seen?{Colour_Red} paint!{Red}",
@@ -250,7 +250,7 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
 /// composite values that contain it. A sequence longer than the model's maximum is outside for any elements, and so is
 /// a partial function.
 TEST(Traces, PartsOutsideTheFiniteInstantiation) {
-    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    Replay replay(test::ModelFolder(carrier).path(), "M");
     const std::string first = "run a\ntock\n";
     const LogReport good =
         replay.check_runs(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
@@ -267,7 +267,7 @@ TEST(Traces, PartsOutsideTheFiniteInstantiation) {
 
 /// The conversion of a sequence's elements is an operation on numbers.
 TEST(Traces, PartsThatAreConvertedAreNotOnlyPassedOn) {
-    Replay replay(test::TemporaryFolder(R"(
+    Replay replay(test::ModelFolder(R"(
 interface Ops { follow(path : Seq(real)) }
 interface Events { event path : Seq(nat) }
 stm M {
@@ -287,7 +287,7 @@ stm M {
 }
 
 TEST(Traces, TerminationEndsARun) {
-    Replay replay(test::TemporaryFolder(R"(
+    Replay replay(test::ModelFolder(R"(
 interface Events { event stop }
 stm M {
 	uses Events
@@ -355,7 +355,7 @@ TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
 
 /// RC-L03 describes the type and points to the part that does not belong to it.
 TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
-    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    Replay replay(test::ModelFolder(carrier).path(), "M");
     for (const auto& [word, wanted, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
              {"pose?(1,yes)", "true or false", 8},
              {"pose?(x,true)", "a number", 6},

@@ -21,8 +21,10 @@
 #include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/contents.hpp"
 #include "tests/shared_folder.hpp"
 #include "tests/source_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -101,6 +103,14 @@ Decided decide_swarm(const std::string& path, const std::string& text, Time time
         }
     }
     return finish();
+}
+
+/// Decides the claims of a swarm of the model with this text.
+Decided decide_swarm_of(const std::string& model, const std::string& swarm, Time time = Time::timed,
+                        SwarmSize size = {}) {
+    const tests::TemporaryFolder folder;
+    folder.write("model.rct", model);
+    return decide_swarm(folder.path(), swarm, time, size);
 }
 
 std::string alpha_folder() {
@@ -286,21 +296,13 @@ module Robot {
 }
 )";
 
-fs::path write_model(const std::string& name, const std::string& text) {
-    const fs::path folder = fs::path(testing::TempDir()) / ("swarm_" + name);
-    fs::create_directories(folder);
-    std::ofstream(folder / (name + ".rct")) << text;
-    return folder;
-}
-
 /// Without a receiver, a message waits forever. With other robots it is sent, whether or not they listen.
 TEST(Swarm, MessagesNeedOthers) {
-    const std::string folder = write_model("talkers", talkers).string();
     const std::string swarm =
         "swarm Talk for Robot { const id = robot range nat = 0 to 3 connect say to hear accept deadlock free }";
     for (const std::uint32_t robots : {1U, 2U, 3U})
         for (const Time time : {Time::untimed, Time::timed}) {
-            const Decided found = decide_swarm(folder, swarm, time, {robots, {}});
+            const Decided found = decide_swarm_of(talkers, swarm, time, {robots, {}});
             ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
             const char* const several = time == Time::untimed ? "holds" : "open";  // sending takes up all the time
             EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : several})) << robots;
@@ -312,11 +314,11 @@ TEST(Swarm, MessagesNeedOthers) {
 /// The robots exchange messages indefinitely within the first time unit, in which no robot has moved.
 TEST(Swarm, TalkForEverLeavesNoTime) {
     const Decided found =
-        decide_swarm(write_model("talkers", talkers).string(),
-                     "swarm Talk for Robot { robots 2 grid 5 by 5 place at (0, 0) heading 0 deg const id "
-                     "= robot range nat = 0 to 3 connect say to hear accept always linked(1) accept "
-                     "recurrent linked(1) accept deadlock free accept possible linked(1) accept always "
-                     "not linked(1) }");
+        decide_swarm_of(talkers,
+                        "swarm Talk for Robot { robots 2 grid 5 by 5 place at (0, 0) heading 0 deg const id "
+                        "= robot range nat = 0 to 3 connect say to hear accept always linked(1) accept "
+                        "recurrent linked(1) accept deadlock free accept possible linked(1) accept always "
+                        "not linked(1) }");
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"open", "open", "open", "holds", "fails"}));
 }
@@ -372,11 +374,10 @@ std::string two_drivers(const std::string& feed) {
 /// A transition on a value that can be sensed at any time is taken indefinitely within one time unit.
 TEST(Swarm, SensingForEverLeavesNoTime) {
     const std::string senses = "transition again { from Going to Going trigger neighbours?n }";
-    const Decided found = decide_swarm(write_model("senses", driver_model(senses)).string(),
-                                       two_drivers("feed neighbours with count(1)"));
+    const Decided found = decide_swarm_of(driver_model(senses), two_drivers("feed neighbours with count(1)"));
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"open", "open", "open", "fails"}));
-    const Decided none = decide_swarm(write_model("none", driver_model("")).string(), two_drivers(""));
+    const Decided none = decide_swarm_of(driver_model(""), two_drivers(""));
     ASSERT_EQ(none.findings.find("error["), std::string::npos) << none.findings;
     EXPECT_EQ(none.verdicts, (Verdicts{"fails", "holds", "fails", "holds"}));
 }
@@ -388,10 +389,10 @@ TEST(Swarm, TimeThatWaitsForTheEnvironmentCanStop) {
         "on move feed go with any accept always linked(1) }";
     const std::string goes = "transition again { from Going to Going trigger go }";
     const std::string in_time = replace_text(goes, "trigger go", "trigger go <{1}");
-    const Decided found = decide_swarm(write_model("deadline", driver_model(in_time)).string(), claims);
+    const Decided found = decide_swarm_of(driver_model(in_time), claims);
     ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
     EXPECT_EQ(found.verdicts, (Verdicts{"open"}));
-    const Decided free = decide_swarm(write_model("free", driver_model(goes)).string(), claims);
+    const Decided free = decide_swarm_of(driver_model(goes), claims);
     ASSERT_EQ(free.findings.find("error["), std::string::npos) << free.findings;
     EXPECT_EQ(free.verdicts, (Verdicts{"holds"}));
 }
@@ -404,8 +405,8 @@ TEST(Swarm, WholeNumbersTurnByDegrees) {
     for (const std::string type : {"nat", "int", "real"}) {
         std::string text = driver_model("", type, "move(); wait(1); turn(180); wait(1); move(); wait(1); halt()");
         text = replace_text(text, "var n : nat = 0", "var n : nat = 0 var r : real = 0.5");
-        const Decided found = decide_swarm(
-            write_model("turns_" + type, text).string(),
+        const Decided found = decide_swarm_of(
+            text,
             "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 180 "
             "range int = 0 to 180 range real = 0 to 180 drive by turn(deg) on turn drive by forward on move "
             "drive by stop on halt accept possible away(1) accept always not away(2) accept recurrent not "
@@ -419,9 +420,9 @@ TEST(Swarm, OnlyNumbersTurn) {
     for (const auto& [type, value] : {std::pair{"boolean", "true"}, std::pair{"Side", "Side::left"}}) {
         const std::string text = driver_model("", type, std::string("turn(") + value + ")");
         const Decided found =
-            decide_swarm(write_model(std::string("turns_") + type, text).string(),
-                         "swarm One for Robot { robots 1 grid 8 by 8 drive by turn(deg) on turn accept "
-                         "always linked(1) }");
+            decide_swarm_of(text,
+                            "swarm One for Robot { robots 1 grid 8 by 8 drive by turn(deg) on turn accept "
+                            "always linked(1) }");
         EXPECT_NE(found.findings.find("RC-V03"), std::string::npos) << found.findings;
         EXPECT_NE(found.findings.find("needs exactly one number"), std::string::npos) << found.findings;
     }
@@ -435,12 +436,11 @@ TEST(Swarm, ANumberIsThatOfOneConstant) {
         "real", "halt()");
     text = replace_text(text, "var n : nat = 0",
                         "var n : nat = 0 const id : nat const max_id : nat const fixed : nat = 1");
-    const fs::path folder = write_model("constants", text);
     const auto claimed = [&](const std::string& constants) {
-        return decide_swarm(folder.string(),
-                            "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range "
-                            "nat = 0 to 3 drive by forward on move " +
-                                constants + " accept possible away(1) }");
+        return decide_swarm_of(text,
+                               "swarm One for Robot { robots 1 grid 8 by 8 place at (0, 0) heading 0 deg range "
+                               "nat = 0 to 3 drive by forward on move " +
+                                   constants + " accept possible away(1) }");
     };
     for (const std::string id : {"id", "Driver::id"}) {
         const Decided found = claimed("const " + id + " = robot const max_id = 2");
@@ -460,10 +460,9 @@ TEST(Swarm, ANumberForOneOfSeveralConstantsIsAmbiguous) {
         "stm Other { const id : nat initial i state Idle { } state Done { } transition begin { from i to "
         "Idle } transition ends { from Idle to Done condition id == 1 } }\ncontroller Brain { sref other = "
         "Other");
-    const fs::path folder = write_model("ambiguous", text);
     const auto claimed = [&](const std::string& constants) {
-        return decide_swarm(folder.string(), "swarm One for Robot { robots 1 grid 8 by 8 range nat = 0 to 3 " +
-                                                 constants + " accept possible linked(1) }")
+        return decide_swarm_of(text, "swarm One for Robot { robots 1 grid 8 by 8 range nat = 0 to 3 " + constants +
+                                         " accept possible linked(1) }")
             .findings;
     };
     const std::string both = claimed("const id = robot");
@@ -529,10 +528,10 @@ TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
         "forward "
         "on moveForward drive by turn(deg) on startTurning feed turned with turned feed neighbours with count(1) on "
         "countNeighbours accept always linked(1) accept possible linked(1) and away(2) }";
-    const Decided exchanged = decide_swarm(write_model("exchanged", memoryless_model(">", "<=")).string(), swarm);
+    const Decided exchanged = decide_swarm_of(memoryless_model(">", "<="), swarm);
     ASSERT_EQ(exchanged.findings.find("error["), std::string::npos) << exchanged.findings;
     EXPECT_EQ(exchanged.verdicts, (Verdicts{"holds", "fails"}));
-    const Decided right = decide_swarm(write_model("right", memoryless_model("<", ">=")).string(), swarm);
+    const Decided right = decide_swarm_of(memoryless_model("<", ">="), swarm);
     ASSERT_EQ(right.findings.find("error["), std::string::npos) << right.findings;
     ASSERT_EQ(right.verdicts.size(), 2U);
     EXPECT_EQ(right.verdicts.back(), "holds");
@@ -556,7 +555,7 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
                        "accept deadlock free accept always linked(3) accept possible linked(1) and away(3)");
     const Decided right = decide_swarm(alpha_folder(), swarm);
     EXPECT_EQ(right.verdicts, (Verdicts{"holds", "holds", "holds"})) << right.findings;
-    const Decided exchanged = decide_swarm(write_model("corpus", text).string(), swarm);
+    const Decided exchanged = decide_swarm_of(text, swarm);
     ASSERT_EQ(exchanged.verdicts.size(), 3U) << exchanged.findings;
     EXPECT_EQ(exchanged.verdicts[1], "fails");
 }
@@ -568,19 +567,16 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
 TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
     const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";
     if (!fs::exists(model)) GTEST_SKIP() << "the published model is not there";
-    const fs::path folder = fs::path(testing::TempDir()) / "swarm_published";
-    fs::create_directories(folder);
+    const tests::TemporaryFolder folder;
     for (const auto& each : fs::directory_iterator(model))
-        if (each.path().extension() == ".rct") {
-            std::ifstream from(each.path());
-            std::ofstream(folder / each.path().filename()) << from.rdbuf();
-        }
+        if (each.path().extension() == ".rct")
+            folder.write(each.path().filename().string(), tests::read_contents(each.path()));
     for (const std::uint32_t robots : {1U, 2U, 3U, 4U, 5U}) {
         const std::string swarm = "swarm Alpha for AggregationSoftware { range nat = 0 to 5 range given = 0 to " +
                                   std::to_string(robots - 1) +
                                   " const id = robot feed obstacle with any connect broadcast to broadcast connect "
                                   "receive to receive accept deadlock free }";
-        const Decided found = decide_swarm(folder.string(), swarm, Time::untimed, {robots, {}});
+        const Decided found = decide_swarm(folder.path(), swarm, Time::untimed, {robots, {}});
         ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
         EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : "holds"})) << robots;
     }

@@ -2,37 +2,24 @@
 // Models loaded from paths: which files are loaded or rejected, and which belong together.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
-#include <fstream>
+#include <filesystem>
 
 #include "tests/frontend/fixture.hpp"
 #include "tests/rounds.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::frontend {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A separate folder for each test, removed afterwards.
 class Project : public ::testing::Test {
 protected:
-    void SetUp() override {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("robochart_project_" + std::to_string(::getpid()) + test->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        fs::create_directories((folder_ / name).parent_path());
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-    }
+    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
     /// Names of the project's own loaded files (or of the libraries), then the codes of the findings.
     std::string load(const std::string& name = "", bool libraries = false) {
         reading_ = std::make_unique<testing::Reading>();
-        const auto model = load_project(reading_->sources, (folder_ / name).string(), reading_->findings);
+        const auto model = load_project(reading_->sources, folder_.in(name), reading_->findings);
         std::string files;
         for (const auto& file : model->files)
             if (file->is_library == libraries)
@@ -41,7 +28,7 @@ protected:
         return files;
     }
 
-    fs::path folder_;
+    tests::TemporaryFolder folder_;
     std::unique_ptr<testing::Reading> reading_;
 };
 
@@ -142,7 +129,7 @@ TEST_F(Project, APackageThatWasNotReadIsNotMissed) {
 
 TEST_F(Project, AnUnreadableFileDoesNotHideTheOthers) {
     write("a.rct", "type A");
-    fs::create_symlink(folder_ / "gone.rct", folder_ / "b.rct");
+    fs::create_symlink(folder_.in("gone.rct"), folder_.in("b.rct"));
     EXPECT_EQ(load(), "a.rct RC-F01 ");
 }
 

@@ -6,10 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "simulation/scenario/read_scenario.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::simulation {
 namespace {
@@ -100,17 +98,15 @@ constexpr const char* world = R"(scenario S for M {
 })";
 
 TEST(DrawnObstacles, StandInTheArena) {
-    const std::string folder = (std::filesystem::temp_directory_path() / "robochart-drawn-XXXXXX").string();
-    std::string made = folder;
-    ASSERT_NE(mkdtemp(made.data()), nullptr);
+    const tests::TemporaryFolder folder;
     diagnostics::SourceManager sources;
-    const auto source = sources.add(made + "/s.scenario", world);
+    const auto source = sources.add(folder.in("s.scenario"), world);
     diagnostics::Diagnostics missing;
     (void)read_scenario(sources, source, missing);
     ASSERT_FALSE(missing.ok());
     EXPECT_THAT(missing.sorted_findings().at(0).message(), HasSubstr("obstacles of map.svg"));
 
-    std::ofstream(made + "/map.svg") << drawing("<rect x=\"10\" y=\"10\" width=\"10\" height=\"10\"/>");
+    folder.write("map.svg", drawing("<rect x=\"10\" y=\"10\" width=\"10\" height=\"10\"/>"));
     diagnostics::Diagnostics good;
     const Scenario scenario = read_scenario(sources, source, good);
     EXPECT_TRUE(good.ok());
@@ -118,7 +114,6 @@ TEST(DrawnObstacles, StandInTheArena) {
     EXPECT_EQ(scenario.world.arena.obstacles[0], (Polygon{{-180, 80}, {-160, 80}, {-160, 60}, {-180, 60}}));
     EXPECT_EQ(scenario.world.arena.walls.size(), 4U);
     EXPECT_EQ(scenario.drawings.size(), 1U) << "for digests";
-    std::filesystem::remove_all(made);
 }
 
 /// Every robot is within 10 cm of another one, no two touch, and all are in the arena.

@@ -2,12 +2,12 @@
 // Precedence, layout and limits of the parser. Expected trees come from FDR's grammar (levels.hpp).
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <optional>
 #include <string>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "tests/checker/cspm/support.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::cspm::test {
 namespace {
@@ -155,24 +155,21 @@ TEST(ReaderTest, EveryRuleHasItsText) {
 }
 
 TEST(ReaderTest, IncludesAreReadOnceAPlaceAndCyclesRefused) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cspm_include";
-    std::filesystem::create_directories(folder);
-    const auto write = [&](const char* file, const char* text) { std::ofstream(folder / file) << text; };
-    write("a.csp", "include \"b.csp\"\nx = y\n");
-    write("b.csp", "y = 1\n");
-    write("c.csp", "include \"d.csp\"\n");
-    write("d.csp", "include \"c.csp\"\n");
+    const tests::TemporaryFolder folder;
+    folder.write("a.csp", "include \"b.csp\"\nx = y\n");
+    folder.write("b.csp", "y = 1\n");
+    folder.write("c.csp", "include \"d.csp\"\n");
+    folder.write("d.csp", "include \"c.csp\"\n");
     const auto codes = [&](const char* file) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics found;
-        const Script script = read_file(sources, (folder / file).string(), found);
+        const Script script = read_file(sources, folder.in(file), found);
         const auto all = found.sorted_findings();
         return all.empty() ? std::to_string(script.decls.size()) : std::string(all[0].rule->code);
     };
     EXPECT_EQ(codes("a.csp"), "2");
     EXPECT_EQ(codes("c.csp"), "CSPM-P16");
     EXPECT_EQ(codes("missing.csp"), "CSPM-P15");
-    std::filesystem::remove_all(folder);
 }
 
 /// The caller provides the texts, so no file is on disk. Files are numbered 0, 1, …, and each includes the next ones.

@@ -2,16 +2,13 @@
 // Ill-typed scripts, each with its finding and the line. Most of them are next to a similar well-typed script. Also
 // large malicious inputs.
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include <string>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::cspm::test {
 namespace {
@@ -42,14 +39,9 @@ TEST_P(Finding, IsTheOnlyOne) {
 
 // All clauses of a function must be in one file: clauses in an included file define the name again.
 TEST(Findings, ClausesDoNotJoinAcrossAnInclude) {
-    const auto folder = std::filesystem::temp_directory_path() / ("robochart-include-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    const auto write = [&](const char* name, const char* text) {
-        std::ofstream(folder / name) << text;
-        return (folder / name).string();
-    };
-    write("clauses.csp", "f(x) = 1\n");
-    write("other.csp", "g(x) = 2\n");
+    const tests::TemporaryFolder folder;
+    folder.write("clauses.csp", "f(x) = 1\n");
+    folder.write("other.csp", "g(x) = 2\n");
     const auto found = [](const std::string& path) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
@@ -57,11 +49,10 @@ TEST(Findings, ClausesDoNotJoinAcrossAnInclude) {
         if (diagnostics.ok()) check_types(script, diagnostics);
         return diagnostics.ok() ? "" : std::string(diagnostics.sorted_findings().front().rule->code);
     };
-    EXPECT_EQ(found(write("before.csp", "f(0) = 5\ninclude \"clauses.csp\"\n")), "CSPM-T02");
-    EXPECT_EQ(found(write("after.csp", "include \"clauses.csp\"\nf(0) = 5\n")), "CSPM-T02");
-    EXPECT_EQ(found(write("alone.csp", "include \"clauses.csp\"\nv = f(0)\n")), "");
-    EXPECT_EQ(found(write("beside.csp", "f(0) = 5\nf(x) = 1\ninclude \"other.csp\"\nv = f(g(1))\n")), "");
-    std::filesystem::remove_all(folder);
+    EXPECT_EQ(found(folder.write("before.csp", "f(0) = 5\ninclude \"clauses.csp\"\n")), "CSPM-T02");
+    EXPECT_EQ(found(folder.write("after.csp", "include \"clauses.csp\"\nf(0) = 5\n")), "CSPM-T02");
+    EXPECT_EQ(found(folder.write("alone.csp", "include \"clauses.csp\"\nv = f(0)\n")), "");
+    EXPECT_EQ(found(folder.write("beside.csp", "f(0) = 5\nf(x) = 1\ninclude \"other.csp\"\nv = f(g(1))\n")), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(

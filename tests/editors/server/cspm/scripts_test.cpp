@@ -2,12 +2,10 @@
 // CSPM scripts in an editor: findings while typing, also in included files; types and declarations of names.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 
 #include "tests/editors/server/client.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -17,24 +15,11 @@ using testing::Client;
 
 constexpr const char* script_uri = "file:///p/a.csp";
 
-/// A folder of files; the destructor removes it.
-class Folder {
+/// A temporary folder whose files an editor names.
+class Folder : public tests::TemporaryFolder {
 public:
-    Folder() : path_(::testing::TempDir() + "robochart_scripts_" + std::to_string(::getpid())) {
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_ + "/parts");
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ + "/" + name) << text; }
-    void remove(const std::string& name) const { std::filesystem::remove(path_ + "/" + name); }
-    [[nodiscard]] std::string uri(const std::string& name) const { return uri_of_path(path_ + "/" + name); }
-    [[nodiscard]] const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
+    void remove(const std::string& name) const { std::filesystem::remove(in(name)); }
+    [[nodiscard]] std::string uri(const std::string& name) const { return uri_of_path(in(name)); }
 };
 
 Json document_of(const std::string& uri) {
@@ -152,7 +137,7 @@ TEST(Scripts, FilesOnDiskMayChange) {
 TEST(Scripts, MayBeReachedByLinks) {
     const Folder folder;
     folder.write("parts/b.csp", "Q = STOP\n");
-    std::filesystem::create_directory_symlink(folder.path() + "/parts", folder.path() + "/link");
+    std::filesystem::create_directory_symlink(folder.in("parts"), folder.in("link"));
     Client client;
     client.open(folder.uri("a.csp"), "include \"parts/b.csp\"\nP = Q\n");
     client.open(folder.uri("link/b.csp"), "Q = Lost\n");

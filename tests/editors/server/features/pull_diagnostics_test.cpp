@@ -2,10 +2,8 @@
 // Diagnostics that the editor requests: no finding is reported twice.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "tests/editors/server/client.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -55,18 +53,15 @@ TEST(PullDiagnostics, AreThoseThatWouldBePushed) {
 }
 
 TEST(PullDiagnostics, AFileThatIsClosedIsPushedAgain) {
-    const std::string folder = ::testing::TempDir() + "robochart_pull";
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder + "/a.rct") << faulty;
-    const std::string uri = uri_of_path(folder + "/a.rct");
-    Client client(pulling(), folder);
+    const tests::TemporaryFolder folder;
+    const std::string uri = uri_of_path(folder.write("a.rct", faulty));
+    Client client(pulling(), folder.path());
     EXPECT_EQ(client.codes(uri), "RC-N01@1");
     client.open(uri, faulty);
     EXPECT_EQ(client.codes(uri), "");
     EXPECT_EQ(pull(client, uri.c_str())["items"].items().size(), 1U);
     client.close(uri);
     EXPECT_EQ(client.codes(uri), "RC-N01@1");
-    std::filesystem::remove_all(folder);
 }
 
 TEST(PullDiagnostics, AnOpenFileIsAskedForAgainWhereAnotherChangesIt) {

@@ -3,19 +3,15 @@
 // when the file changes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "tests/editors/server/client.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::lsp {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::Client;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -43,15 +39,13 @@ std::string drawn_at(int x) {
 
 class StoredDiagram : public ::testing::Test {
 protected:
-    StoredDiagram() : folder_(fs::path(::testing::TempDir()) / fmt::format("robochart_stored_{}", ::getpid())) {
-        fs::create_directories(folder_);
-        std::ofstream(folder_ / "a.rct") << machine;
+    StoredDiagram() {
+        folder_.write("a.rct", machine);
         client_.open(uri(), machine);
     }
-    ~StoredDiagram() override { fs::remove_all(folder_); }
 
-    [[nodiscard]] std::string uri() const { return uri_of_path((folder_ / "a.rct").string()); }
-    void store(const std::string& text) const { std::ofstream(folder_ / "representations.aird") << text; }
+    [[nodiscard]] std::string uri() const { return uri_of_path(folder_.in("a.rct")); }
+    void store(const std::string& text) const { folder_.write("representations.aird", text); }
     std::string svg() {
         return client_
             .request("robochart/diagram",
@@ -62,7 +56,7 @@ protected:
     Client client_;
 
 private:
-    fs::path folder_;
+    tests::TemporaryFolder folder_;
 };
 
 /// The area of nodes is 5 pixels inside the frame, which is 14 pixels inside the picture.

@@ -2,12 +2,8 @@
 // Rules in SLEEC in an editor.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "tests/editors/server/client.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -144,13 +140,13 @@ TEST(RuleTexts, WhatIsKnownOfModelsAloneIsNotAnswered) {
 
 /// Open files have the editor's text, other files the text on disk.
 TEST(RuleTexts, RulesAreOfferedBehindConformsTo) {
-    const std::string folder = ::testing::TempDir() + "robochart_rules_" + std::to_string(::getpid());
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder + "/a.sleec") << "def_start event Go def_end rule_start OnDisk when Go then Go rule_end";
-    std::ofstream(folder + "/b.sleec") << "def_start event Go def_end rule_start Old when Go then Go rule_end";
+    const tests::TemporaryFolder folder;
+    folder.write("a.sleec", "def_start event Go def_end rule_start OnDisk when Go then Go rule_end");
+    folder.write("b.sleec", "def_start event Go def_end rule_start Old when Go then Go rule_end");
     Client client;
-    client.open(uri_of_path(folder + "/b.sleec"), "def_start event Go def_end rule_start New when Go then Go rule_end");
-    const std::string claims = uri_of_path(folder + "/c.assertions");
+    client.open(uri_of_path(folder.in("b.sleec")),
+                "def_start event Go def_end rule_start New when Go then Go rule_end");
+    const std::string claims = uri_of_path(folder.in("c.assertions"));
     const std::string text = "sleec assertion A : M conforms to ";
     client.open(claims, text);
     const Answer answer = client.request("textDocument/completion",
@@ -160,7 +156,6 @@ TEST(RuleTexts, RulesAreOfferedBehindConformsTo) {
     const Answer items = answer["items"];
     for (const Answer& each : items.items()) labels += each["label"].text() + " ";
     EXPECT_EQ(labels, "OnDisk New ");
-    std::filesystem::remove_all(folder);
 }
 
 TEST(RuleTexts, HostileTextsAreHarmless) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Folders, files on disk, and open texts that override them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "editors/server/protocol/uri.hpp"
 #include "tests/editors/server/client.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -17,23 +16,17 @@ using testing::Client;
 
 class OnDisk : public ::testing::Test {
 protected:
-    OnDisk() : folder_(fs::temp_directory_path() / ("lsp workspace " + std::to_string(::getpid()))) {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~OnDisk() override { fs::remove_all(folder_); }
+    OnDisk() { fs::create_directory(folder_); }
 
-    void write(const std::string& name, const std::string& text) {
-        fs::create_directories((folder_ / name).parent_path());
-        std::ofstream(folder_ / name) << text;
-    }
+    void write(const std::string& name, const std::string& text) { temporary_.write("lsp workspace/" + name, text); }
     std::string uri(const std::string& name) { return uri_of_path((folder_ / name).string()); }
     static void tell(Client& client, const std::string& uri) {
         client.notify("workspace/didChangeWatchedFiles",
                       Json::object({{"changes", Json::array({Json::object({{"uri", uri}, {"type", 2}})})}}));
     }
 
-    fs::path folder_;
+    tests::TemporaryFolder temporary_;
+    fs::path folder_ = temporary_.in("lsp workspace");  // a URI escapes the space
 };
 
 TEST_F(OnDisk, AWorkspaceFolderIsAProject) {

@@ -6,10 +6,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "base/diagnostics/splitmix64.hpp"
 #include "frontend/diagrams/notation/subjects.hpp"
@@ -17,6 +15,7 @@
 #include "tests/frontend/diagrams/stored/aird_text.hpp"
 #include "tests/random_models/models/project.hpp"
 #include "tests/rounds.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace robochart::diagrams {
 namespace {
@@ -552,20 +551,13 @@ TEST(StoredDiagrams, StandChangesOfAnyPart) {
 
 class StoredFiles : public ::testing::Test {
 protected:
-    StoredFiles()
-        : folder_(std::filesystem::path(::testing::TempDir()) / fmt::format("stored_diagrams_{}", ::getpid())) {
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_ / "models");
-    }
-    ~StoredFiles() override { std::filesystem::remove_all(folder_); }
+    StoredFiles() { std::filesystem::create_directory(path("models")); }
 
-    void write(const std::string& path, const std::string& text) const {
-        std::ofstream(folder_ / path, std::ios::binary) << text;
-    }
+    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
     /// The findings for a model in the folders `models` and `.`.
     [[nodiscard]] std::vector<std::string> read() {
-        loaded_ = random_models::load({{(folder_ / "models/a.rct").string(), row_of_states(20)},
-                                       {(folder_ / "b.rct").string(), "stm T { initial i }\n"}});
+        loaded_ =
+            random_models::load({{path("models/a.rct"), row_of_states(20)}, {path("b.rct"), "stm T { initial i }\n"}});
         diagnostics::Diagnostics out;
         diagrams_ = {};
         diagrams_.read(loaded_->model, loaded_->sources, out);
@@ -581,13 +573,13 @@ protected:
             if (const StoredDiagram* diagram = diagrams_.diagram_of(subject.component)) return diagram->found;
         return 0;
     }
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.in(name); }
 
     std::unique_ptr<random_models::Loaded> loaded_;
     StoredDiagrams diagrams_;
 
 private:
-    std::filesystem::path folder_;
+    tests::TemporaryFolder folder_;
 };
 
 TEST_F(StoredFiles, AreFoundBesideTheModel) {
