@@ -43,8 +43,8 @@ std::unique_ptr<SharedObject> build_code(const cpp_emit::Emission& emission, con
                                          diagnostics::Budget& budget, std::string& error) {
     std::vector<std::string> sources = emission.sources;
     sources.push_back(emission.shim);
-    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, &budget, options.cache};
-    return SharedObject::build(emission.files, sources, wanted, error);
+    const BuildOptions build_options{options.compiler, options.flags, options.work_dir, &budget, options.cache};
+    return SharedObject::build(emission.files, sources, build_options, error);
 }
 
 /// The text of the normal form's definition, for FDR and for readers; the check does not depend on it.
@@ -114,8 +114,8 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     }
-    const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
-    if (result.outcome != Outcome::inconclusive || !wanted) return result;
+    const bool interrupted = options.limits.interrupted && options.limits.interrupted();
+    if (result.outcome != Outcome::inconclusive || interrupted) return result;
     if (model && options.relation == Relation::failures_divergences && options.inputs != InputSearch::on_demand)
         try_partial_readings(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
@@ -165,19 +165,19 @@ void report_large_inputs(Result& result, const Interface& interface) {
     if (result.outcome != Outcome::inconclusive) return;
     double valuations = 1;
     std::vector<const Register*> inputs;
-    for (const Register& each : interface.inputs) {
-        valuations *= each.reading_count();
-        inputs.push_back(&each);
+    for (const Register& input : interface.inputs) {
+        valuations *= input.reading_count();
+        inputs.push_back(&input);
     }
     if (valuations < many) return;
     std::ranges::stable_sort(
         inputs, [](const Register* one, const Register* other) { return one->values.size() > other->values.size(); });
     if (inputs.size() > most) inputs.resize(most);
     std::vector<std::string> parts;
-    for (const Register* each : inputs)
-        if (each->values.size() > 1)
+    for (const Register* input : inputs)
+        if (input->values.size() > 1)
             parts.push_back(
-                fmt::format("{} has {} values", each->name.substr(0, each->name.find('.')), each->values.size()));
+                fmt::format("{} has {} values", input->name.substr(0, input->name.find('.')), input->values.size()));
     result.reason += fmt::format("; every state of the code has {:.4g} inputs{}{}", valuations,
                                  parts.empty() ? "" : ": ", fmt::join(parts, ", "));
     if (!parts.empty()) result.reason += "; --range makes carriers smaller";
@@ -271,7 +271,7 @@ std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir
     if (few.types.empty()) return std::nullopt;
     FewValuesModel result;
     result.represented = represented_arguments(model.system, few, *resolved);
-    for (const RepresentedType& each : few.types) result.types.push_back({each.name, each.values});
+    for (const RepresentedType& type : few.types) result.types.push_back({type.name, type.values});
     result.script =
         csp_emit::emit(model.system, few.instantiation, csp_emit::Time::timed, {}, *timed.sources, diagnostics);
     result.instantiation = std::move(few.instantiation);

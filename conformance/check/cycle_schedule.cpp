@@ -226,7 +226,7 @@ private:
                 for (auto visit = begin; visit != path.end(); ++visit)
                     loop.push_back(model_.edges(visit->state)[visit->next - 1]);
                 refine::Counterexample found = run_to(refine::ViolationKind::divergence, first.at(edge.target));
-                for (const ModelEdge& each : loop) add_steps(found.loop, each, each.target);
+                for (const ModelEdge& loop_edge : loop) add_steps(found.loop, loop_edge, loop_edge.target);
                 return not_schedulable(result, found);
             }
         }

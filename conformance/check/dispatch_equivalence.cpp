@@ -154,9 +154,9 @@ private:
         call_guarded(call_pass, whole_, raised_);
         passed_ = true;
         const bool before = found_.image == system_.reset_image() && !has_same_effect(whole_);
-        const bool kept = before ? begins_late() : check_same_effect(whole_);
+        const bool holds = before ? begins_late() : check_same_effect(whole_);
         passed_ = false;
-        return kept;
+        return holds;
     }
 
     bool begins_late() {
@@ -197,8 +197,8 @@ private:
         run.result = stepped.result;
     }
 
-    bool check_promise(bool kept, const Run& other, const char* what) {
-        if (kept) return true;
+    bool check_promise(bool holds, const Run& other, const char* what) {
+        if (holds) return true;
         ApiDifference difference;
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         if (event_ < inputs.size() && reading_ > 0)

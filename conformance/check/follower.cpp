@@ -68,8 +68,8 @@ Mismatch Follower::make_mismatch(Node node, std::string reason) {
 /// minimal.
 bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     const auto& acceptances = form_.acceptances(node);
-    const auto fits = [&](const process::EventSet& wanted) {
-        return wanted.empty() || (but && wanted.size() == 1 && wanted.front() == *but);
+    const auto fits = [&](const process::EventSet& acceptance) {
+        return acceptance.empty() || (but && acceptance.size() == 1 && acceptance.front() == *but);
     };
     return std::ranges::any_of(acceptances, fits);
 }

@@ -96,18 +96,18 @@ private:
                 const std::vector<std::uint32_t>& next = next_images(visit.image);
                 if (visit.next == next.size()) {
                     std::uint64_t most = 0;
-                    for (const std::uint32_t each : next)
-                        if (all.known.count(each) != 0) most = std::max(most, length.at(each));
+                    for (const std::uint32_t image : next)
+                        if (all.known.count(image) != 0) most = std::max(most, length.at(image));
                     length[visit.image] = most + 1;
                     longest = std::max(longest, most + 1);
                     path.pop_back();
                     continue;
                 }
-                const std::uint32_t each = next[visit.next++];
-                if (all.known.count(each) == 0) continue;
-                const auto [place, fresh] = length.emplace(each, 0);
+                const std::uint32_t image = next[visit.next++];
+                if (all.known.count(image) == 0) continue;
+                const auto [place, fresh] = length.emplace(image, 0);
                 if (!fresh && place->second == 0) return std::nullopt;
-                if (fresh) path.push_back({each});
+                if (fresh) path.push_back({image});
             }
         }
         return longest;

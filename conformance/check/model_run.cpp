@@ -92,8 +92,8 @@ private:
             const auto role = alphabet_.cycle_role(event).kind;
             if (role == CycleRole::Kind::read || role == CycleRole::Kind::write) continue;
             const std::vector<ModelEdge>& edges = graph_.edges(at);
-            const auto edge = std::ranges::find_if(edges, [&](const ModelEdge& each) {
-                return each.target == *next && (each.event == event || each.revealed == event);
+            const auto edge = std::ranges::find_if(edges, [&](const ModelEdge& candidate) {
+                return candidate.target == *next && (candidate.event == event || candidate.revealed == event);
             });
             if (edge == edges.end()) continue;
             steps.push_back({edge->event, edge->revealed, graph_.describe(*next)});
@@ -152,11 +152,11 @@ std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const
 
 runs::Run interpret_run(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
                         const ModelWords& words) {
-    csp_emit::Obligation asked;
-    asked.time = csp_emit::Time::timed;
-    asked.kind = kind;
+    csp_emit::Obligation obligation;
+    obligation.time = csp_emit::Time::timed;
+    obligation.kind = kind;
     const runs::Context context{words.provenance, words.system, words.instantiation, words.sources, session};
-    return runs::interpret_counterexample(context, asked, run);
+    return runs::interpret_counterexample(context, obligation, run);
 }
 
 }  // namespace robochart::conformance

@@ -105,7 +105,7 @@ private:
             return;
         }
         const std::vector<std::uint32_t> below = code_.child_nodes(node);
-        const bool same = std::ranges::all_of(below, [&](std::uint32_t each) { return each == below[0]; });
+        const bool same = std::ranges::all_of(below, [&](std::uint32_t child) { return child == below[0]; });
         if (same) return visit_tree(below.front(), level + 1, readings);
         for (std::uint32_t reading = 0; reading < below.size(); ++reading) {
             readings[level] = reading;
@@ -117,14 +117,14 @@ private:
     /// Tries every reading of a register on which the model depends. Recursion depth: the number of registers.
     void try_cycle(const CycleResult& result, Readings& readings) {
         if (found_) return;
-        const std::optional<std::uint32_t> asked = check_cycle(result, readings);
-        if (!asked) return;
-        const std::uint32_t all = alphabet_.interface().inputs[*asked].reading_count();
+        const std::optional<std::uint32_t> register_index = check_cycle(result, readings);
+        if (!register_index) return;
+        const std::uint32_t all = alphabet_.interface().inputs[*register_index].reading_count();
         for (std::uint32_t reading = 0; reading < all; ++reading) {
-            readings[*asked] = reading;
+            readings[*register_index] = reading;
             try_cycle(result, readings);
         }
-        readings[*asked] = not_read;
+        readings[*register_index] = not_read;
     }
 
     /// Follows the cycle in the model. Returns the register on which the model depends; no value if the cycle is
@@ -141,12 +141,12 @@ private:
                 return std::nullopt;
         }
         for (std::size_t w = 0; w < result.writes.size(); ++w) {
-            if (const auto asked = follower_.asked_register(node)) return asked;
+            if (const auto register_index = follower_.asked_register(node)) return register_index;
             if (record_mismatch(follower_.follow_event(node, result.writes[w], false),
                                 {at_, readings, &result, w + 1, inputs_ + w}))
                 return std::nullopt;
         }
-        if (const auto asked = follower_.asked_register(node)) return asked;
+        if (const auto register_index = follower_.asked_register(node)) return register_index;
         const std::size_t writes = result.writes.size();
         const Last whole{at_, readings, &result, writes, inputs_ + writes};
         if (record_mismatch(follower_.finish_cycle(node, result.outcome, false), whole)) return std::nullopt;

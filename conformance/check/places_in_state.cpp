@@ -7,10 +7,10 @@ namespace {
 
 /// The value of a member in the text of a state; members of operations follow those of their machines.
 std::string_view value_in(std::string_view state, const std::string& member) {
-    const std::string wanted = member + "=";
-    for (std::size_t at = state.find(wanted); at != std::string_view::npos; at = state.find(wanted, at + 1)) {
+    const std::string prefix = member + "=";
+    for (std::size_t at = state.find(prefix); at != std::string_view::npos; at = state.find(prefix, at + 1)) {
         if (at != 0 && state[at - 1] != ' ') continue;
-        const std::string_view rest = state.substr(at + wanted.size());
+        const std::string_view rest = state.substr(at + prefix.size());
         return rest.substr(0, rest.find(' '));
     }
     return {};

@@ -21,9 +21,9 @@ using cpp_emit::ViolationPlace;
 
 /// Whether a member of the printed state has this value.
 bool has_value(const std::string& state, const std::string& value) {
-    const std::string wanted = "=" + value;
-    for (std::size_t at = state.find(wanted); at != std::string::npos; at = state.find(wanted, at + 1)) {
-        const std::size_t end = at + wanted.size();
+    const std::string pattern = "=" + value;
+    for (std::size_t at = state.find(pattern); at != std::string::npos; at = state.find(pattern, at + 1)) {
+        const std::size_t end = at + pattern.size();
         if (end == state.size() || state[end] == ' ') return true;
     }
     return false;

@@ -228,9 +228,9 @@ private:
         at_ = end;
         return word;
     }
-    [[nodiscard]] ValueFault make_fault(std::string wanted, std::string_view word) const {
+    [[nodiscard]] ValueFault make_fault(std::string expected, std::string_view word) const {
         const auto begin = static_cast<std::size_t>(word.data() - text_.data());
-        return {std::move(wanted), begin, word.size()};
+        return {std::move(expected), begin, word.size()};
     }
 
     [[nodiscard]] std::string describe_shape(ir::TypeId id) const { return describe_shape(system_.type(id)); }
@@ -278,7 +278,8 @@ ir::Value replace_outside(const LoggedPart& part, const ir::Instantiation& insta
         const std::vector<std::int64_t>& all = *carrier_numbers(instantiation, part.kind);
         value.number = all[hash_text(part.outside, salt) % all.size()];
     }
-    for (const LoggedPart& each : part.parts) value.parts.push_back(replace_outside(each, instantiation, salt));
+    for (const LoggedPart& inner_part : part.parts)
+        value.parts.push_back(replace_outside(inner_part, instantiation, salt));
     if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function) {
         std::ranges::sort(value.parts);
         value.parts.erase(std::unique(value.parts.begin(), value.parts.end()), value.parts.end());
@@ -295,7 +296,8 @@ bool all_inside(const LoggedPart& part) {
 bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
     if (part.kind == TypeKind::function) return all_inside(part);
     return (part.outside.empty() || passed_on.is_independent(part.kind)) &&
-           std::ranges::all_of(part.parts, [&](const LoggedPart& each) { return only_passed_on(each, passed_on); });
+           std::ranges::all_of(part.parts,
+                               [&](const LoggedPart& inner_part) { return only_passed_on(inner_part, passed_on); });
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct LoggedValue {
 /// Thrown if a text is not a value of its type. Contains the expected form and the part of the text that does not
 /// match.
 struct ValueFault {
-    std::string wanted;
+    std::string expected;
     std::size_t begin = 0;
     std::size_t length = 0;
 };

@@ -160,7 +160,7 @@ void ModelGraph::find_components(ModelState start) {
         const std::vector<ModelEdge>& all = edges(state);
         component_of_.resize(std::max(component_of_.size(), edges_.size()), unknown);
         if (seen.size() > most_in_search) {
-            for (const ModelState each : open) component_of_[each] = hears_all;
+            for (const ModelState open_state : open) component_of_[open_state] = hears_all;
             return;
         }
         if (path.back().next == all.size()) {

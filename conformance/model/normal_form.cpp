@@ -171,9 +171,9 @@ private:
 
     [[nodiscard]] ExprPtr ta1_process() const {
         if (inputs().empty()) return end();
-        std::vector<ExprPtr> each;
-        for (std::uint32_t i = 0; i < inputs().size(); ++i) each.push_back(b::name(a1_name(constructor(i))));
-        return b::interrupt(b::interleave(std::move(each)), end());
+        std::vector<ExprPtr> a1_processes;
+        for (std::uint32_t i = 0; i < inputs().size(); ++i) a1_processes.push_back(b::name(a1_name(constructor(i))));
+        return b::interrupt(b::interleave(std::move(a1_processes)), end());
     }
 
     [[nodiscard]] ExprPtr a2_process() const {
@@ -216,9 +216,9 @@ private:
             if (with_outputs) events.push_back(model_event(output.name));
         }
         for (const char* name : more) {
-            const std::string_view wanted = name;
-            if (wanted == "registerRead" && inputs().empty()) continue;
-            if (wanted == "registerWrite" && outputs().empty()) continue;
+            const std::string_view event_name = name;
+            if (event_name == "registerRead" && inputs().empty()) continue;
+            if (event_name == "registerWrite" && outputs().empty()) continue;
             events.push_back(b::name(name));
         }
         return b::productions(std::move(events));

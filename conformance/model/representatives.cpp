@@ -81,10 +81,10 @@ private:
     std::optional<ir::Value> sample_matrix(const ir::Type& type) {
         ir::Value value;
         for (std::int64_t row = 0; row < type.sizes[0]; ++row) {
-            std::optional<ir::Value> each =
+            std::optional<ir::Value> row_value =
                 sample_parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[1]), type.args[0]));
-            if (!each) return std::nullopt;
-            value.parts.push_back(std::move(*each));
+            if (!row_value) return std::nullopt;
+            value.parts.push_back(std::move(*row_value));
         }
         return value;
     }
@@ -191,14 +191,15 @@ private:
         const bool used =
             std::ranges::any_of(seen_, [&](std::uint32_t index) { return system_.types[index].kind == kind; });
         if (!used || !independent_.is_independent(kind)) return;
-        std::set<std::int64_t> kept{0};
-        for_each_fixed(
-            [&](ir::TypeId type, const ir::Value& value) { collect_numbers(system_.type(type), value, kind, kept); });
-        for (const cpp_emit::Unit& unit : component_.units) collect_literals(*unit.machine, kept);
+        std::set<std::int64_t> component_numbers{0};
+        for_each_fixed([&](ir::TypeId type, const ir::Value& value) {
+            collect_numbers(system_.type(type), value, kind, component_numbers);
+        });
+        for (const cpp_emit::Unit& unit : component_.units) collect_literals(*unit.machine, component_numbers);
         std::vector<std::int64_t> chosen;
         std::size_t more = 2;
         for (const std::int64_t number : carrier)
-            if (kept.count(number) > 0 || (more > 0 && more-- > 0)) chosen.push_back(number);
+            if (component_numbers.count(number) > 0 || (more > 0 && more-- > 0)) chosen.push_back(number);
         if (more > 0 || chosen.size() == carrier.size()) return;
         carrier = std::move(chosen);
         for (std::uint32_t index = 0; index < system_.types.size(); ++index) {
@@ -245,7 +246,7 @@ private:
 
 bool is_represented(const ir::System& system, const Representatives& few, ir::TypeId id) {
     const ir::Type& type = system.type(id);
-    const auto same = [&](const RepresentedType& each) { return same_type(system, each.type, id); };
+    const auto same = [&](const RepresentedType& represented) { return same_type(system, represented.type, id); };
     if (std::ranges::any_of(few.types, same)) return true;
     const auto inside = [&](ir::TypeId part) { return is_represented(system, few, part); };
     return std::ranges::any_of(type.args, inside) || std::ranges::any_of(type.literal_args, [&](const auto& arguments) {

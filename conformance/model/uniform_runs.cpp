@@ -182,14 +182,14 @@ bool UniformRuns::finish(Set states, const std::vector<bool>& unread, rc_result 
     if (outcome != RC_QUIESCENT && outcome != RC_DEADLINE) return false;
     const bool passes = outcome == RC_QUIESCENT;
     States fitting;  // for all readings of the unread registers
-    std::optional<std::uint32_t> asked;
+    std::optional<std::uint32_t> awaited;
     for (const HeldState& state : States(closure(states).all)) {
         if (!stable(state) || lets_time_pass(state.model) != passes) continue;
         const auto input = awaits(state.model, unread);
         if (!input)
             fitting.push_back(state);
-        else if (!asked)
-            asked = input;
+        else if (!awaited)
+            awaited = input;
     }
     if (!fitting.empty()) {
         const auto next = passes ? after_time(fitting) : std::optional<Set>(0);
@@ -198,12 +198,12 @@ bool UniformRuns::finish(Set states, const std::vector<bool>& unread, rc_result 
         completions.back().states = *next;
         return true;
     }
-    if (!asked) return false;
+    if (!awaited) return false;
     std::vector<bool> left = unread;
-    left[*asked] = false;
-    for (std::uint32_t reading = 0; reading < alphabet_->interface().inputs[*asked].reading_count(); ++reading) {
-        refused.readings.emplace_back(*asked, reading);
-        const Set completed = reading == 0 ? states : with(states, *asked, reading);
+    left[*awaited] = false;
+    for (std::uint32_t reading = 0; reading < alphabet_->interface().inputs[*awaited].reading_count(); ++reading) {
+        refused.readings.emplace_back(*awaited, reading);
+        const Set completed = reading == 0 ? states : with(states, *awaited, reading);
         if (!finish(completed, left, outcome, completions, refused)) return false;
         refused.readings.pop_back();
     }

@@ -188,8 +188,8 @@ std::string describe_first_difference(const CyclicModel& model, const CycleStep&
 
 bool ChoiceAutomaton::is_deterministic() const {
     for (const auto& symbols : branches)
-        for (const auto& each : symbols)
-            if (each.size() > 1) return false;
+        for (const auto& alternatives : symbols)
+            if (alternatives.size() > 1) return false;
     return true;
 }
 
@@ -203,11 +203,12 @@ CycleAutomaton cycle_automaton(CyclicModel& model, const refine::Limits& limits)
     machine.inputs = std::move(choices.inputs);
     for (auto& symbols : choices.branches) {
         std::vector<CycleStep>& steps = machine.steps.emplace_back();
-        for (auto& each : symbols) {
-            if (each.size() > 1)
-                throw std::length_error(fmt::format("the model leaves a choice, between {}",
-                                                    describe_first_difference(model, each[0], each[1])));
-            steps.push_back(std::move(each.front()));
+        for (auto& alternatives : symbols) {
+            if (alternatives.size() > 1)
+                throw std::length_error(
+                    fmt::format("the model leaves a choice, between {}",
+                                describe_first_difference(model, alternatives[0], alternatives[1])));
+            steps.push_back(std::move(alternatives.front()));
         }
     }
     return machine;

@@ -110,10 +110,11 @@ LoggedValue TraceAlphabet::parse_value(const ValueReader& reader, std::string_vi
         return reader.read_value(text);
     } catch (const ValueFault& fault) {
         const auto begin = static_cast<std::size_t>(text.data() - token.text.data()) + fault.begin;
-        throw TraceFault{&rules::log_value,
-                         {std::string(name), fault.wanted, fmt::format("`{}`", text.substr(fault.begin, fault.length))},
-                         token.column + static_cast<std::uint32_t>(begin),
-                         static_cast<std::uint32_t>(std::max<std::size_t>(fault.length, 1))};
+        throw TraceFault{
+            &rules::log_value,
+            {std::string(name), fault.expected, fmt::format("`{}`", text.substr(fault.begin, fault.length))},
+            token.column + static_cast<std::uint32_t>(begin),
+            static_cast<std::uint32_t>(std::max<std::size_t>(fault.length, 1))};
     }
 }
 
@@ -142,11 +143,11 @@ LoggedEvent TraceAlphabet::parse_event(const TraceToken& token) const {
 }
 
 const LoggedEvent& TraceAlphabet::read_event(const TraceToken& token) {
-    constexpr std::size_t kept = 1U << 14U;
+    constexpr std::size_t most_known = 1U << 14U;
     const auto found = known_.find(std::string(token.text));
     if (found != known_.end()) return found->second;
     last_ = parse_event(token);
-    if (known_.size() >= kept || !last_.is_inside()) return last_;
+    if (known_.size() >= most_known || !last_.is_inside()) return last_;
     return known_.emplace(std::string(token.text), last_).first->second;
 }
 
