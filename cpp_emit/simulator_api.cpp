@@ -362,9 +362,9 @@ private:
     [[nodiscard]] const Enumeration& root_places(std::size_t part) const {
         const MachineCode& machine = core_.machines[generation_.component.parts[part].root];
         assert(!machine.enumerations.empty());
-        const std::string& wanted = generation_.component.root_unit(part).points;
+        const std::string& points = generation_.component.root_unit(part).points;
         for (const Enumeration& enumeration : machine.enumerations)
-            if (enumeration.name == wanted) return enumeration;
+            if (enumeration.name == points) return enumeration;
         return machine.enumerations.front();
     }
 

@@ -54,27 +54,28 @@ void write_operation(const Generation& generation, const Core& core, CodeWriter&
 }
 
 void write_functions(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
-    for (const ApiFunction& each : api.functions) {
-        const ir::Function& function = generation.system.functions[each.hook->id.index];
+    for (const ApiFunction& api_function : api.functions) {
+        const ir::Function& function = generation.system.functions[api_function.hook->id.index];
         const ir::Value value = ir::default_value(generation.system, generation.inst, function.result);
         out.gap();
         out.doc(fmt::format("Function {}: the model has only its contract.", function.name));
         out.line(
             fmt::format("[[nodiscard]] virtual {} {}({}) {{ return {}; }}",
-                        deployed_type(generation, core.relative, function.result), each.method,
+                        deployed_type(generation, core.relative, function.result), api_function.method,
                         typed_parameters(generation, core, function.parameters, unused_names(function.parameter_names)),
                         deployed_value(generation, core, function.result, value)));
     }
 }
 
 void write_function_hooks(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
-    for (const ApiFunction& each : api.functions) {
-        const ir::Function& function = generation.system.functions[each.hook->id.index];
+    for (const ApiFunction& api_function : api.functions) {
+        const ir::Function& function = generation.system.functions[api_function.hook->id.index];
         const std::vector<std::string> arguments = passed_names(function.parameters.size());
         out.gap();
         out.open(fmt::format("{} {}({}) const noexcept {{", deployed_type(generation, core.relative, function.result),
-                             each.hook->method, typed_parameters(generation, core, function.parameters, arguments)));
-        out.line(fmt::format("return machine.{}({});", each.method, fmt::join(arguments, ", ")));
+                             api_function.hook->method,
+                             typed_parameters(generation, core, function.parameters, arguments)));
+        out.line(fmt::format("return machine.{}({});", api_function.method, fmt::join(arguments, ", ")));
         out.close();
     }
 }

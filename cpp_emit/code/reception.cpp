@@ -147,10 +147,10 @@ std::string as_variable(const Generation& generation, const Unit& unit, const ir
                         const std::string& value) {
     const std::optional<ir::TypeId> carried = unit.machine->events[communication.event.index].type;
     if (value.empty() || !carried || !communication.variable.is_valid()) return value;
-    const ir::TypeId wanted = unit.machine->variables[communication.variable.index].type;
-    const std::string type = cpp_type(generation.system, wanted);
+    const ir::TypeId variable_type = unit.machine->variables[communication.variable.index].type;
+    const std::string type = cpp_type(generation.system, variable_type);
     if (type == cpp_type(generation.system, *carried)) return value;
-    if (is_numeric(generation.system.type(wanted).kind)) return fmt::format("{}({})", type, value);
+    if (is_numeric(generation.system.type(variable_type).kind)) return fmt::format("{}({})", type, value);
     return fmt::format("robochart::convert<{}>({})", type, value);
 }
 

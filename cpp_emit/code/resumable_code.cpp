@@ -254,8 +254,8 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     resume_at(waiting_, fmt::format("waits for {}", use.name));
     const CppExpr there("inputs_." + port.input + ".present");
     const CppExpr free = conjunction(there, may_write(generation_, unit_, communication.variable));
-    const CppExpr wanted = conjunction(free, value_predicate(generation_, unit_, communication, value));
-    return_if(fmt::format("!({})", wanted.whole_text()));
+    const CppExpr ready = conjunction(free, value_predicate(generation_, unit_, communication, value));
+    return_if(fmt::format("!({})", ready.whole_text()));
     write_line(consume_statement(port));
     write_line(store_received(generation_, unit_, communication, value));
 }

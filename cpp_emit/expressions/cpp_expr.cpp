@@ -26,9 +26,9 @@ CppExpr CppExpr::join_conditions(const CppExpr& first, const CppExpr& second, Bi
     if (first.empty()) return second;
     if (second.empty()) return first;
     const bool differs = how == Joined::any;
-    const auto tests = [&](const CppExpr& each) {
-        return !each.last_.operand.empty() && each.last_.differs == differs &&
-               (each.last_.joined == Joined::alone || each.last_.joined == how);
+    const auto tests = [&](const CppExpr& condition) {
+        return !condition.last_.operand.empty() && condition.last_.differs == differs &&
+               (condition.last_.joined == Joined::alone || condition.last_.joined == how);
     };
     const bool excluded = tests(first) && tests(second) && first.last_.operand == second.last_.operand;
     const CppExpr behind = excluded ? CppExpr("robochart::holds(" + second.whole_text() + ")") : second;

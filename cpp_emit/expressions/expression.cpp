@@ -225,7 +225,7 @@ std::string ExpressionWriter::call_arguments(const ir::Expr& expr) const {
 
 const FunctionHook& ExpressionWriter::hook_of(ir::FunctionId id) const {
     const auto& hooks = generation_.component.functions;
-    return *std::ranges::find_if(hooks, [&](const FunctionHook& each) { return each.id == id; });
+    return *std::ranges::find_if(hooks, [&](const FunctionHook& hook) { return hook.id == id; });
 }
 
 std::string ExpressionWriter::platform_call(ir::FunctionId id, const std::string& arguments) const {

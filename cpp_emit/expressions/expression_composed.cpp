@@ -170,9 +170,9 @@ std::string ExpressionWriter::write_range(const ir::Expr& expr) const {
 
 /// The test whether a number is a value of another numeric type.
 std::string ExpressionWriter::is_type(const ir::Expr& expr) const {
-    const ir::TypeId wanted = expr.bound_types.at(0);
-    const bool natural = generation_.system.type(wanted).kind == TypeKind::nat;
-    return fmt::format("robochart::is_value<{}, {}>({})", type_text(wanted), natural, write(*expr.args[0]));
+    const ir::TypeId type = expr.bound_types.at(0);
+    const bool natural = generation_.system.type(type).kind == TypeKind::nat;
+    return fmt::format("robochart::is_value<{}, {}>({})", type_text(type), natural, write(*expr.args[0]));
 }
 
 bool ExpressionWriter::block_arithmetic(const ir::Expr& expr) const {

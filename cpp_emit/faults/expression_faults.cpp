@@ -52,7 +52,7 @@ std::string other_function(std::string_view name) {
 template <std::size_t count>
 const Exchange* find_exchange(const Exchange (&table)[count], ExprKind kind) {
     const auto* const found =
-        std::find_if(std::begin(table), std::end(table), [&](Exchange each) { return each.from == kind; });
+        std::find_if(std::begin(table), std::end(table), [&](Exchange exchange) { return exchange.from == kind; });
     return found == std::end(table) ? nullptr : found;
 }
 
@@ -95,8 +95,8 @@ private:
 
     /// Whether all operands are single numbers, not vectors or matrices.
     [[nodiscard]] bool has_number_operands() const {
-        return std::ranges::all_of(expr_.args, [&](const ir::ExprPtr& each) {
-            const ir::TypeKind type = kind_of(*each);
+        return std::ranges::all_of(expr_.args, [&](const ir::ExprPtr& operand) {
+            const ir::TypeKind type = kind_of(*operand);
             return type == ir::TypeKind::nat || type == ir::TypeKind::integer || type == ir::TypeKind::real;
         });
     }
@@ -270,8 +270,8 @@ ir::ExprPtr negate_condition(const ir::ExprPtr& expr) {
 
 ir::ExprPtr ExpressionFaults::rewrite_field(const Expr& whole, std::size_t place, const ir::ExprPtr& part) {
     const ir::TypeId type = part_type(system_, whole, place);
-    const ir::ExprPtr kept = type.is_valid() ? default_literal(system_, inst_, type) : nullptr;
-    return kept && mutation_.hits(Fault::field_dropped) ? kept : part;
+    const ir::ExprPtr literal = type.is_valid() ? default_literal(system_, inst_, type) : nullptr;
+    return literal && mutation_.hits(Fault::field_dropped) ? literal : part;
 }
 
 std::vector<ir::ExprPtr> ExpressionFaults::rewrite_operands(const Expr& expr) {

@@ -106,10 +106,10 @@ private:
     }
 
     void rewrite_resets(ir::Transition& transition) {
-        std::vector<ir::ClockId> kept;
+        std::vector<ir::ClockId> remaining;
         for (const ir::ClockId clock : transition.resets)
-            if (!statements_.has_effect(clock) || !mutation_.hits(Fault::clock_not_reset)) kept.push_back(clock);
-        transition.resets = std::move(kept);
+            if (!statements_.has_effect(clock) || !mutation_.hits(Fault::clock_not_reset)) remaining.push_back(clock);
+        transition.resets = std::move(remaining);
     }
 
     void rewrite_deadline(ir::Transition& transition) {

@@ -184,8 +184,8 @@ StmtPtr StatementFaults::rewrite_call(ir::Stmt stmt) {
     }
     const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
     for (std::size_t i = 0; i < stmt.args.size(); ++i) {
-        const ir::ExprPtr kept = default_literal(system_, inst_, parameters[i]);
-        if (kept && mutation_.hits(Fault::argument_dropped)) stmt.args[i] = kept;
+        const ir::ExprPtr literal = default_literal(system_, inst_, parameters[i]);
+        if (literal && mutation_.hits(Fault::argument_dropped)) stmt.args[i] = literal;
     }
     return make_statement(std::move(stmt));
 }

@@ -320,10 +320,10 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     std::vector<std::string> late;
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty() && variable.has_member()) write_outside(generation, variable, out, late);
-    for (const EventPort* event : core.kept) take_kept(out, *event);
+    for (const EventPort* event : core.kept_inputs) take_kept(out, *event);
     const char* const state = generation.component.is_composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
-    for (const EventPort* event : core.kept) keep_input(out, *event);
+    for (const EventPort* event : core.kept_inputs) keep_input(out, *event);
     for (const std::string& line : late) out.line(line);
     out.line(fmt::format("const robochart::StepResult result = this->result(finished({}));", state));
     if (core.layout.timed) out.line(fmt::format("if (result == robochart::StepResult::quiescent) advance({});", state));
@@ -394,7 +394,7 @@ namespace {
 /// The members of the state for inputs that outlive their cycle.
 std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
     std::vector<Field> fields;
-    for (const EventPort* event : core.kept) {
+    for (const EventPort* event : core.kept_inputs) {
         fields.push_back({"bool", "kept_" + event->input, "false", "", 1, 1});
         if (!event->type) continue;
         const Extent extent = cpp_extent(generation.system, generation.inst, *event->type);
@@ -439,7 +439,7 @@ Core make_core(const Generation& generation) {
         (void)type_names.unique_name(unit.points);
     }
     for (const EventPort& event : component.events)
-        if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept.push_back(&event);
+        if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept_inputs.push_back(&event);
     if (!input_events(component).empty()) (void)type_names.unique_name(event_type(generation));
     std::vector<Field> more = kept_fields(generation, core);
     const std::vector<Field> common = common_fields(generation);

@@ -90,8 +90,8 @@ private:
                 const ir::Transition& transition = machine.transitions[id.index];
                 if (!transition.trigger) continue;
                 const std::string& name = machine.events[transition.trigger->event.index].name;
-                const auto use =
-                    std::ranges::find_if(part.events, [&](const EventUse& each) { return each.name == name; });
+                const auto use = std::ranges::find_if(
+                    part.events, [&](const EventUse& candidate) { return candidate.name == name; });
                 if (use == part.events.end()) continue;
                 const std::vector<bool> events = raised_events(*use);
                 for (std::size_t i = 0; i < events.size(); ++i)

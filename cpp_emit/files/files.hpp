@@ -11,12 +11,12 @@ namespace robochart::cpp_emit {
 
 /// The parts of the core's text that several files use.
 struct Core {
-    std::string name_space;              ///< "aggregation::AggregationFSM_core"
-    std::string relative;                ///< the same namespace, relative to the package's
-    std::string header;                  ///< file name
-    std::vector<MachineCode> machines;   ///< in the order of Component::units
-    FrameLayout layout;                  ///< layout of State
-    std::vector<const EventPort*> kept;  ///< Fault::event_kept: inputs that outlive the cycle
+    std::string name_space;                     ///< "aggregation::AggregationFSM_core"
+    std::string relative;                       ///< the same namespace, relative to the package's
+    std::string header;                         ///< file name
+    std::vector<MachineCode> machines;          ///< in the order of Component::units
+    FrameLayout layout;                         ///< layout of State
+    std::vector<const EventPort*> kept_inputs;  ///< Fault::event_kept: inputs that outlive the cycle
 };
 
 /// Generates the code of all machines.

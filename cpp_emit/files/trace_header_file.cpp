@@ -271,8 +271,9 @@ private:
 
     void outside_write(const StoredVariable& variable) {
         std::vector<std::string> known;
-        for (const StoredVariable& each : generation_.component.variables)
-            if (each.input == variable.input && each.has_member()) known.push_back("state." + each.path + " == value");
+        for (const StoredVariable& stored : generation_.component.variables)
+            if (stored.input == variable.input && stored.has_member())
+                known.push_back("state." + stored.path + " == value");
         if (!known.empty()) out_.line(fmt::format("if ({}) return;", fmt::join(known, " && ")));
         for (std::size_t i = 0; i < registers_.size(); ++i)
             if (registers_[i].member == variable.input)

@@ -149,8 +149,8 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
 }
 
 /// Whether the compiler ran out of memory. In that case its failure is no evidence about the code.
-bool lacked_memory(const std::string& said) {
-    const auto says = [&](const char* words) { return said.find(words) != std::string::npos; };
+bool lacked_memory(const std::string& output) {
+    const auto says = [&](const char* words) { return output.find(words) != std::string::npos; };
     return says("memory exhausted") || says("out of memory") || says("annot allocate memory") ||
            says("Killed signal") || says("std::bad_alloc");
 }
@@ -161,20 +161,20 @@ bool compile_sources(const BuildOptions& options, const fs::path& folder, const 
     command.insert(command.begin() + 1, "-fno-gnu-unique");
     const std::string log = target + ".log";
     int status = run_program(command, log, error, options.budget);
-    std::string said = read_file(log);
-    if (status > 0 && said.find("no-gnu-unique") != std::string::npos) {
+    std::string output = read_file(log);
+    if (status > 0 && output.find("no-gnu-unique") != std::string::npos) {
         command.erase(command.begin() + 1);  // clang has no unique symbols and does not know this option
         status = run_program(command, log, error, options.budget);
-        said = read_file(log);
+        output = read_file(log);
     }
     std::error_code ignored;
     fs::remove(log, ignored);
     if (status < 0)
         throw NoCompiler(
             fmt::format("{}: a C++ compiler is needed here; on Debian, `apt install g++` installs one", error));
-    if (status > 0 && lacked_memory(said))
+    if (status > 0 && lacked_memory(output))
         throw diagnostics::LimitReached(fmt::format("{} was given no more memory", options.compiler));
-    if (status > 0) error = fmt::format("{} failed with status {}:\n{}", options.compiler, status, said);
+    if (status > 0) error = fmt::format("{} failed with status {}:\n{}", options.compiler, status, output);
     return status == 0;
 }
 

@@ -155,9 +155,9 @@ std::vector<const ir::Transition*> DispatchCode::candidate_transitions(NodeId le
 /// The condition for a transition in a case; empty if there is none.
 CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
     const std::string value = transition.trigger ? incoming_value(transition) : "";
-    const CppExpr wanted =
+    const CppExpr predicate =
         transition.trigger ? value_predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
-    return conjunction(wanted, steps_.guard_condition(transition, value));
+    return conjunction(predicate, steps_.guard_condition(transition, value));
 }
 
 /// The code for control that does not rest in a state: at the beginning, or in a junction without an enabled
@@ -218,8 +218,8 @@ void DispatchCode::dispatch_function() {
     const bool places = std::ranges::any_of(
         rows, [&](NodeId row) { return !plan_.is_resting_place(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
-    const Strategy wanted = generation_.options.strategy;
-    const bool table = wanted == Strategy::table || (wanted == Strategy::automatic && leaves >= leaves_for_table);
+    const Strategy strategy = generation_.options.strategy;
+    const bool table = strategy == Strategy::table || (strategy == Strategy::automatic && leaves >= leaves_for_table);
     const std::string type = event_type(generation_);
     out_.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
     out_.line(fmt::format("{}& f = state_;", frame_type()));
@@ -312,8 +312,7 @@ void DispatchCode::dispatch_switch(const std::vector<NodeId>& rows, const std::v
             if (port == nullptr) continue;
             const std::string body = case_body(row, taken_for(row, *port, columns), 7);
             if (body.empty()) continue;
-            const bool asked = body != case_body(row, nullptr, 7);
-            if (!asked) continue;
+            if (body == case_body(row, nullptr, 7)) continue;
             out_.line(fmt::format("        case {}::{}:", type, port->input));
             out_.write_raw(body);
         }

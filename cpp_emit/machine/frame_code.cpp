@@ -141,11 +141,11 @@ std::vector<Enumeration> FrameCode::all_enumerations() const {
     if (!plan_.machine().initial.is_valid()) return {at};
     std::vector<Enumeration> result = {at};
     for (const DuringThread& during : during_) {
-        Enumeration each{
+        Enumeration progress{
             during.thread.enumeration, "How far the during action of " + during.suffix + " is.", {{"idle", "", {}}}};
         for (const Place& place : during.thread.places)
-            each.values.push_back({place.label, place.comment, place.state});
-        result.push_back(std::move(each));
+            progress.values.push_back({place.label, place.comment, place.state});
+        result.push_back(std::move(progress));
     }
     if (context_.leaving.empty()) return result;
     Enumeration leaving{context_.leaving, "The transition whose exits are running.", {{"nothing", "", {}}}};

@@ -33,9 +33,9 @@ void PropagationCode::prompt_function() {
 }
 
 void PropagationCode::prompt_steps(const Thread& thread) {
-    for (const PromptStep& each : thread.prompt_steps) {
-        out_.open(fmt::format("if ({}) {{", each.there));
-        for (const std::string& line : each.lines) out_.line(line);
+    for (const PromptStep& step : thread.prompt_steps) {
+        out_.open(fmt::format("if ({}) {{", step.there));
+        for (const std::string& line : step.lines) out_.line(line);
         out_.close();
     }
     for (const CallFrame& call : thread.calls)

@@ -47,9 +47,9 @@ const StoredVariable* Component::stored_variable(const Unit& of, ir::VariableId 
 
 const PlatformCall& Component::find_platform_call(const Unit& of, ir::OperationId id) const {
     assert(id.index < of.machine->operations.size());
-    const std::string& wanted = of.machine->operations[id.index].name;
-    return *std::ranges::find_if(calls,
-                                 [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
+    const std::string& operation_name = of.machine->operations[id.index].name;
+    return *std::ranges::find_if(
+        calls, [&](const PlatformCall& candidate) { return candidate.signature->name == operation_name; });
 }
 
 const ModelledCall& Component::modelled_call(ir::MachineId definition) const {

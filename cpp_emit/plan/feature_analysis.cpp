@@ -69,7 +69,7 @@ private:
         component_.toolkit = component_.toolkit || (converts && (with_parts || expr.kind != ExprKind::cast));
         for (const ir::ExprPtr& part : expr.args)
             if (part && part->type.is_valid() && with_parts && has_parts(part->type)) component_.toolkit = true;
-        for (const ir::TypeId each : visited_types(system_, expr)) use_carrier(each);
+        for (const ir::TypeId type : visited_types(system_, expr)) use_carrier(type);
     }
 
     /// A value with parts may have to be converted to the type of the variable that receives it.

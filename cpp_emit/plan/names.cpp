@@ -106,8 +106,8 @@ std::string bound_identifier(std::string_view name) {
     return result;
 }
 
-std::string NameScope::unique_name(std::string_view wanted) {
-    const std::string base = stem_of(wanted);
+std::string NameScope::unique_name(std::string_view text) {
+    const std::string base = stem_of(text);
     std::string name = reserved_(base) ? base + "_" : base;
     for (unsigned number = 2; reserved_(name) || !taken_.insert(name).second; ++number)
         name = base + "_" + std::to_string(number);

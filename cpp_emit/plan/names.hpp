@@ -40,8 +40,8 @@ public:
     /// `taken`: names that the generated code itself uses in this scope.
     explicit NameScope(std::set<std::string> taken) : taken_(std::move(taken)) {}
 
-    /// Converts `wanted` to an identifier, and appends a number if it is in use.
-    [[nodiscard]] std::string unique_name(std::string_view wanted);
+    /// Converts `text` to an identifier, and appends a number if it is in use.
+    [[nodiscard]] std::string unique_name(std::string_view text);
     /// The first of `stem`_1, `stem`_2, ... that is not in use.
     [[nodiscard]] std::string numbered_name(std::string_view stem);
     /// Reserves the name.

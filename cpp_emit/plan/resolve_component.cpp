@@ -202,7 +202,7 @@ private:
         assert(unit.variable_owners.size() == machine.variables.size());
         assert(unit.clock_owners.size() == machine.clocks.size());
         const auto& units = component_.units;
-        const auto known = std::ranges::find_if(units, [&](const Unit& each) { return are_alike(each, unit); });
+        const auto known = std::ranges::find_if(units, [&](const Unit& other) { return are_alike(other, unit); });
         if (known != units.end()) return known->number;
         component_.unit_places.push_back(units.size());  // set below
         unit.definitions.resize(machine.operations.size());
@@ -636,8 +636,8 @@ private:
             unit.root && alone ? "State" : types.unique_name(unit.root ? tag + "State" : unit.prefix + "Frame");
         unit.points = unit.root && alone ? "At" : types.unique_name(unit.root ? tag + "At" : unit.prefix + "At");
         for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
-            const bool kept = !unit.root && unit.variable_owners[place].unit == unit.number;
-            unit.variable_fields.push_back(kept ? scope.unique_name(unit.machine->variables[place].name) : "");
+            const bool has_field = !unit.root && unit.variable_owners[place].unit == unit.number;
+            unit.variable_fields.push_back(has_field ? scope.unique_name(unit.machine->variables[place].name) : "");
         }
         for (std::size_t place = 0; place < unit.machine->clocks.size(); ++place) {
             const ir::Clock& clock = unit.machine->clocks[place];

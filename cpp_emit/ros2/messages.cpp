@@ -95,8 +95,8 @@ constexpr FieldRow rows[] = {
 };
 
 const FieldRow* row_of(std::string_view message) {
-    const auto row =
-        std::find_if(std::begin(rows), std::end(rows), [&](const FieldRow& each) { return each.message == message; });
+    const auto row = std::find_if(std::begin(rows), std::end(rows),
+                                  [&](const FieldRow& candidate) { return candidate.message == message; });
     return row == std::end(rows) ? nullptr : row;
 }
 

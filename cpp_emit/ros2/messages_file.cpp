@@ -54,10 +54,10 @@ private:
     void write_outbox() {
         out_.doc("What the controller says in a cycle, topic by topic in the order in which it says it.");
         out_.open(fmt::format("struct {}Outbox {{", api_.cpp_name));
-        std::set<std::size_t> kept;
+        std::set<std::size_t> topics;
         for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr) kept.insert(outgoing.topic);
-        for (const std::size_t topic : kept)
+            if (outgoing.variable == nullptr) topics.insert(outgoing.topic);
+        for (const std::size_t topic : topics)
             out_.line(fmt::format("std::vector<{}> {};", message_type(plan_.topics[topic].message),
                                   plan_.topics[topic].member));
         out_.line_with_doc("std::vector<const char*> unfit;", "what has a value that its message cannot hold");

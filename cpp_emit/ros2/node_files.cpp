@@ -394,16 +394,16 @@ private:
 
     void publish_kept(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
-        const std::string kept = fmt::format("{}.{}", outbox_, topic.member);
+        const std::string messages = fmt::format("{}.{}", outbox_, topic.member);
         if (outgoing.kind == ElementKind::operation && !outgoing.mapped) {
-            out_.line(fmt::format("if (!{}.empty() && {}_->get_subscription_count() == 0)", kept, topic.member));
+            out_.line(fmt::format("if (!{}.empty() && {}_->get_subscription_count() == 0)", messages, topic.member));
             out_.line(
                 fmt::format("    RCLCPP_WARN_ONCE(get_logger(), \"operation {} is called and nobody does it: nothing "
                             "listens to {}\");",
                             outgoing.name, topic.name));
         }
-        out_.line(fmt::format("for (const auto& message : {}) {}_->publish(message);", kept, topic.member));
-        out_.line(fmt::format("{}.clear();", kept));
+        out_.line(fmt::format("for (const auto& message : {}) {}_->publish(message);", messages, topic.member));
+        out_.line(fmt::format("{}.clear();", messages));
     }
 
     void publish_variable(const Outgoing& outgoing, const std::string& last) {

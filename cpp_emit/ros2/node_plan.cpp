@@ -164,18 +164,18 @@ private:
         return first.quality == second.quality ? "" : "they differ in quality of service";
     }
 
-    std::size_t topic_index(Topic wanted, Span span) {
+    std::size_t topic_index(Topic topic, Span span) {
         for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
-            if (resolve_name(plan_.topics[i].name) != resolve_name(wanted.name)) continue;
-            const std::string why = describe_conflict(plan_.topics[i], wanted);
+            if (resolve_name(plan_.topics[i].name) != resolve_name(topic.name)) continue;
+            const std::string why = describe_conflict(plan_.topics[i], topic);
             if (!why.empty())
-                diagnostics_.report(rules::shared_topic, span, {wanted.user, wanted.name, plan_.topics[i].user, why});
+                diagnostics_.report(rules::shared_topic, span, {topic.user, topic.name, plan_.topics[i].user, why});
             return i;
         }
-        std::string stem = wanted.name;
+        std::string stem = topic.name;
         std::ranges::replace(stem, '/', '_');
-        wanted.member = members_.unique_name((wanted.published ? "to_" : "from_") + to_identifier(stem));
-        plan_.topics.push_back(std::move(wanted));
+        topic.member = members_.unique_name((topic.published ? "to_" : "from_") + to_identifier(stem));
+        plan_.topics.push_back(std::move(topic));
         return plan_.topics.size() - 1;
     }
 
@@ -187,14 +187,14 @@ private:
         return topic;
     }
 
-    static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& said) {
+    static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& delivery) {
         QualityOfService quality;
         if (element.published && element.kind == ElementKind::variable) quality = latched_quality();
         // drivers of sensors publish with best effort, and a reliable subscription would not receive their messages
         if (!element.published && message.package == "sensor_msgs") quality = {false, false, 5};
-        quality.reliable = said.reliable.value_or(quality.reliable);
-        quality.latched = said.latched.value_or(quality.latched);
-        quality.depth = said.depth.value_or(quality.depth);
+        quality.reliable = delivery.reliable.value_or(quality.reliable);
+        quality.latched = delivery.latched.value_or(quality.latched);
+        quality.depth = delivery.depth.value_or(quality.depth);
         return quality;
     }
 
@@ -294,21 +294,23 @@ private:
     void plan_publication(const Element& element, Outgoing out) {
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
-        for (const Assignment& each : element.item->assignments) {
+        for (const Assignment& assignment : element.item->assignments) {
             diagnostics_.poll();
-            const std::optional<FieldType> field = field_of(*element.item, each.target);
+            const std::optional<FieldType> field = field_of(*element.item, assignment.target);
             if (!field) continue;
-            const std::string text = each.target.path_text();
+            const std::string text = assignment.target.path_text();
             for (const Filled& before : out.fields)
                 if (fields_overlap(before.field, text))
-                    diagnostics_.report(rules::said_twice, each.target.span(), {fmt::format("the field '{}'", text)});
+                    diagnostics_.report(rules::said_twice, assignment.target.span(),
+                                        {fmt::format("the field '{}'", text)});
             Filled filled{text, {}, "", false};
-            const bool value = each.source.kind == Source::Kind::path || each.source.kind == Source::Kind::truth;
-            if (value && names_value(values, each.source.path)) {
-                filled.scalar = scalar_of(element, values, each.source.path, *field, each.target);
+            const bool value =
+                assignment.source.kind == Source::Kind::path || assignment.source.kind == Source::Kind::truth;
+            if (value && names_value(values, assignment.source.path)) {
+                filled.scalar = scalar_of(element, values, assignment.source.path, *field, assignment.target);
                 if (filled.scalar) used.insert(filled.scalar->reading);
             } else {
-                fill_literal(element, values, each, *field, filled);
+                fill_literal(element, values, assignment, *field, filled);
             }
             out.fields.push_back(std::move(filled));
         }
@@ -335,15 +337,16 @@ private:
     void plan_reception(const Element& element, Incoming in) {
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
-        for (const Assignment& each : element.item->assignments) {
+        for (const Assignment& assignment : element.item->assignments) {
             diagnostics_.poll();
-            const std::optional<FieldType> field = field_of(*element.item, each.source.path);
+            const std::optional<FieldType> field = field_of(*element.item, assignment.source.path);
             if (!field) continue;
-            const auto scalar = scalar_of(element, values, each.target, *field, each.source.path);
+            const auto scalar = scalar_of(element, values, assignment.target, *field, assignment.source.path);
             if (!scalar) continue;
             if (!used.insert(scalar->reading).second)
-                diagnostics_.report(rules::said_twice, each.target.span(), {fmt::format("'{}'", scalar->reading)});
-            in.fields.push_back({each.source.path.path_text(), *scalar});
+                diagnostics_.report(rules::said_twice, assignment.target.span(),
+                                    {fmt::format("'{}'", scalar->reading)});
+            in.fields.push_back({assignment.source.path.path_text(), *scalar});
         }
         for (const ModelValue& value : values) require_all(element, value, used);
         if (values.empty() && element.item->assignments.empty()) warn_unread(element);
@@ -408,15 +411,15 @@ private:
         return std::nullopt;
     }
 
-    void fill_literal(const Element& element, const std::vector<ModelValue>& values, const Assignment& each,
+    void fill_literal(const Element& element, const std::vector<ModelValue>& values, const Assignment& assignment,
                       const FieldType& field, Filled& filled) {
         const FieldKind kind = field.kind;
         bool good = kind == FieldKind::unknown;
         const char* what = "a text";
-        switch (each.source.kind) {
+        switch (assignment.source.kind) {
             case Source::Kind::path:
-                if (each.source.path.path_text() != "now") {
-                    (void)scalar_of(element, values, each.source.path, field, each.target);
+                if (assignment.source.path.path_text() != "now") {
+                    (void)scalar_of(element, values, assignment.source.path, field, assignment.target);
                     return;
                 }
                 what = "a time";
@@ -426,31 +429,31 @@ private:
             case Source::Kind::whole:
                 what = "a whole number";
                 good = good || kind == FieldKind::real || kind == FieldKind::whole;
-                if (good && !holds_number(field, each.source.number)) {
+                if (good && !holds_number(field, assignment.source.number)) {
                     good = false;
                     what = "out of its range";
                 }
-                filled.literal = fmt::format("std::int64_t{{{}}}", each.source.number);
+                filled.literal = fmt::format("std::int64_t{{{}}}", assignment.source.number);
                 break;
             case Source::Kind::decimal:
                 what = "a number";
                 good = good || kind == FieldKind::real;
-                filled.literal = each.source.number;
+                filled.literal = assignment.source.number;
                 break;
             case Source::Kind::truth:
                 what = "a truth value";
                 good = good || kind == FieldKind::truth;
-                filled.literal = each.source.path.path_text();
+                filled.literal = assignment.source.path.path_text();
                 break;
             case Source::Kind::text:
                 good = good || kind == FieldKind::text;
-                filled.literal = diagnostics::cpp_string(each.source.text);
+                filled.literal = diagnostics::cpp_string(assignment.source.text);
                 break;
         }
         if (!good)
-            diagnostics_.report(
-                rules::wrong_type, each.source.span,
-                {"the value", what, fmt::format("the field '{}'", each.target.path_text()), describe_field(field)});
+            diagnostics_.report(rules::wrong_type, assignment.source.span,
+                                {"the value", what, fmt::format("the field '{}'", assignment.target.path_text()),
+                                 describe_field(field)});
     }
 
     // ------------------------------------------------------------ the whole
