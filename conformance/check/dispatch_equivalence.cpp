@@ -203,14 +203,17 @@ private:
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         if (event_ < inputs.size() && reading_ > 0)
             difference.event = alphabet_.describe_event(alphabet_.read_event(event_, reading_));
-        const std::string called = passed_                    ? "`pass`"
-                                   : difference.event.empty() ? "`begin` and `pass`"
-                                                              : fmt::format("`dispatch` of {}", difference.event);
-        difference.what = fmt::format("{}: {}", called, what);
+        difference.what = fmt::format("{}: {}", describe_call(difference.event), what);
         difference.cycle = behaviour_of(cycle_);
         difference.dispatched = behaviour_of(other);
         found_.difference = std::move(difference);
         return false;
+    }
+
+    [[nodiscard]] std::string describe_call(const std::string& event) const {
+        if (passed_) return "`pass`";
+        if (event.empty()) return "`begin` and `pass`";
+        return fmt::format("`dispatch` of {}", event);
     }
 
     Behaviour behaviour_of(const Run& run) const {

@@ -26,11 +26,9 @@ refine::Run run_of_frame(const Frame& frame, const std::vector<refine::Step>& st
     for (const refine::Step& step : steps) {
         const process::Event event = step.event == process::tau ? step.revealed : step.event;
         const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;
-        run.steps.push_back({write && frame.writes_hidden ? process::tau
-                             : write                      ? event
-                                                          : step.event,
-                             step.revealed == process::tau ? event : step.revealed,
-                             {}});
+        process::Event shown = step.event;
+        if (write) shown = frame.writes_hidden ? process::tau : event;
+        run.steps.push_back({shown, step.revealed == process::tau ? event : step.revealed, {}});
     }
     return run;
 }
@@ -59,9 +57,8 @@ public:
     refine::Counterexample read_violation(const refine::Violation& violation) {
         refine::Counterexample result;
         const bool diverges = violation.kind == refine::ViolationKind::divergence;
-        result.kind = diverges                                            ? refine::ViolationKind::divergence
-                      : violation.kind == refine::ViolationKind::no_trace ? violation.kind
-                                                                          : refine::ViolationKind::refusal;
+        const bool no_trace = violation.kind == refine::ViolationKind::no_trace;
+        result.kind = diverges || no_trace ? violation.kind : refine::ViolationKind::refusal;
         result.initial = graph_.describe(graph_.initial());
         result.terms.push_back(term_of(graph_.initial()));
         ModelState at = follow_run(violation.run, result.steps, result.terms);

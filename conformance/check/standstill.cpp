@@ -153,12 +153,15 @@ private:
             rule == &rules::input_in_mid_cycle
                 ? fmt::format("extend the deadline by {}, to the beginning of the next cycle", cycle_length_ - behind)
                 : fmt::format("let the waits before it add up to a multiple of {}", cycle_length_);
-        const char* const what = rule == &rules::output_in_mid_cycle  ? "the output is due"
-                                 : rule == &rules::input_in_mid_cycle ? "the deadline is over"
-                                                                      : "the end is due";
         explanation_.remedy = fmt::format(
             "{} {} time unit{} after the beginning of a cycle of {}: {}, or run the model in cycles of 1 (`--cycle 1`)",
-            what, behind, behind == 1 ? "" : "s", cycle_length_, remedy);
+            what_is_due(rule), behind, behind == 1 ? "" : "s", cycle_length_, remedy);
+    }
+
+    static const char* what_is_due(const diagnostics::Rule* rule) {
+        if (rule == &rules::output_in_mid_cycle) return "the output is due";
+        if (rule == &rules::input_in_mid_cycle) return "the deadline is over";
+        return "the end is due";
     }
 
     void last_transition() {

@@ -218,7 +218,8 @@ private:
             const std::vector<ir::TypeId>& args =
                 literal ? type.literal_args.at(static_cast<std::size_t>(value.number)) : type.args;
             const bool row = args.empty();  // the row of a matrix, visited with the type of its elements
-            collect_numbers(row ? type : system_.type(args[args.size() > 1 ? i : 0]), value.parts[i], kind, found);
+            const std::size_t place = args.size() > 1 ? i : 0;
+            collect_numbers(row ? type : system_.type(args[place]), value.parts[i], kind, found);
         }
     }
 

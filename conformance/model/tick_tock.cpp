@@ -167,9 +167,9 @@ private:
             ++transitions_;
             const bool waits = edge.event == tock_;
             if (waits && (offer.tau || offer.can_tick())) continue;  // maximal progress
-            const SetNumber next = edge.event == process::tau ? pair.set
-                                   : waits                    ? sets_.after_tock(pair.set, offer.events)
-                                                              : sets_.set_after(pair.set, edge.event);
+            SetNumber next = pair.set;
+            if (edge.event != process::tau)
+                next = waits ? sets_.after_tock(pair.set, offer.events) : sets_.set_after(pair.set, edge.event);
             if (sets_.empty(next)) return report_forbidden_event(at, edge);
             add_pair({edge.target, next}, at, edge.event);
         }

@@ -75,9 +75,9 @@ bool ObservedSystem::is_hidden(process::Event event) {
     if (event >= hidden_.size()) hidden_.resize(event + 1U, -1);
     if (hidden_[event] < 0) {
         const CycleRole role = alphabet_->cycle_role(event);
-        const bool shown = role.kind == CycleRole::Kind::read    ? observation_.inputs[role.index]
-                           : role.kind == CycleRole::Kind::write ? observation_.outputs[role.index]
-                                                                 : true;
+        bool shown = true;
+        if (role.kind == CycleRole::Kind::read) shown = observation_.inputs[role.index];
+        if (role.kind == CycleRole::Kind::write) shown = observation_.outputs[role.index];
         hidden_[event] = shown ? 0 : 1;
     }
     return hidden_[event] == 1;
