@@ -107,6 +107,14 @@ bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent&
     return lost_in_actions(generation, core)[place];
 }
 
+/// The comment on the member that stores whether the event is raised.
+const char* describe_flag(const Generation& generation, const Core& core, const ApiEvent& event) {
+    if (event.sent) return "sent in the last cycle";
+    if (may_be_lost(generation, core, event))
+        return "raise it before a cycle, which lowers it again; lost in a cycle spent in an action";
+    return "raise it before a cycle, which lowers it again";
+}
+
 void write_members(const Generation& generation, const Core& core, CodeWriter& out, const ApiClass& api) {
     for (const ApiVariable& variable : api.variables) {
         const ir::Variable& declared = *variable.stored->variable;
@@ -116,10 +124,7 @@ void write_members(const Generation& generation, const Core& core, CodeWriter& o
             generation.place_text(declared.origin));
     }
     for (const ApiEvent& event : api.events) {
-        const char* use = event.sent ? "sent in the last cycle"
-                          : may_be_lost(generation, core, event)
-                              ? "raise it before a cycle, which lowers it again; lost in a cycle spent in an action"
-                              : "raise it before a cycle, which lowers it again";
+        const char* use = describe_flag(generation, core, event);
         out.line(fmt::format("bool {} = false;  ///< event {}: {}", event.flag, event.port->model_name, use));
         if (event.port->type)
             out.line(

@@ -19,7 +19,10 @@ namespace {
 
 /// The wider of two numeric types: nat, int, real in this order.
 TypeKind wider_kind(TypeKind left, TypeKind right) {
-    const auto rank = [](TypeKind kind) { return kind == TypeKind::real ? 2 : kind == TypeKind::integer ? 1 : 0; };
+    const auto rank = [](TypeKind kind) {
+        if (kind == TypeKind::real) return 2;
+        return kind == TypeKind::integer ? 1 : 0;
+    };
     return rank(left) >= rank(right) ? left : right;
 }
 
@@ -37,7 +40,8 @@ bool is_fixed(const ir::Expr& expr) {
 }
 
 const char* numeric_name(TypeKind kind) {
-    return kind == TypeKind::real ? "Real" : kind == TypeKind::integer ? "Int" : "Nat";
+    if (kind == TypeKind::real) return "Real";
+    return kind == TypeKind::integer ? "Int" : "Nat";
 }
 
 }  // namespace

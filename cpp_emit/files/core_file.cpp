@@ -38,8 +38,12 @@ void write_enumeration(CodeWriter& out, const Enumeration& enumeration) {
     out.doc(enumeration.comment);
     const char* base = enumeration.values.size() <= 256 ? "std::uint8_t" : "std::uint16_t";
     out.open(fmt::format("enum class {} : {} {{", enumeration.name, base));
-    for (const Enumerator& value : enumeration.values)
-        value.comment.empty() ? out.line(value.name + ",") : out.line_with_doc(value.name + ",", value.comment);
+    for (const Enumerator& value : enumeration.values) {
+        if (value.comment.empty())
+            out.line(value.name + ",");
+        else
+            out.line_with_doc(value.name + ",", value.comment);
+    }
     out.close("};");
 }
 
@@ -154,12 +158,13 @@ void write_struct(const Generation& generation, CodeWriter& out, const std::stri
     numeric_aliases(out);
     out.gap();
     for (const Field& field : layout.fields) {
-        const std::string initial = field.initial == "{}"   ? " = {}"
-                                    : field.initial.empty() ? "{}"
-                                                            : " = " + field.initial;
+        const std::string initial = field.initial.empty() ? "{}" : " = " + field.initial;
         if (generation.mutation.hits(Fault::undeclared_member)) continue;
         const std::string member = fmt::format("{} {}{};", field.type, field.name, initial);
-        field.comment.empty() ? out.line(member) : out.line_with_doc(member, field.comment);
+        if (field.comment.empty())
+            out.line(member);
+        else
+            out.line_with_doc(member, field.comment);
     }
     out.gap();
     std::vector<std::string> compared;
@@ -172,10 +177,13 @@ void write_struct(const Generation& generation, CodeWriter& out, const std::stri
 void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
     out.gap();
     const bool whole = unit.root && !generation.component.is_composed();
-    out.doc(whole       ? fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
-                                      unit.machine->name)
-            : unit.root ? fmt::format("Machine {}.", generation.component.part_of(unit).name)
-                        : fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
+    if (whole)
+        out.doc(fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
+                            unit.machine->name));
+    else if (unit.root)
+        out.doc(fmt::format("Machine {}.", generation.component.part_of(unit).name));
+    else
+        out.doc(fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
     write_struct(generation, out, unit.frame, layout);
 }
 

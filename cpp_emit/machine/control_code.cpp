@@ -14,6 +14,17 @@ namespace robochart::cpp_emit {
 using ir::NodeId;
 using ir::NodeKind;
 
+namespace {
+
+/// The probability of an alternative of a junction; 1 if the model gives none.
+std::string chance_text(const ir::ExprPtr& probability, const ExpressionWriter& expressions) {
+    if (!probability) return "1.0";
+    if (probability->kind == ir::ExprKind::real) return decimal_text(probability->decimal);
+    return fmt::format("robochart::chance({})", expressions.write(*probability));
+}
+
+}  // namespace
+
 void ControlCode::control_places() {
     const ir::Machine& machine = plan_.machine();
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
@@ -61,11 +72,7 @@ void ControlCode::draw_place(NodeId id) {
     std::string chances;
     for (const ir::TransitionId way : ways) {
         const ir::ExprPtr& probability = plan_.machine().transitions[way.index].probability;
-        const std::string text = !probability ? "1.0"
-                                 : probability->kind == ir::ExprKind::real
-                                     ? decimal_text(probability->decimal)
-                                     : fmt::format("robochart::chance({})", expressions.write(*probability));
-        chances += (chances.empty() ? "" : ", ") + text;
+        chances += (chances.empty() ? "" : ", ") + chance_text(probability, expressions);
     }
     program.current_code().open("{");
     program.current_code().line(fmt::format("const double chances[] = {{{}}};", chances));

@@ -131,9 +131,9 @@ void TransitionCode::write_departure(NodeId source, ir::TransitionId id) {
         if (history == source) out_.line(fmt::format("f.history_{} = f.at;", plan_.label_of(source)));
     if (!plan_.notes_leaving(source)) {
         const std::string own = plan_.node(source).exit ? function_call(plan_.exit_label(source)) + ";" : "";
-        const std::string exits = plan_.acts_after_trigger(transition) && !plan_.straight_exits(source) ? ""
-                                  : skips                                                               ? own
-                                          : steps_.leave_statement(source);
+        std::string exits;
+        if (!plan_.acts_after_trigger(transition) || plan_.straight_exits(source))
+            exits = skips ? own : steps_.leave_statement(source);
         if (faults_.acts_first(transition) && !plan_.acts_after_trigger(transition))
             out_.write_raw(steps_.straight_program(transition.action, 3));
         if (!exits.empty()) out_.line(exits);

@@ -630,11 +630,15 @@ private:
         NameScope& scope = unit.root ? fields : own;
         const std::string& tag = component_.part_of(unit).tag;
         const bool alone = tag.empty();
-        unit.prefix =
-            unit.root ? (alone ? "" : tag + "_") : to_identifier((alone ? "" : tag + "_") + unit.machine->name);
-        unit.frame =
-            unit.root && alone ? "State" : types.unique_name(unit.root ? tag + "State" : unit.prefix + "Frame");
-        unit.points = unit.root && alone ? "At" : types.unique_name(unit.root ? tag + "At" : unit.prefix + "At");
+        const std::string tag_prefix = alone ? "" : tag + "_";
+        unit.prefix = unit.root ? tag_prefix : to_identifier(tag_prefix + unit.machine->name);
+        if (unit.root && alone) {
+            unit.frame = "State";
+            unit.points = "At";
+        } else {
+            unit.frame = types.unique_name(unit.root ? tag + "State" : unit.prefix + "Frame");
+            unit.points = types.unique_name(unit.root ? tag + "At" : unit.prefix + "At");
+        }
         for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
             const bool has_field = !unit.root && unit.variable_owners[place].unit == unit.number;
             unit.variable_fields.push_back(has_field ? scope.unique_name(unit.machine->variables[place].name) : "");

@@ -41,14 +41,15 @@ std::optional<ScalarKind> scalar_kind(const ir::Type& type) {
 }
 
 std::string message_of(ScalarKind kind) {
-    return kind == ScalarKind::truth ? "Bool" : kind == ScalarKind::real ? "Float64" : "Int64";
+    if (kind == ScalarKind::truth) return "Bool";
+    return kind == ScalarKind::real ? "Float64" : "Int64";
 }
 
 std::string describe_type(const ir::Type& type) {
     const char* const article = type.kind == TypeKind::integer || type.kind == TypeKind::enumeration ? "an" : "a";
-    const char* const kind = type.kind == TypeKind::enumeration ? "enumeration "
-                             : type.kind == TypeKind::record    ? "record "
-                                                                : "";
+    const char* kind = "";
+    if (type.kind == TypeKind::enumeration) kind = "enumeration ";
+    if (type.kind == TypeKind::record) kind = "record ";
     return fmt::format("{} {}{}", article, kind, type.name);
 }
 

@@ -201,9 +201,9 @@ private:
     // ------------------------------------------------------------ values of the model
 
     static std::optional<ir::TypeId> type_of(const Element& element) {
-        return element.event != nullptr      ? element.event->port->type
-               : element.variable != nullptr ? std::optional(element.variable->stored->variable->type)
-                                             : std::nullopt;
+        if (element.event != nullptr) return element.event->port->type;
+        if (element.variable != nullptr) return element.variable->stored->variable->type;
+        return std::nullopt;
     }
 
     static std::vector<ModelValue> values_of(const Element& element) {
@@ -237,16 +237,8 @@ private:
                  fmt::format("std_msgs has no message for the {} '{}'", describe_kind(element.kind), element.name)});
             return;
         }
-        const char* const kind = element.kind == ElementKind::variable    ? (element.published ? "variable" : "set")
-                                 : element.kind == ElementKind::operation ? "out"
-                                 : element.published                      ? "sent"
-                                                                          : "in";
-        const MessageName message{"std_msgs",
-                                  scalars.empty()       ? "Empty"
-                                  : scalars.size() == 1 ? message_of(scalars.front().kind)
-                                                        : "Float64MultiArray",
-                                  {}};
-        const std::size_t place = topic_index({default_topic(kind, element.name), message,
+        const MessageName message = default_message(scalars);
+        const std::size_t place = topic_index({default_topic(topic_kind(element), element.name), message,
                                                quality_of(element, message, {}), element.published, "", element.name},
                                               element.span);
         if (element.published) {
@@ -259,6 +251,25 @@ private:
             if (!scalars.empty()) in.fields.push_back({"data", scalars.front()});
             plan_.incoming.push_back(std::move(in));
         }
+    }
+
+    /// The word for the element's kind and direction in its default topic.
+    static const char* topic_kind(const Element& element) {
+        switch (element.kind) {
+            case ElementKind::variable:
+                return element.published ? "variable" : "set";
+            case ElementKind::operation:
+                return "out";
+            case ElementKind::event:
+                break;
+        }
+        return element.published ? "sent" : "in";
+    }
+
+    static MessageName default_message(const std::vector<Scalar>& scalars) {
+        if (scalars.empty()) return {"std_msgs", "Empty", {}};
+        if (scalars.size() == 1) return {"std_msgs", message_of(scalars.front().kind), {}};
+        return {"std_msgs", "Float64MultiArray", {}};
     }
 
     static Outgoing make_outgoing(const Element& element, std::size_t topic) {
@@ -397,9 +408,8 @@ private:
         const std::string place = fmt::format("{} '{}'", describe_kind(element.kind), element.name);
         if (found.missing < path.words.size()) {
             const Word& word = path.words[found.missing];
-            const std::string what = found.missing > 0                        ? "field"
-                                     : element.kind == ElementKind::operation ? "parameter"
-                                                                              : "value";
+            std::string what = element.kind == ElementKind::operation ? "parameter" : "value";
+            if (found.missing > 0) what = "field";
             diagnostics_.report(rules::unknown_name, word.span,
                                 {place, what, word.text, suggest_name(word.text, found.known)});
             return std::nullopt;

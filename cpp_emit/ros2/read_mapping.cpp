@@ -179,7 +179,15 @@ private:
 }  // namespace
 
 std::string_view describe_kind(ElementKind kind) {
-    return kind == ElementKind::operation ? "operation" : kind == ElementKind::event ? "event" : "variable";
+    switch (kind) {
+        case ElementKind::operation:
+            return "operation";
+        case ElementKind::event:
+            return "event";
+        case ElementKind::variable:
+            break;
+    }
+    return "variable";
 }
 
 std::string Path::path_text() const {
