@@ -36,9 +36,9 @@ std::string_view advice_on(std::span<const Advice> rows, std::string_view expect
         const auto place = std::ranges::find(words, "@");
         const std::ptrdiff_t before = place - words.begin();
         bool all = true;
-        for (auto each = words.begin(); each != words.end() && all; ++each) {
-            const std::ptrdiff_t at = each - words.begin();
-            if (each != place) all = matches_word(*each, word(at < before ? at - before : at - before - 1));
+        for (auto position = words.begin(); position != words.end() && all; ++position) {
+            const std::ptrdiff_t at = position - words.begin();
+            if (position != place) all = matches_word(*position, word(at < before ? at - before : at - before - 1));
         }
         if (all) return row.advice;
     }

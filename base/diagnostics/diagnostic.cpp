@@ -56,13 +56,13 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
 }
 
 void Diagnostics::add(const Diagnostics& other) {
-    const auto kept = [&](Severity severity) {
+    const auto stored_count = [&](Severity severity) {
         return static_cast<std::size_t>(std::ranges::count_if(
-            other.items_, [&](const Diagnostic& each) { return each.rule->severity == severity; }));
+            other.items_, [&](const Diagnostic& finding) { return finding.rule->severity == severity; }));
     };
     for (const Diagnostic& finding : other.items_) report(*finding.rule, finding.span, finding.arguments) = finding;
-    errors_ += other.errors_ - kept(Severity::error);
-    warnings_ += other.warnings_ - kept(Severity::warning);
+    errors_ += other.errors_ - stored_count(Severity::error);
+    warnings_ += other.warnings_ - stored_count(Severity::warning);
     dropped_ += other.dropped_;
     wrong_.insert(other.wrong_.begin(), other.wrong_.end());
 }

@@ -17,8 +17,8 @@ inline std::atomic<bool> program_ends{false};
 template <class T>
 void discard(std::unique_ptr<T>& large) {
     if (!program_ends) return large.reset();
-    static std::vector<T*>& kept = *new std::vector<T*>();  // so that leak detectors find it
-    kept.push_back(large.release());
+    static std::vector<T*>& undeleted = *new std::vector<T*>();  // so that leak detectors find it
+    undeleted.push_back(large.release());
 }
 
 }  // namespace robochart::diagnostics

@@ -78,7 +78,7 @@ std::string render_json(const SourceManager& sources, const Diagnostics& diagnos
               {"dropped", diagnostics.dropped_count()}};
     if (!limit.empty()) json["limit"] = limit;
     Json& list = json["diagnostics"] = Json::array();
-    for (const Diagnostic& each : diagnostics.sorted_findings()) list.push_back(diagnostic_json(sources, each));
+    for (const Diagnostic& finding : diagnostics.sorted_findings()) list.push_back(diagnostic_json(sources, finding));
     return json_text(json) + "\n";
 }
 

@@ -83,9 +83,9 @@ Json sarif_invocation(const SarifRun& run) {
     Json notifications = Json::array();
     if (!run.limit.empty()) notifications.push_back({{"level", "error"}, {"message", sarif_text(run.limit)}});
     bool failed = !run.limit.empty();
-    for (const Json& each : run.notifications) {
-        notifications.push_back(each);
-        failed = failed || each.at("level") == "error";
+    for (const Json& notification : run.notifications) {
+        notifications.push_back(notification);
+        failed = failed || notification.at("level") == "error";
     }
     return {{"executionSuccessful", !failed}, {"toolExecutionNotifications", notifications}};
 }
@@ -132,12 +132,12 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     run.version = about.version;
     run.what = about.what;
     run.limit = about.limit;
-    for (const Diagnostic& each : findings) {
-        if (each.span.is_known())
-            run.results.push_back(sarif_result(sources, each, index(each)));
+    for (const Diagnostic& finding : findings) {
+        if (finding.span.is_known())
+            run.results.push_back(sarif_result(sources, finding, index(finding)));
         else
             run.notifications.push_back(
-                sarif_notification(each.rule->code, level_of_severity(each.rule->severity), each.message()));
+                sarif_notification(finding.rule->code, level_of_severity(finding.rule->severity), finding.message()));
     }
     for (const Rule* rule : rules)
         run.rules.push_back(

@@ -38,7 +38,7 @@ struct Faults {
     }
     [[nodiscard]] std::size_t count() const {
         std::size_t sum = dropped;
-        for (const auto& each : found) sum += each.size();
+        for (const auto& candidates : found) sum += candidates.size();
         return sum;
     }
 };
@@ -77,7 +77,7 @@ SourceId first_of_path(const SourceManager& sources, SourceId source) {
 
 std::vector<Candidate> collect_candidates(const TextReading& reading, const Texts& texts, Level level,
                                           const IsSyntax& is_syntax) {
-    Diagnostics wanted;
+    Diagnostics fixable;
     std::set<SourceId> sources;
     for (Diagnostic finding : reading.findings.sorted_findings()) {
         if (level_of(*finding.rule, is_syntax) != level || finding.fixes.empty() ||
@@ -88,14 +88,14 @@ std::vector<Candidate> collect_candidates(const TextReading& reading, const Text
         if (!texts.contains(reading.sources.path(source))) continue;
         finding.span.source = source;
         sources.insert(source);
-        wanted.report(*finding.rule, finding.span, finding.arguments) = finding;
+        fixable.report(*finding.rule, finding.span, finding.arguments) = finding;
     }
     std::vector<Candidate> result;
     for (const SourceId source : sources)
-        for (FixIt& fix : certain_fixes(wanted, source)) {
+        for (FixIt& fix : certain_fixes(fixable, source)) {
             const Span place{source, fix.span.begin, fix.span.end};
             RefusedFix otherwise{reading.sources.path_and_line(place), {}, fix.replacement};
-            for (const Diagnostic& finding : wanted.sorted_findings())
+            for (const Diagnostic& finding : fixable.sorted_findings())
                 if (!finding.fixes.empty() && finding.fixes.front().span == fix.span &&
                     finding.fixes.front().replacement == fix.replacement)
                     otherwise.code = finding.rule->code;
@@ -106,7 +106,7 @@ std::vector<Candidate> collect_candidates(const TextReading& reading, const Text
 
 Texts apply_candidates(const Texts& texts, const std::vector<Candidate>& all) {
     std::map<std::string, std::vector<FixIt>> fixes;
-    for (const Candidate& each : all) fixes[each.path].push_back(each.fix);
+    for (const Candidate& candidate : all) fixes[candidate.path].push_back(candidate.fix);
     Texts result = texts;
     for (auto& [path, list] : fixes) {
         std::ranges::stable_sort(list, {}, [](const FixIt& fix) { return fix.span.begin; });
@@ -127,7 +127,7 @@ public:
             result.made += made_.size();
             made_.clear();
         }
-        for (const Candidate& each : refused_) result.refused.push_back(each.otherwise);
+        for (const Candidate& candidate : refused_) result.refused.push_back(candidate.otherwise);
     }
 
 private:

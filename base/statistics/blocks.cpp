@@ -60,10 +60,10 @@ double Friedman::critical_difference(double error) const {
 double signed_rank(const std::vector<double>& differences) {
     Block sizes;
     std::vector<bool> positive;
-    for (const double each : differences) {
-        if (each == 0) continue;
-        sizes.push_back(std::abs(each));
-        positive.push_back(each > 0);
+    for (const double difference : differences) {
+        if (difference == 0) continue;
+        sizes.push_back(std::abs(difference));
+        positive.push_back(difference > 0);
     }
     if (sizes.empty()) return 1;
     // Shared ranks are multiples of one half, so doubled ranks are whole numbers.
@@ -89,7 +89,7 @@ double signed_rank(const std::vector<double>& differences) {
 
 double paired_t(const std::vector<double>& differences) {
     Moments moments;
-    for (const double each : differences) moments.add(each);
+    for (const double difference : differences) moments.add(difference);
     if (moments.count() < 2 || moments.mean() == 0) return 1;
     if (moments.standard_error() == 0) return 0;
     return 2 * student_tail(std::abs(moments.mean()) / moments.standard_error(), moments.count() - 1);

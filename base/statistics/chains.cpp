@@ -145,8 +145,9 @@ std::optional<OrderContradiction> order_contradiction(const std::vector<StateSeq
                                                       const Permitted& permitted, double error,
                                                       const std::function<void()>& poll) {
     std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by middle state, then by the state before it
-    for (const StateSequence& each : sequences)
-        for (std::size_t at = 2; at < each.size(); ++at) pairs[each[at - 1]][each[at - 2]].add(each[at]);
+    for (const StateSequence& sequence : sequences)
+        for (std::size_t at = 2; at < sequence.size(); ++at)
+            pairs[sequence[at - 1]][sequence[at - 2]].add(sequence[at]);
     KnownIntervals intervals(TransitionCounts::looks_for_error(error / order_triples(permitted)));
     std::optional<OrderContradiction> worst;
     for (const auto& [state, befores] : pairs) {

@@ -25,7 +25,7 @@ double fisher_exact(Sample one, Sample other) {
     const long double most = chance(one.successes) * (1 + 1e-9L);
     long double total = 0;
     for (std::uint64_t k = low; k <= high; ++k)
-        if (const long double each = chance(k); each <= most) total += each;
+        if (const long double probability = chance(k); probability <= most) total += probability;
     return static_cast<double>(std::min(total, 1.0L));
 }
 

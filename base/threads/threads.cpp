@@ -12,8 +12,8 @@
 
 namespace robochart::diagnostics {
 
-unsigned threads_wanted(unsigned asked) {
-    return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+unsigned threads_wanted(unsigned requested) {
+    return requested > 0 ? requested : std::max(1U, std::thread::hardware_concurrency());
 }
 
 Threads::Threads(unsigned size, std::function<void(unsigned number)> work, std::function<void()> stop)

@@ -15,7 +15,7 @@
 namespace robochart::diagnostics {
 
 /// The requested number of threads; for 0, the number of cores.
-[[nodiscard]] unsigned threads_wanted(unsigned asked);
+[[nodiscard]] unsigned threads_wanted(unsigned requested);
 
 /// Threads with the numbers 1, 2, ...; the caller's own thread has number 0.
 class Threads {
