@@ -297,18 +297,19 @@ struct Model::Impl {
     }
 
     /// Decides the claims of one part. Returns the reason if a limit ended the check early.
-    std::string check(const Part& part, const driver::Settings& wanted, CallServices& services, CheckResult& result) {
+    std::string check(const Part& part, const driver::Settings& call_settings, CallServices& services,
+                      CheckResult& result) {
         Project& project = *part.project;
-        if (!is_acceptable(project, wanted.load)) {
-            list_claims(project, wanted.claims, Verdict::error, "its text has errors, or depends on errors",
+        if (!is_acceptable(project, call_settings.load)) {
+            list_claims(project, call_settings.claims, Verdict::error, "its text has errors, or depends on errors",
                         result.answers);
             return "";
         }
         use(project, &services.budget());
         project.scripts.clear();  // the scripts depend on the settings of the check
         const diagnostics::Diagnostics before = project.diagnostics;
-        driver::Settings of_part = wanted;
-        of_part.claims.core = core_wanted(part, wanted);
+        driver::Settings of_part = call_settings;
+        of_part.claims.core = core_wanted(part, call_settings);
         driver::ClaimResults found;
         const std::string limit = guarded(result.findings, [&] {
             check_assertions(project, {of_part, services}, found);
@@ -322,17 +323,17 @@ struct Model::Impl {
 
     CheckResult check(const std::vector<std::string>& words, bool all, const CheckOptions& options) {
         CheckResult result;
-        driver::Settings wanted = settings;
-        take(options, wanted);
-        if (!all && !select(words, wanted.claims, result.findings)) return result;
-        diagnostics::Limits limits = driver::run_limits(wanted.limits);
+        driver::Settings call_settings = settings;
+        take(options, call_settings);
+        if (!all && !select(words, call_settings.claims, result.findings)) return result;
+        diagnostics::Limits limits = driver::run_limits(call_settings.limits);
         limits.interrupted = options.interrupted;
         CallServices services(std::move(limits));
         for (const Part& part : parts) {
             if (result.limit.empty())
-                result.limit = check(part, wanted, services, result);
+                result.limit = check(part, call_settings, services, result);
             else
-                list_claims(*part.project, wanted.claims, Verdict::inconclusive, driver::undecided_at_limit,
+                list_claims(*part.project, call_settings.claims, Verdict::inconclusive, driver::undecided_at_limit,
                             result.answers);
         }
         return result;

@@ -131,24 +131,25 @@ using Transitions = std::vector<csp_emit::TransitionInside>;
 /// The transitions of the question whose names are not in `elements`.
 Transitions missing_transitions(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
     Transitions result;
-    for (const csp_emit::TransitionInside& each : question.transitions)
-        if (!elements.contains(runs::element_in(each.component, each.origin.element))) result.push_back(each);
+    for (const csp_emit::TransitionInside& transition : question.transitions)
+        if (!elements.contains(runs::element_in(transition.component, transition.origin.element)))
+            result.push_back(transition);
     return result;
 }
 
 /// "t1: S1 -> S2 (model.rct:12), ..."
 std::string transition_list(const Project& project, const Transitions& transitions) {
     std::vector<std::string> texts;
-    for (const csp_emit::TransitionInside& each : transitions)
-        texts.push_back(fmt::format("{} ({})", each.text, project.sources.path_and_line(each.origin.span)));
+    for (const csp_emit::TransitionInside& transition : transitions)
+        texts.push_back(fmt::format("{} ({})", transition.text, project.sources.path_and_line(transition.origin.span)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 /// The transitions that never fire in any instance of their machine.
 std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion& question, const Transitions& never) {
     std::map<std::string, std::size_t> instances;
-    for (const csp_emit::TransitionInside& each : question.transitions) ++instances[each.origin.element];
-    for (const csp_emit::TransitionInside& each : never) --instances[each.origin.element];
+    for (const csp_emit::TransitionInside& transition : question.transitions) ++instances[transition.origin.element];
+    for (const csp_emit::TransitionInside& transition : never) --instances[transition.origin.element];
     std::vector<std::string> result;
     for (const auto& [element, firing] : instances)
         if (firing == 0) result.push_back(element);
@@ -251,11 +252,11 @@ public:
         if (obligation.premise == nullptr || report.answer != Answer::holds) return;
         const AssertionReport premise = answer_premise(context, obligation);
         if (premise.answer == Answer::holds) return;
-        const csp_emit::Premise& asked = *obligation.premise;
+        const csp_emit::Premise& emitted_premise = *obligation.premise;
         report.answer = premise.answer == Answer::error ? Answer::error : Answer::inconclusive;
         report.reason = premise.answer == Answer::fails
-                            ? "not decided: " + asked.otherwise
-                            : fmt::format("not decided whether {}: {}", asked.text, premise.reason);
+                            ? "not decided: " + emitted_premise.otherwise
+                            : fmt::format("not decided whether {}: {}", emitted_premise.text, premise.reason);
         report.run = premise.run;
     }
 
@@ -268,20 +269,20 @@ private:
         return report;
     }
     static AssertionReport decide_premise(const Context& context, const csp_emit::Obligation& claim) {
-        csp_emit::Obligation asked;
-        asked.kind = ir::PropertyKind::timelock_free;
-        asked.title = fmt::format("{}: {}", claim.title, claim.premise->text);
-        asked.origin = claim.origin;
-        asked.time = claim.time;
-        asked.reason = claim.premise->reason;
-        asked.assertions = claim.premise->assertions;
+        csp_emit::Obligation obligation;
+        obligation.kind = ir::PropertyKind::timelock_free;
+        obligation.title = fmt::format("{}: {}", claim.title, claim.premise->text);
+        obligation.origin = claim.origin;
+        obligation.time = claim.time;
+        obligation.reason = claim.premise->reason;
+        obligation.assertions = claim.premise->assertions;
         AssertionReport report;
         report.answer = Answer::holds;
-        decide_claim(context, asked, report);
+        decide_claim(context, obligation, report);
         if (report.answer != Answer::holds) return report;
-        asked.kind = ir::PropertyKind::refines;
-        asked.recurrence = claim.premise->recurrence;
-        decide_recurrence(context, asked, report);
+        obligation.kind = ir::PropertyKind::refines;
+        obligation.recurrence = claim.premise->recurrence;
+        decide_recurrence(context, obligation, report);
         return report;
     }
 
@@ -291,8 +292,8 @@ private:
 bool is_wanted(const Context& context, const csp_emit::Obligation& obligation) {
     if (!obligation.name.empty()) return is_selected(context.search.settings.claims, obligation.name);
     const bool core = obligation.property == ir::no_id;
-    const bool asked = context.search.settings.claims.core && !obligation.component.empty();
-    return core ? context.search.settings.claims.names.empty() || asked
+    const bool core_requested = context.search.settings.claims.core && !obligation.component.empty();
+    return core ? context.search.settings.claims.names.empty() || core_requested
                 : is_selected(context.search.settings.claims,
                               context.project.system.properties[obligation.property].name);
 }
@@ -301,8 +302,8 @@ bool is_wanted(const Context& context, const csp_emit::Obligation& obligation) {
 std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     std::vector<std::string> result;
     if (obligation.firing)
-        for (const csp_emit::TransitionInside& each : obligation.firing->transitions)
-            result.push_back(each.origin.element);
+        for (const csp_emit::TransitionInside& transition : obligation.firing->transitions)
+            result.push_back(transition.origin.element);
     else if (obligation.kind == ir::PropertyKind::reachable)
         result.push_back(obligation.origin.element);
     return result;
@@ -314,12 +315,12 @@ diagnostics::Span declaration_span(const ir::System& system, const std::string& 
     const auto is_it = [&](const std::string& package, const std::string& path) {
         return name == (package.empty() ? path : package + "::" + path);
     };
-    for (const ir::Module& each : system.modules)
-        if (is_it(each.package, each.name)) return each.origin.span;
-    for (const ir::Controller& each : system.controllers)
-        if (is_it(each.package, each.path)) return each.origin.span;
-    for (const ir::Machine& each : system.machines)
-        if (is_it(each.package, each.path)) return each.origin.span;
+    for (const ir::Module& module : system.modules)
+        if (is_it(module.package, module.name)) return module.origin.span;
+    for (const ir::Controller& controller : system.controllers)
+        if (is_it(controller.package, controller.path)) return controller.origin.span;
+    for (const ir::Machine& machine : system.machines)
+        if (is_it(machine.package, machine.path)) return machine.origin.span;
     return {};
 }
 

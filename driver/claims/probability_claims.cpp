@@ -35,8 +35,8 @@ struct Claim {
 std::vector<Claim> claims_of(const Project& project, const SearchContext& search) {
     std::vector<Claim> result;
     for (const auto& file : project.model->files)
-        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
-            if (is_selected(search.settings.claims, each.name)) result.push_back({file.get(), &each});
+        for (const frontend::ProbabilisticAssertion& assertion : file->probabilistic_assertions)
+            if (is_selected(search.settings.claims, assertion.name)) result.push_back({file.get(), &assertion});
     return result;
 }
 
@@ -44,10 +44,10 @@ std::vector<Claim> claims_of(const Project& project, const SearchContext& search
 Answer answer_of(const Row& row) {
     if (!row.error.empty()) return Answer::error;
     Answer answer = row.path ? Answer::computed : Answer::holds;
-    for (const Result& each : row.results) {
-        if (each.kind == Result::Kind::unknown) return Answer::inconclusive;
-        if (each.kind != Result::Kind::truth) answer = Answer::computed;
-        if (each.kind == Result::Kind::truth && !each.truth) return Answer::fails;
+    for (const Result& result : row.results) {
+        if (result.kind == Result::Kind::unknown) return Answer::inconclusive;
+        if (result.kind != Result::Kind::truth) answer = Answer::computed;
+        if (result.kind == Result::Kind::truth && !result.truth) return Answer::fails;
     }
     return answer;
 }
@@ -61,7 +61,7 @@ Answer answer_of(const std::vector<Row>& rows) {
 
 std::string subject_list(const std::vector<std::string>& subjects) {
     std::string text;
-    for (const std::string& each : subjects) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", each);
+    for (const std::string& subject : subjects) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", subject);
     return text;
 }
 
@@ -70,12 +70,12 @@ std::string subject_list(const std::vector<std::string>& subjects) {
 ir::ComponentRef subject_of(const Project& project, const std::vector<std::string>& subjects) {
     if (subjects.size() > 1)
         throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
-    const std::string wanted = subjects.empty() ? "" : subjects.front();
-    const std::vector<ir::ComponentRef> found = code_components(project.system, wanted);
+    const std::string subject = subjects.empty() ? "" : subjects.front();
+    const std::vector<ir::ComponentRef> found = code_components(project.system, subject);
     if (found.size() != 1)
         throw NotExpressed(subjects.empty() ? "it names no component, and the model has several"
-                           : found.empty()  ? fmt::format("`{}` has no process of its own", wanted)
-                                            : fmt::format("there are several components `{}`", wanted));
+                           : found.empty()  ? fmt::format("`{}` has no process of its own", subject)
+                                            : fmt::format("there are several components `{}`", subject));
     return found.front();
 }
 
@@ -176,28 +176,28 @@ private:
         const std::map<std::string, probability::Function>& functions) {
         if (subject_.kind != ir::ComponentKind::module)
             throw NotExpressed(fmt::format("RoboTool's encoding is one of modules, and `{}` is none", subject_.path));
-        probability::RoboToolOptions wanted;
-        wanted.preferences = preferences_;
-        wanted.constants = project_.asked.constants;
-        wanted.max_states = search_.settings.limits.max_states;
-        wanted.exact = search_.settings.probability.exact;
-        wanted.budget = &budget_;
+        probability::RoboToolOptions options;
+        options.preferences = preferences_;
+        options.constants = project_.asked.constants;
+        options.max_states = search_.settings.limits.max_states;
+        options.exact = search_.settings.probability.exact;
+        options.budget = &budget_;
         return std::make_unique<probability::RoboToolEncoding>(
-            project_.system, project_.system.modules[subject_.definition], wanted, functions);
+            project_.system, project_.system.modules[subject_.definition], options, functions);
     }
 
     std::unique_ptr<probability::Encoding> make_process_encoding() {
-        probability::ProcessOptions wanted;
-        wanted.scheduler = scheduler_of(search_);
-        wanted.instantiation = project_.asked;
-        wanted.max_states = search_.settings.limits.max_states;
-        wanted.exact = search_.settings.probability.exact;
-        wanted.budget = &budget_;
-        wanted.on_session = [this](const csp_emit::Emission& emission, const ir::Instantiation& instantiation,
-                                   cspm::Session& session) {
+        probability::ProcessOptions options;
+        options.scheduler = scheduler_of(search_);
+        options.instantiation = project_.asked;
+        options.max_states = search_.settings.limits.max_states;
+        options.exact = search_.settings.probability.exact;
+        options.budget = &budget_;
+        options.on_session = [this](const csp_emit::Emission& emission, const ir::Instantiation& instantiation,
+                                    cspm::Session& session) {
             watched_ = std::make_unique<WatchedProcess>(project_, search_, emission, instantiation, session);
         };
-        return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, wanted);
+        return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, options);
     }
 
     /// The basis of a row. It must be computed before the encoding is replaced by that of the next row.

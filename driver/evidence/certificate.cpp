@@ -41,7 +41,7 @@ Json pairs_json(const Pairs& pairs, const char* first, const char* second) {
 
 Json items_json(const std::vector<DecidedItem>& items) {
     Json list = Json::array();
-    for (const DecidedItem& each : items) list.push_back({{"subject", each.subject}, {"answer", each.answer}});
+    for (const DecidedItem& item : items) list.push_back({{"subject", item.subject}, {"answer", item.answer}});
     return list;
 }
 
@@ -49,13 +49,13 @@ Json certificate_json(const Certificate& certificate) {
     const SearchRecord& search = certificate.search;
     const Evidence& evidence = certificate.evidence;
     Json claims = Json::array();
-    for (const DecidedClaim& each : evidence.claims)
-        claims.push_back({{"claim", each.claim},
-                          {"answer", each.answer},
-                          {"trials", each.trials},
-                          {"successes", each.successes},
-                          {"low", each.low},
-                          {"high", each.high}});
+    for (const DecidedClaim& claim : evidence.claims)
+        claims.push_back({{"claim", claim.claim},
+                          {"answer", claim.answer},
+                          {"trials", claim.trials},
+                          {"successes", claim.successes},
+                          {"low", claim.low},
+                          {"high", claim.high}});
     return {{"schema", schema},
             {"program", certificate.program},
             {"build", certificate.build},
@@ -116,7 +116,7 @@ public:
     auto read_list(const char* name, Read read) {
         const Json& values = check_field(name, (*this)[name].is_array(), "list");
         std::vector<decltype(read(values))> result;
-        for (const Json& each : values) result.push_back(read(each));
+        for (const Json& value : values) result.push_back(read(value));
         return result;
     }
 

@@ -76,13 +76,16 @@ public:
     ItemList(const File& file, std::string_view text) : text_(text) {
         for (const diagnostics::Span& comment : file.comments) blank_range(text_, comment.begin, comment.end);
         for (const frontend::Import& import : file.imports) blank_range(text_, import.span.begin, import.span.end);
-        for (const Assertion& each : file.assertions)
-            items_.push_back({with_time(each.span.begin, each.time), each.span.end, &each, nullptr});
-        for (const CspBlock& each : file.csp_blocks)
-            items_.push_back({with_time(each.span.begin, each.time), each.span.end, nullptr, &each});
-        for (const auto& each : file.probabilistic_assertions) items_.push_back({each.span.begin, each.span.end});
-        for (const auto& each : file.probabilistic_definitions) items_.push_back({each.span.begin, each.span.end});
-        for (const auto& each : file.kept) items_.push_back({each.whole.begin, each.whole.end});
+        for (const Assertion& assertion : file.assertions)
+            items_.push_back(
+                {with_time(assertion.span.begin, assertion.time), assertion.span.end, &assertion, nullptr});
+        for (const CspBlock& block : file.csp_blocks)
+            items_.push_back({with_time(block.span.begin, block.time), block.span.end, nullptr, &block});
+        for (const auto& assertion : file.probabilistic_assertions)
+            items_.push_back({assertion.span.begin, assertion.span.end});
+        for (const auto& definition : file.probabilistic_definitions)
+            items_.push_back({definition.span.begin, definition.span.end});
+        for (const auto& part : file.kept) items_.push_back({part.whole.begin, part.whole.end});
         std::ranges::sort(items_, [](const Item& a, const Item& b) { return a.begin < b.begin; });
     }
 

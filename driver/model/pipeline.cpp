@@ -61,11 +61,11 @@ bool lower(Project& project, const LoadSettings& settings) {
     return project.diagnostics.ok();
 }
 
-/// Makes the project finite. `wanted` are the settings without constants that exist only in other parts.
-bool make_finite(Project& project, const ir::InstantiationOptions& wanted) {
+/// Makes the project finite. `options` are the settings without constants that exist only in other parts.
+bool make_finite(Project& project, const ir::InstantiationOptions& options) {
     const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "making the model finite");
-    project.asked = wanted;
-    project.instantiation = ir::instantiate_system(project.system, wanted, project.diagnostics);
+    project.asked = options;
+    project.instantiation = ir::instantiate_system(project.system, options, project.diagnostics);
     return project.diagnostics.ok();
 }
 
@@ -105,7 +105,7 @@ double seconds_since(Time start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void check_component(const std::vector<Part>& parts, const std::string& wanted);
+void check_component(const std::vector<Part>& parts, const std::string& component);
 
 /// Finds the names that components of one kind in several packages of the project share.
 void find_shared_names(Project& project) {
@@ -133,16 +133,17 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
     bool all = lowered;
     for (const Part& part : parts) {
         if (!is_acceptable(*part.project, settings.load)) continue;
-        ir::InstantiationOptions wanted = given;
-        wanted.constants.merge(ir::not_overridden(part.project->system, weaker, given.constants));
-        const auto has = [&](const Part& each, const std::string& name) {
-            return ir::names_constant(each.project->system, name);
+        ir::InstantiationOptions options = given;
+        options.constants.merge(ir::not_overridden(part.project->system, weaker, given.constants));
+        const auto has = [&](const Part& other, const std::string& name) {
+            return ir::names_constant(other.project->system, name);
         };
-        std::erase_if(wanted.constants, [&](const auto& constant) {
-            const auto known = std::ranges::any_of(parts, [&](const Part& each) { return has(each, constant.first); });
+        std::erase_if(options.constants, [&](const auto& constant) {
+            const auto known =
+                std::ranges::any_of(parts, [&](const Part& other) { return has(other, constant.first); });
             return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
         });
-        all = make_finite(*part.project, wanted) && all;
+        all = make_finite(*part.project, options) && all;
     }
     if (all) check_component(parts, settings.load.component);
 }
@@ -291,12 +292,12 @@ std::vector<ClaimName> claims_of(const frontend::Model& model) {
     std::vector<ClaimName> claims;
     for (const auto& file : model.files) {
         std::map<std::size_t, ClaimName> in_file;  // by position
-        for (const frontend::Assertion& each : file->assertions)
-            in_file.emplace(each.span.begin, ClaimName{each.name, each.span});
-        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
-            in_file.emplace(each.span.begin, ClaimName{each.name, each.span});
-        for (const frontend::KeptPart& each : file->kept)
-            if (each.claims) in_file.emplace(each.span.begin, ClaimName{each.name, each.span});
+        for (const frontend::Assertion& assertion : file->assertions)
+            in_file.emplace(assertion.span.begin, ClaimName{assertion.name, assertion.span});
+        for (const frontend::ProbabilisticAssertion& assertion : file->probabilistic_assertions)
+            in_file.emplace(assertion.span.begin, ClaimName{assertion.name, assertion.span});
+        for (const frontend::KeptPart& part : file->kept)
+            if (part.claims) in_file.emplace(part.span.begin, ClaimName{part.name, part.span});
         for (const auto& [place, claim] : in_file) claims.push_back(claim);
     }
     return claims;
@@ -350,7 +351,7 @@ std::vector<std::string> claim_names(const Project& whole, const SwarmSettings& 
     if (!swarm.file.empty()) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics errors;  // reported when the swarm is composed
-        for (const csp_emit::SwarmClaim& each : swarm_of(swarm, sources, errors).claims) add(each.text);
+        for (const csp_emit::SwarmClaim& claim : swarm_of(swarm, sources, errors).claims) add(claim.text);
         return names;
     }
     for (const ClaimName& claim : claims_of(*whole.model)) add(claim.name);
@@ -380,11 +381,11 @@ void name_claims(Project& whole, Settings& settings) {
 void read_blocks(const Part& part, const Settings& settings) {
     Project& project = *part.project;
     if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
-    ClaimSettings wanted = settings.claims;
-    wanted.core = core_wanted(part, settings);
-    if (wanted.times != Times::timed) (void)emit_csp(project, wanted, settings.swarm, csp_emit::Time::untimed);
-    if (wanted.times != Times::untimed && project.diagnostics.ok())
-        (void)emit_csp(project, wanted, settings.swarm, csp_emit::Time::timed);
+    ClaimSettings claims = settings.claims;
+    claims.core = core_wanted(part, settings);
+    if (claims.times != Times::timed) (void)emit_csp(project, claims, settings.swarm, csp_emit::Time::untimed);
+    if (claims.times != Times::untimed && project.diagnostics.ok())
+        (void)emit_csp(project, claims, settings.swarm, csp_emit::Time::timed);
 }
 
 /// True if every name is that of a claim in some assertion file.
@@ -430,7 +431,7 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
             }
         auto broken = part_of(whole, found->broken.unit, project_name(named), settings.load, found->broken.texts);
         broken->diagnostics = whole.diagnostics.findings_in_texts(wrong);
-        for (Part& each : sound) result.push_back(std::move(each));
+        for (Part& sound_part : sound) result.push_back(std::move(sound_part));
         result.push_back({std::move(broken), true});
     }
     parts = std::move(result);
@@ -468,7 +469,7 @@ bool core_wanted(const Part& part, const Settings& settings) {
     const auto& files = project.model->files;
     const bool claims = !project.system.properties.empty() || std::ranges::any_of(files, [](const auto& file) {
         return !file->probabilistic_assertions.empty() ||
-               std::ranges::any_of(file->kept, [](const auto& kept) { return kept.claims; });
+               std::ranges::any_of(file->kept, [](const auto& foreign_part) { return foreign_part.claims; });
     });
     const bool instead = checks && !claims && settings.claims.names.empty() && !settings.claims.sizes;
     return !part.again && (settings.claims.core || instead) && settings.swarm.file.empty();
@@ -478,27 +479,29 @@ namespace {
 
 /// True if a NAME=VALUE option sets this name.
 bool is_set(const std::vector<std::string>& options, const std::string& name) {
-    return std::ranges::any_of(options, [&](const std::string& each) { return each.starts_with(name + "="); });
+    return std::ranges::any_of(options, [&](const std::string& option) { return option.starts_with(name + "="); });
 }
 
 }  // namespace
 
 void add_swarm(Settings& settings) {
-    const SwarmSettings& wanted = settings.swarm;
-    if (wanted.file.empty()) {
-        if (wanted.robots > 0 || !wanted.grid.empty()) throw UsageError("--robots and --grid need --swarm");
+    const SwarmSettings& swarm_settings = settings.swarm;
+    if (swarm_settings.file.empty()) {
+        if (swarm_settings.robots > 0 || !swarm_settings.grid.empty())
+            throw UsageError("--robots and --grid need --swarm");
         return;
     }
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;  // reported when the swarm is composed
-    const csp_emit::Swarm swarm = swarm_of(wanted, sources, found);
+    const csp_emit::Swarm swarm = swarm_of(swarm_settings, sources, found);
     if (!found.ok()) return;
     InstantiationSettings& instantiation = settings.instantiation;
-    for (const csp_emit::SwarmConstant& each : swarm.constants)
-        if (!each.value.empty()) instantiation.weaker_constants.push_back(each.name.text + "=" + each.value);
-    for (const csp_emit::SwarmRange& each : swarm.ranges)
-        if (!is_set(instantiation.ranges, each.type.text))
-            instantiation.ranges.push_back(fmt::format("{}={}..{}", each.type.text, each.low, each.high));
+    for (const csp_emit::SwarmConstant& constant : swarm.constants)
+        if (!constant.value.empty())
+            instantiation.weaker_constants.push_back(constant.name.text + "=" + constant.value);
+    for (const csp_emit::SwarmRange& range : swarm.ranges)
+        if (!is_set(instantiation.ranges, range.type.text))
+            instantiation.ranges.push_back(fmt::format("{}={}..{}", range.type.text, range.low, range.high));
     if (swarm.grid && settings.claims.times == Times::both) settings.claims.times = Times::timed;
 }
 
@@ -506,11 +509,11 @@ const csp_emit::Emission& emit_csp(Project& project, const ClaimSettings& claims
                                    csp_emit::Time time) {
     if (const auto made = project.scripts.find(time); made != project.scripts.end()) return made->second;
     const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "writing the CSP semantics");
-    csp_emit::Options wanted;
-    wanted.core_properties = claims.core && (time == csp_emit::Time::timed || claims.times == Times::untimed);
+    csp_emit::Options options;
+    options.core_properties = claims.core && (time == csp_emit::Time::timed || claims.times == Times::untimed);
     const csp_emit::Emission& emission =
         project.scripts
-            .emplace(time, csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources,
+            .emplace(time, csp_emit::emit(project.system, project.instantiation, time, options, project.sources,
                                           project.diagnostics))
             .first->second;
     if (!project.diagnostics.ok()) return emission;
@@ -565,11 +568,11 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
     return fmt::format("; it has {}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& wanted) {
+std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& name) {
     std::vector<ir::ComponentRef> chosen;
     for (const ir::ComponentRef& ref : all_components(system)) {
-        const bool named = ref.path == wanted || ref.package + "::" + ref.path == wanted;
-        if (wanted.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
+        const bool named = ref.path == name || ref.package + "::" + ref.path == name;
+        if (name.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
     }
     return chosen;
 }
@@ -578,13 +581,13 @@ namespace {
 
 /// Checks that the component that the options name exists in some part. If it does not, the error is reported in the
 /// first part.
-void check_component(const std::vector<Part>& parts, const std::string& wanted) {
+void check_component(const std::vector<Part>& parts, const std::string& component) {
     std::vector<std::string> known;
     for (const Part& part : parts) {
-        if (wanted.empty() || !code_components(part.project->system, wanted).empty()) return;
+        if (component.empty() || !code_components(part.project->system, component).empty()) return;
         for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
-    const std::string meant = diagnostics::nearest_spelling(wanted, known);
+    const std::string meant = diagnostics::nearest_spelling(component, known);
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
     constexpr std::size_t few = 8;
@@ -594,7 +597,7 @@ void check_component(const std::vector<Part>& parts, const std::string& wanted) 
                                                    : "";
     parts.front().project->diagnostics.report(
         rules::bad_option, {},
-        {fmt::format("--component {}: the model has no module, controller or state machine of this name{}", wanted,
+        {fmt::format("--component {}: the model has no module, controller or state machine of this name{}", component,
                      help)});
 }
 

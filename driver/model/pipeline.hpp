@@ -84,7 +84,7 @@ struct ClaimName {
 /// The components for which C++ is generated. Without a name: the modules; if the model has no modules, the
 /// controllers; if it has no controllers either, the machines. With a name: the component with this name, of any kind.
 /// If there is none, a diagnostic is reported and the list is empty.
-[[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
+[[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name);
 
 /// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
 /// components of other packages have the same name.

@@ -20,8 +20,8 @@ namespace {
 /// Warns about ignored entries of the preferences file. The warning is given once, although the file may be read for
 /// several claims.
 void warn_of_ignored(Project& project, const ProbabilitySettings& settings, const std::vector<std::string>& ignored) {
-    const auto reported = [](const diagnostics::Diagnostic& each) {
-        return each.rule == &prism_emit::rules::ignored_preferences;
+    const auto reported = [](const diagnostics::Diagnostic& finding) {
+        return finding.rule == &prism_emit::rules::ignored_preferences;
     };
     if (ignored.empty() || std::ranges::any_of(project.diagnostics.sorted_findings(), reported)) return;
     project.diagnostics.report(
@@ -33,10 +33,10 @@ void warn_of_ignored(Project& project, const ProbabilitySettings& settings, cons
 
 std::optional<prism_emit::Preferences> read_preferences(Project& project, const ProbabilitySettings& settings) {
     prism_emit::Preferences result = prism_emit::preferences_of(project.instantiation);
-    const auto asked = [&](const char* type) { return project.asked.ranges.contains(type); };
-    result.nat.asked = asked("nat");
-    result.integer.asked = asked("int");
-    result.real.asked = asked("real");
+    const auto has_range = [&](const char* type) { return project.asked.ranges.contains(type); };
+    result.nat.asked = has_range("nat");
+    result.integer.asked = has_range("int");
+    result.real.asked = has_range("real");
     if (settings.preferences.empty()) return result;
     std::string error;
     const auto source = project.sources.load_file(settings.preferences, error);

@@ -46,8 +46,8 @@ public:
     [[nodiscard]] std::vector<std::string> demand_lines() const {
         std::vector<std::string> lines;
         const sleec::Asked& way = watch_.ways()[way_.value()];
-        for (const sleec::Demand& each : watch_.obligations()[way.obligation].any)
-            lines.push_back(sleec::side_text({rule_, began_, way.values, each}, of_.rules, of_.sources));
+        for (const sleec::Demand& demand : watch_.obligations()[way.obligation].any)
+            lines.push_back(sleec::side_text({rule_, began_, way.values, demand}, of_.rules, of_.sources));
         return lines;
     }
     /// The event that broke the rule; "" if the end of a second without an event did.
@@ -121,7 +121,7 @@ public:
 private:
     cspm::Script make_script() {
         cspm::Script script = of_.emission_.script;
-        for (const cspm::DeclPtr& each : watch_.declarations()) script.decls.push_back(each);
+        for (const cspm::DeclPtr& declaration : watch_.declarations()) script.decls.push_back(declaration);
         std::vector<std::size_t> ways;
         for (std::size_t i = 0; i < watch_.ways().size(); ++i)
             if (watch_.ways()[i].obligation < watch_.obligations().size()) ways.push_back(i);
@@ -150,13 +150,14 @@ private:
                                                      of_.project_.instantiation, of_.project_.sources, *session_},
                                                     claim, run);
         // Events of the rule's own process are not steps of the model.
-        const auto own = [](const runs::Step& each) { return each.event.text.starts_with("sleec_"); };
+        const auto own = [](const runs::Step& step) { return step.event.text.starts_with("sleec_"); };
         if (std::optional<std::size_t>& loop = judged.run->loop_start) {
             const auto begin = judged.run->steps.begin();
             *loop -= static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(*loop), own));
         }
         std::erase_if(judged.run->steps, own);
-        std::erase_if(judged.run->end.allowed, [](const runs::Event& each) { return each.text.starts_with("sleec_"); });
+        std::erase_if(judged.run->end.allowed,
+                      [](const runs::Event& event) { return event.text.starts_with("sleec_"); });
         judged.run->end.event.reset();
         judged.run->end.why = judged.verdict.lines.back();
     }
@@ -186,12 +187,12 @@ private:
     void report_endless(const sleec::EndlessRun& run, RuleVerdict& verdict) {
         BrokenRule reading(of_.of_, watch_, of_.linking_.linking, rule_);
         const auto name = [&](lts::Event event) { return session_->event_table().name(event); };
-        for (const sleec::EndlessStep& each : run.steps) reading.replay_event(name(each.revealed));
+        for (const sleec::EndlessStep& step : run.steps) reading.replay_event(name(step.revealed));
         const std::int64_t from = reading.current_second();
         std::string between;
-        for (const sleec::EndlessStep& each : run.loop) {
-            reading.replay_event(name(each.revealed));
-            if (const auto event = reading.event_of(name(each.revealed)))
+        for (const sleec::EndlessStep& step : run.loop) {
+            reading.replay_event(name(step.revealed));
+            if (const auto event = reading.event_of(name(step.revealed)))
                 between += (between.empty() ? ", with " : ", ") + of_.of_.rules.event_name(*event);
         }
         verdict.kind = RuleVerdict::Kind::broken;
@@ -210,8 +211,8 @@ private:
         if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
         refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
         for (const auto* steps : {&run.steps, &run.loop})
-            for (const sleec::EndlessStep& each : *steps)
-                violation.run.steps.push_back({each.event, each.revealed, {}});
+            for (const sleec::EndlessStep& step : *steps)
+                violation.run.steps.push_back({step.event, step.revealed, {}});
         const refine::Limits bounds = limits_of_check(of_.search_);
         refine::Budget budget(bounds);
         refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
@@ -294,13 +295,13 @@ void ModelRules::follow_rule(JudgedRule& judged) const {
 TimeStops ModelRules::time_stops() const {
     namespace build = cspm::build;
     cspm::Script script = emission_.script;
-    const cspm::DeclPtr asked = csp_emit::timelock_free(
+    const cspm::DeclPtr assertion = csp_emit::timelock_free(
         build::hide(csp_emit::running_on(component_.process, "tock"),
                     build::productions(csp_emit::outputs_of(emission_.provenance, component_.path))));
-    script.decls.push_back(asked);
+    script.decls.push_back(assertion);
     try {
         const refine::Verdict verdict =
-            make_session(std::move(script))->check(*asked, limits_of_check(search_)).verdict;
+            make_session(std::move(script))->check(*assertion, limits_of_check(search_)).verdict;
         return {verdict.outcome == refine::Outcome::fails,
                 verdict.outcome == refine::Outcome::inconclusive ? verdict.reason : "", false};
     } catch (const cspm::EvaluationError& error) {

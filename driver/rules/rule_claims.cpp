@@ -22,17 +22,17 @@ namespace {
 
 /// The message about a rule file with errors.
 std::string first_error(const LoadedRules& file) {
-    for (const diagnostics::Diagnostic& each : file.diagnostics.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error)
-            return fmt::format("{}{}{}", file.sources.path_and_line(each.span), each.span.is_known() ? ": " : "",
-                               each.message());
+    for (const diagnostics::Diagnostic& finding : file.diagnostics.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error)
+            return fmt::format("{}{}{}", file.sources.path_and_line(finding.span), finding.span.is_known() ? ": " : "",
+                               finding.message());
     return "";
 }
 
 std::vector<std::string> sleec_files(const std::string& folder) {
     std::vector<std::string> result;
-    for (const std::string& each : diagnostics::files_below(folder, false).files)
-        if (each.ends_with(".sleec")) result.push_back(each);
+    for (const std::string& path : diagnostics::files_below(folder, false).files)
+        if (path.ends_with(".sleec")) result.push_back(path);
     return result;
 }
 
@@ -62,10 +62,10 @@ const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::rule_files_for(cons
     if (const auto known = folders_.find(folder); known != folders_.end()) return known->second;
     std::vector<std::unique_ptr<LoadedRules>> files;  // stored only when all are read, because a limit may end the
                                                       // reading
-    for (const std::string& each : sleec_files(folder)) {
+    for (const std::string& rule_path : sleec_files(folder)) {
         auto loaded = std::make_unique<LoadedRules>();
         loaded->diagnostics.set_budget(&search_.services.budget());
-        load_rules(std::filesystem::path(each).lexically_normal().string(), *loaded);
+        load_rules(std::filesystem::path(rule_path).lexically_normal().string(), *loaded);
         files.push_back(std::move(loaded));
     }
     return folders_.emplace(folder, std::move(files)).first->second;
@@ -98,8 +98,8 @@ RuleClaims::Found RuleClaims::find(const ir::Property& property) {
 
 const csp_emit::ComponentProcesses* RuleClaims::find_component(const ir::Property& property) const {
     const std::string& path = property.subject.path;
-    for (const csp_emit::ComponentProcesses& each : emission_.components)
-        if (each.path == path || each.path == property.subject.package + "::" + path) return &each;
+    for (const csp_emit::ComponentProcesses& component : emission_.components)
+        if (component.path == path || component.path == property.subject.package + "::" + path) return &component;
     return nullptr;
 }
 
@@ -115,10 +115,11 @@ void RuleClaims::decide_property(const ir::Property& property, const SearchConte
     report.answer = Answer::error;
     try {
         const Found found = find(property);
-        const csp_emit::ComponentProcesses* const asked = find_component(property);
-        if (asked == nullptr) throw sleec::NotDecided(property.subject.path + " was not emitted");
-        JudgedRule judged = ModelRules({*found.file->rules, found.file->sources}, project_, emission_, *asked, search)
-                                .judge_rule(found.rule);
+        const csp_emit::ComponentProcesses* const component = find_component(property);
+        if (component == nullptr) throw sleec::NotDecided(property.subject.path + " was not emitted");
+        JudgedRule judged =
+            ModelRules({*found.file->rules, found.file->sources}, project_, emission_, *component, search)
+                .judge_rule(found.rule);
         report.statistics.states = judged.verdict.states;
         report.searched = true;
         report.reason = judged.verdict.reason;
@@ -143,10 +144,10 @@ void RuleClaims::decide_property(const ir::Property& property, const SearchConte
         }
         report.answer = property.negated ? Answer::fails : Answer::holds;
         if (property.negated && report.reason.empty()) report.reason = "every run obeys the rule";
-        const TimeStops time = time_stops(*asked, *found.file, search);
+        const TimeStops time = time_stops(*component, *found.file, search);
         if (time.stops)
             add(report.basis, {GroundKind::time_stops,
-                               fmt::format("time can stop in {}, which breaks no rule", asked->path),
+                               fmt::format("time can stop in {}, which breaks no rule", component->path),
                                {},
                                {},
                                {},
@@ -154,7 +155,7 @@ void RuleClaims::decide_property(const ir::Property& property, const SearchConte
         const std::string behind = report.reason.empty() ? "" : "; ";
         if (!time.unknown.empty())
             report.reason +=
-                fmt::format("{}not decided whether time can stop in {}: {}", behind, asked->path, time.unknown);
+                fmt::format("{}not decided whether time can stop in {}: {}", behind, component->path, time.unknown);
     } catch (const sleec::NotDecided& error) {
         report.reason = error.what();
     }

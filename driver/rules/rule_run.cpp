@@ -54,8 +54,8 @@ std::optional<std::int64_t> RuleWords::value_in(std::size_t measure, std::string
 }
 
 std::string RuleWords::model_name(const std::string& name) const {
-    for (const sleec::Mapping& each : rules_.file->mappings)
-        if (each.name.text == name) return each.element.text.substr(each.element.text.rfind(':') + 1);
+    for (const sleec::Mapping& mapping : rules_.file->mappings)
+        if (mapping.name.text == name) return mapping.element.text.substr(mapping.element.text.rfind(':') + 1);
     return name;
 }
 
@@ -88,9 +88,9 @@ void RuleRun::drop_obligations() {
 }
 
 void RuleRun::end_instant() {
-    for (const Happened& each : instant_) {
-        monitor_.observe_event(each.event, readings_);
-        note_violations(each.line);
+    for (const Happened& happened : instant_) {
+        monitor_.observe_event(happened.event, readings_);
+        note_violations(happened.line);
     }
     instant_.clear();
     readings_.assign(readings_.size(), std::nullopt);
@@ -99,15 +99,16 @@ void RuleRun::end_instant() {
 
 /// Only the first violation is recorded.
 void RuleRun::note_violations(std::uint64_t line) {
-    for (const sleec::Violation& each : monitor_.take_violations()) {
+    for (const sleec::Violation& violation : monitor_.take_violations()) {
         if (is_broken()) return;
         line_ = line;
-        place_ = of_.rules.rules[each.rule].written->span;
-        for (const sleec::Demand& demand : each.obligation.any)
-            text_.push_back(sleec::side_text({each.rule, each.began, each.values, demand}, of_.rules, of_.sources));
-        text_.push_back(each.event
-                            ? fmt::format("{} comes at second {}", of_.rules.event_name(*each.event), each.second)
-                            : fmt::format("second {} ends without it", each.second));
+        place_ = of_.rules.rules[violation.rule].written->span;
+        for (const sleec::Demand& demand : violation.obligation.any)
+            text_.push_back(
+                sleec::side_text({violation.rule, violation.began, violation.values, demand}, of_.rules, of_.sources));
+        text_.push_back(violation.event ? fmt::format("{} comes at second {}", of_.rules.event_name(*violation.event),
+                                                      violation.second)
+                                        : fmt::format("second {} ends without it", violation.second));
     }
 }
 
