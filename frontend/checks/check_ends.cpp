@@ -43,7 +43,7 @@ private:
         auto& finding = out_.report(rules::cn10, end.event.span, {end.node.text(), event});
         if (out_.error_count() > Diagnostics::max_kept) return;
         std::vector<std::string> events;
-        for (const auto& [name, each] : scope_of(*behind).events) events.emplace_back(name);
+        for (const auto& [name, declared] : scope_of(*behind).events) events.emplace_back(name);
         const std::string meant = diagnostics::nearest_spelling(event, events);
         if (!meant.empty())
             finding.fixes.push_back(

@@ -51,9 +51,9 @@ private:
 using Variables = Named<Variable>;
 
 /// True if the name is the same and the types fit the direction of writing: compat(required, provided).
-bool provides_variable(const Variables& provided, const Variable& wanted, bool same_kind) {
-    return provided.any_fits(wanted.name, [&](const Variable& v) {
-        return (!same_kind || v.kind == wanted.kind) && is_compatible(wanted.type, v.type);
+bool provides_variable(const Variables& provided, const Variable& required, bool same_kind) {
+    return provided.any_fits(required.name, [&](const Variable& v) {
+        return (!same_kind || v.kind == required.kind) && is_compatible(required.type, v.type);
     });
 }
 
@@ -70,19 +70,19 @@ std::string plural_suffix(const Missing& missing) {
 
 /// Adds notes that point at the missing declaration, and at a declaration of that name that does not fit.
 void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const Variables& provided = {}) {
-    for (const Declaration* wanted : missing) {
-        finding.notes.push_back({wanted->name_span, fmt::format("`{}` is required here", wanted->name)});
-        provided.for_each_named(wanted->name, [&](const Variable& other) {
+    for (const Declaration* declaration : missing) {
+        finding.notes.push_back({declaration->name_span, fmt::format("`{}` is required here", declaration->name)});
+        provided.for_each_named(declaration->name, [&](const Variable& other) {
             finding.notes.push_back({other.name_span, fmt::format("this {} has the name, but does not fit: {}",
                                                                   to_text(other.kind), to_string(other.type))});
         });
     }
 }
 
-Missing missing_variables(const std::vector<const Variable*>& wanted, const Variables& provided,
+Missing missing_variables(const std::vector<const Variable*>& required, const Variables& provided,
                           bool same_kind = false) {
     Missing missing;
-    for (const Variable* variable : wanted)
+    for (const Variable* variable : required)
         if (!provides_variable(provided, *variable, same_kind)) missing.push_back(variable);
     return missing;
 }
@@ -99,9 +99,9 @@ struct Offer {
     Named<Machine> definitions;
     Named<OperationSignature> signatures;
 
-    [[nodiscard]] bool offers_operation(const OperationSignature& wanted) const {
-        const auto fits = [&](const auto& offered) { return same_parameters(offered.parameters, wanted.parameters); };
-        return definitions.any_fits(wanted.name, fits) || signatures.any_fits(wanted.name, fits);
+    [[nodiscard]] bool offers_operation(const OperationSignature& required) const {
+        const auto fits = [&](const auto& offered) { return same_parameters(offered.parameters, required.parameters); };
+        return definitions.any_fits(required.name, fits) || signatures.any_fits(required.name, fits);
     }
 };
 
@@ -113,8 +113,8 @@ Offer offer_of(const Component& controller) {
 
 Missing missing_operations(const Context& part, const Offer& offer) {
     Missing missing;
-    for (const OperationSignature* wanted : required_operations(part))
-        if (!offer.offers_operation(*wanted)) missing.push_back(wanted);
+    for (const OperationSignature* signature : required_operations(part))
+        if (!offer.offers_operation(*signature)) missing.push_back(signature);
     return missing;
 }
 
@@ -220,7 +220,7 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
 
 /// Checks an operation that is required but never called. The check is that of a called operation, but a mistake is
 /// less severe, because the operation is not used yet.
-void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
+void check_required(const Caller& caller, const OperationSignature& signature, const Machine& operation,
                     Diagnostics& out) {
     const Lack lack = lack_of(caller, operation);
     Missing all = lack.variables;
@@ -229,7 +229,7 @@ void check_required(const Caller& caller, const OperationSignature& wanted, cons
     if (all.empty()) return;
     auto& finding =
         out.report(rules::stm8_required, caller.part.name_span, {caller.machine.name, operation.name, list_names(all)});
-    finding.notes.push_back({wanted.name_span, "the operation is required through this signature"});
+    finding.notes.push_back({signature.name_span, "the operation is required through this signature"});
 }
 
 void check_calls(const Caller& caller, Diagnostics& out) {
@@ -243,10 +243,10 @@ void check_calls(const Caller& caller, Diagnostics& out) {
                 check_call(caller, statement, *defined, out);
         });
     });
-    for (const OperationSignature* wanted : required_operations(caller.machine))
-        if (const Machine* defined = caller.find_definition(wanted->name);
-            defined != nullptr && seen.insert(wanted->name).second)
-            check_required(caller, *wanted, *defined, out);
+    for (const OperationSignature* signature : required_operations(caller.machine))
+        if (const Machine* defined = caller.find_definition(signature->name);
+            defined != nullptr && seen.insert(signature->name).second)
+            check_required(caller, *signature, *defined, out);
 }
 
 // ---------------------------------------------------------------- controllers and modules
@@ -269,11 +269,11 @@ void check_part(const Caller& caller, bool first, Diagnostics& out) {
 }
 
 void check_operation(const Caller& caller, bool first, Diagnostics& out) {
-    for (const OperationSignature* wanted : required_operations(caller.machine))
-        if (!caller.surroundings.offer.offers_operation(*wanted))
+    for (const OperationSignature* signature : required_operations(caller.machine))
+        if (!caller.surroundings.offer.offers_operation(*signature))
             out.report(rules::c4_operation, caller.part.name_span,
-                       {caller.machine.name, wanted->name, caller.controller.name})
-                .notes.push_back({wanted->name_span, "it is required through this signature"});
+                       {caller.machine.name, signature->name, caller.controller.name})
+                .notes.push_back({signature->name_span, "it is required through this signature"});
     if (first) check_calls(caller, out);
 }
 

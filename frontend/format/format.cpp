@@ -120,11 +120,11 @@ bool same_words(const std::string& a, const std::string& b, bool is_assertions) 
 
 std::optional<std::string> format(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                                   bool is_assertions, diagnostics::Diagnostics& out) {
-    auto kept = kept_parts(sources, source, is_assertions, out);
-    if (!kept) return std::nullopt;
+    auto foreign_spans = kept_parts(sources, source, is_assertions, out);
+    if (!foreign_spans) return std::nullopt;
     const std::string_view text = sources.source_text(source);
     const TokenStream stream = words_of(sources, source, is_assertions);
-    std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*kept)).run(line_end(text))
+    std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*foreign_spans)).run(line_end(text))
                                        : ModelLayout(text, stream).run(line_end(text));
     if (!same_tokens({text, stream}, result, is_assertions))
         throw std::logic_error("formatting " + sources.path(source) + " would change its words");

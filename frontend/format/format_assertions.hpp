@@ -14,9 +14,9 @@ namespace robochart::frontend {
 /// Holds the spans of the parts of other tools that have not been written yet.
 class AssertionLayout final : public ExpressionLayout {
 public:
-    /// `kept` contains the spans of the parts for other tools, in textual order.
-    AssertionLayout(std::string_view text, const TokenStream& stream, std::vector<diagnostics::Span> kept)
-        : ExpressionLayout(text, stream, true), kept_(std::move(kept)) {}
+    /// `foreign_spans` contains the spans of the parts for other tools, in textual order.
+    AssertionLayout(std::string_view text, const TokenStream& stream, std::vector<diagnostics::Span> foreign_spans)
+        : ExpressionLayout(text, stream, true), kept_(std::move(foreign_spans)) {}
 
 private:
     Doc format_member(Gap gap) override;

@@ -34,8 +34,8 @@ Doc AssertionLayout::probabilistic_assertion(Gap gap) {
     const Doc before = this->format_gap(gap);
     const bool path = at_word("generate", 1);
     const Doc head = format_words(Gap::done, path ? 5 : 4);
-    const Doc asked = path ? format_generation() : format_expression(Gap::line);
-    return group(before, doc_.cat(head, doc_.nest_indented(doc_.cat(asked, format_clauses()))));
+    const Doc body = path ? format_generation() : format_expression(Gap::line);
+    return group(before, doc_.cat(head, doc_.nest_indented(doc_.cat(body, format_clauses()))));
 }
 
 /// `using simulation for n steps up to m steps`

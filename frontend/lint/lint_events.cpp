@@ -89,7 +89,7 @@ void report_loose(const rules::Rule& rule, Span at, const std::vector<Loose>& lo
                   const std::string& container, Diagnostics& out) {
     if (loose.empty()) return;
     std::vector<std::string> names;
-    for (const Loose& each : loose) names.push_back(each.event->name);
+    for (const Loose& loose_event : loose) names.push_back(loose_event.event->name);
     const bool one = names.size() == 1;
     const std::string events = (one ? "event " : "events ") + list_names(names);
     auto& finding = out.report(rule, at, {events, part, one ? "is" : "are", container, one ? "s" : ""});

@@ -108,8 +108,8 @@ public:
         }
         for (const auto& node : container.nodes) {
             const bool again = repeated || cycles.contain(*node);
-            for (const Action& each : node->actions)
-                if (each.statement) read_action(*each.statement, again);
+            for (const Action& action : node->actions)
+                if (action.statement) read_action(*action.statement, again);
             this->read_container(*node, again);
         }
     }

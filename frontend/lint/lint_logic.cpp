@@ -246,9 +246,9 @@ std::optional<Formula> Reasoner::enumeration_equality(const Expr& left, const Ex
     atom.key = key_index(KeyKind::enumeration, text_of(left));
     Key& found = keys_[atom.key];
     found.literals.clear();
-    for (const auto& each : type.literals) {
-        if (each.get() == literal) atom.literal = found.literals.size();
-        found.literals.push_back(each->name);
+    for (const auto& declared : type.literals) {
+        if (declared.get() == literal) atom.literal = found.literals.size();
+        found.literals.push_back(declared->name);
     }
     found.opaque = !is_plain(left);
     atom.text = text_of(left) + " == " + literal->name;

@@ -255,11 +255,12 @@ private:
         while (true) {
             std::vector<Constraint> next;
             std::string term;
-            for (const Constraint& each : open) {
-                if (each.terms.empty()) {
-                    if (each.strict ? each.bound <= tolerance : each.bound < -tolerance) return Truth::no;
+            for (const Constraint& constraint : open) {
+                if (constraint.terms.empty()) {
+                    if (constraint.strict ? constraint.bound <= tolerance : constraint.bound < -tolerance)
+                        return Truth::no;
                 } else if (term.empty()) {
-                    term = each.terms.begin()->first;
+                    term = constraint.terms.begin()->first;
                 }
             }
             if (term.empty()) return Truth::yes;

@@ -37,10 +37,10 @@ private:
         for (const auto& node : inside.nodes) {
             if (node->kind != DeclKind::state) continue;
             const Events own = add_awaited(around, *node, graph);
-            for (const Action& each : node->actions) {
-                if (!each.statement || each.kind == ActionKind::during) continue;
-                const bool entry = each.kind == ActionKind::entry;
-                check_action(*each.statement, entry ? own : around,
+            for (const Action& action : node->actions) {
+                if (!action.statement || action.kind == ActionKind::during) continue;
+                const bool entry = action.kind == ActionKind::entry;
+                check_action(*action.statement, entry ? own : around,
                              fmt::format("the {} action of `{}`", entry ? "entry" : "exit", node->name));
             }
             check_container(*node, own);

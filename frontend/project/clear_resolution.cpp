@@ -39,7 +39,7 @@ struct Reset {
     }
     void visit(Transition& transition) {
         transition.source = transition.target = nullptr;
-        for (Transition::Reset& each : transition.resets) each.clock = nullptr;
+        for (Transition::Reset& reset : transition.resets) reset.clock = nullptr;
     }
     void visit(TypeExpr& type) {
         type.target = nullptr;

@@ -238,10 +238,10 @@ void Dumper::dump_file(const File& file) {
         for (const auto& declared : file.declarations) dump_declaration(*declared);
         for (const Assertion& asserted : file.assertions) dump_assertion(asserted);
         for (const CspBlock& block : file.csp_blocks) csp_block(block);
-        for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
-            write_line("{}", diagnostics::on_one_line(to_text(each)));
-        for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
-            write_line("{}", diagnostics::on_one_line(to_text(each)));
+        for (const ProbabilisticDefinition& definition : file.probabilistic_definitions)
+            write_line("{}", diagnostics::on_one_line(to_text(definition)));
+        for (const ProbabilisticAssertion& assertion : file.probabilistic_assertions)
+            write_line("{}", diagnostics::on_one_line(to_text(assertion)));
         if (!file.kept.empty()) write_line("kept as text: {} parts", file.kept.size());
     });
 }

@@ -92,7 +92,7 @@ bool has_sizes(File& file) {
 
 bool points_into(const Findings& findings, const std::set<SourceId>& sources) {
     return std::ranges::any_of(findings, [&](const Diagnostic& finding) {
-        const auto in = [&](const auto& each) { return sources.contains(each.span.source); };
+        const auto in = [&](const auto& located) { return sources.contains(located.span.source); };
         return std::ranges::any_of(finding.notes, in) || std::ranges::any_of(finding.fixes, in);
     });
 }

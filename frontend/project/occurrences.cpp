@@ -240,11 +240,12 @@ private:
 
     /// Collects the names of probabilistic assertions and of the definitions that they use.
     void add_probabilistic(const File& file) {
-        for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
-            if (each.kind != ProbabilisticKind::constant) add_definition(each.name_span, each.kind, each.name, true);
-        for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
-            add({each.name_span, NameKind::assertion, nullptr, each.name, true});
-            for (const ProbabilisticClause& clause : each.clauses)
+        for (const ProbabilisticDefinition& definition : file.probabilistic_definitions)
+            if (definition.kind != ProbabilisticKind::constant)
+                add_definition(definition.name_span, definition.kind, definition.name, true);
+        for (const ProbabilisticAssertion& assertion : file.probabilistic_assertions) {
+            add({assertion.name_span, NameKind::assertion, nullptr, assertion.name, true});
+            for (const ProbabilisticClause& clause : assertion.clauses)
                 if (!clause.name.empty())
                     add_definition(clause.name.spans.back(), clause.definition.kind, clause.name.parts.back());
         }

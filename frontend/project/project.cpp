@@ -240,15 +240,15 @@ std::set<std::string> names_declared(const std::string& path) {
 /// Adds a finding after each error about a name that only a RoboSim file declares.
 void report_robosim(const std::vector<std::string>& inputs, Diagnostics& out) {
     std::vector<diagnostics::Diagnostic> unknown = out.sorted_findings();
-    std::erase_if(unknown, [](const diagnostics::Diagnostic& each) { return each.rule != &rules::unknown_name; });
+    std::erase_if(unknown, [](const diagnostics::Diagnostic& finding) { return finding.rule != &rules::unknown_name; });
     if (unknown.empty()) return;
     for (const std::string& file : robosim_files(inputs)) {
         const std::set<std::string> declared = names_declared(file);
-        for (const diagnostics::Diagnostic& each : unknown) {
-            const std::string& name = each.arguments.at(1);
+        for (const diagnostics::Diagnostic& finding : unknown) {
+            const std::string& name = finding.arguments.at(1);
             const std::size_t last = name.rfind(':');
             const std::string simple = last == std::string::npos ? name : name.substr(last + 1);
-            if (declared.contains(simple)) out.report(rules::robosim_unread, each.span, {simple, file});
+            if (declared.contains(simple)) out.report(rules::robosim_unread, finding.span, {simple, file});
         }
     }
 }
@@ -286,8 +286,8 @@ std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<st
     auto model = std::make_unique<Model>();
     const std::vector<fs::path> paths = files_of_inputs(inputs, out);
     if (paths.empty()) return model;
-    for (const fs::path& each : paths)
-        if (auto file = read(sources, each, out)) model->files.push_back(std::move(file));
+    for (const fs::path& path : paths)
+        if (auto file = read(sources, path, out)) model->files.push_back(std::move(file));
     const bool nothing = std::ranges::all_of(
         model->files, [](const auto& file) { return file->declarations.empty() && !file->has_syntax_errors; });
     if (nothing && !model->files.empty())

@@ -46,8 +46,8 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 }  // namespace
 
 void check_probabilistic(const File& file, Diagnostics& out) {
-    for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
-        if (each.property && !each.broken) check_property(*each.property, out);
+    for (const ProbabilisticAssertion& assertion : file.probabilistic_assertions)
+        if (assertion.property && !assertion.broken) check_property(*assertion.property, out);
     for (const KeptPart& part : file.kept)
         if (!part.claims)
             out.report(rules::part_passed_over, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});

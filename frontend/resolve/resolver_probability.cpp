@@ -132,8 +132,8 @@ const Declaration* ProbabilityResolver::find_literal(const QualifiedName& name) 
 /// `const t : T` of an assertion file.
 Found ProbabilityResolver::find_constant(const QualifiedName& name) const {
     std::vector<const Variable*> constants;
-    each_definition(ProbabilisticKind::constant, [&](const ProbabilisticDefinition& each) {
-        if (each.constant) constants.push_back(each.constant.get());
+    each_definition(ProbabilisticKind::constant, [&](const ProbabilisticDefinition& definition) {
+        if (definition.constant) constants.push_back(definition.constant.get());
     });
     return find_among(constants, name.parts.back(), "in the assertion files");
 }
@@ -206,7 +206,7 @@ void ProbabilityResolver::in_state(Expr& expr) {
 void ProbabilityResolver::resolve_definition_name(const QualifiedName& name, ProbabilisticKind kind,
                                                   std::string_view what) {
     std::vector<std::string> candidates;
-    each_definition(kind, [&](const ProbabilisticDefinition& each) { candidates.push_back(each.name); });
+    each_definition(kind, [&](const ProbabilisticDefinition& definition) { candidates.push_back(definition.name); });
     if (std::ranges::find(candidates, name.parts.back()) == candidates.end())
         finder_.report_unknown(name, what, "in the assertion files", candidates);
 }
@@ -215,14 +215,14 @@ void ProbabilityResolver::resolve_definition_name(const QualifiedName& name, Pro
 const Declaration* ProbabilityResolver::module_variable(const QualifiedName& name) {
     std::vector<const Variable*> variables;
     const auto add = [&](const ProbabilisticModule& module) {
-        for (const ModuleVariable& each : module.variables) variables.push_back(each.variable.get());
+        for (const ModuleVariable& declared : module.variables) variables.push_back(declared.variable.get());
     };
     const std::size_t parts = name.parts.size();
     if (parts == 1 && module_ != nullptr) add(*module_);
-    each_definition(ProbabilisticKind::modules, [&](const ProbabilisticDefinition& each) {
-        for (const ProbabilisticModule& module : each.modules) {
-            const bool fits =
-                parts > 1 && module.name == name.parts[parts - 2] && (parts == 2 || each.name == name.parts[parts - 3]);
+    each_definition(ProbabilisticKind::modules, [&](const ProbabilisticDefinition& definition) {
+        for (const ProbabilisticModule& module : definition.modules) {
+            const bool fits = parts > 1 && module.name == name.parts[parts - 2] &&
+                              (parts == 2 || definition.name == name.parts[parts - 3]);
             if (fits || (parts == 1 && module_ == nullptr)) add(module);
         }
     });
@@ -247,8 +247,8 @@ void ProbabilityResolver::resolve_marked_name(Expr& expr) {
         return;
     }
     std::vector<std::string> functions;
-    each_definition(ProbabilisticKind::definitions, [&](const ProbabilisticDefinition& each) {
-        for (const ProbabilisticFunction& function : each.functions) functions.push_back(function.name);
+    each_definition(ProbabilisticKind::definitions, [&](const ProbabilisticDefinition& definition) {
+        for (const ProbabilisticFunction& function : definition.functions) functions.push_back(function.name);
     });
     if (std::ranges::find(functions, expr.name.parts.back()) == functions.end())
         finder_.report_unknown(expr.name, "function", "in the assertion files", functions);
@@ -301,8 +301,9 @@ void ProbabilityResolver::resolve_function(ProbabilisticFunction& function) {
 
 void ProbabilityResolver::resolve_module(ProbabilisticModule& module) {
     module_ = &module;
-    for (ModuleVariable& each : module.variables)
-        for (const ExprPtr* part : {&each.low, &each.high, &each.variable->initial}) resolve_expression(*part);
+    for (ModuleVariable& declared : module.variables)
+        for (const ExprPtr* part : {&declared.low, &declared.high, &declared.variable->initial})
+            resolve_expression(*part);
     for (Command& command : module.commands) {
         if (command.event && command.event->kind == ExprKind::event) resolve_expression(command.event);
         resolve_expression(command.guard);
@@ -316,17 +317,17 @@ void ProbabilityResolver::resolve_definition(ProbabilisticDefinition& definition
     if (definition.constant && definition.constant->type_expr)
         definition.constant->type = typer_.assign_type(*definition.constant->type_expr, around);
     resolve_expression(definition.value);
-    for (ConstantValues& each : definition.constants) {
-        resolve_expression(each.constant);
-        resolve_expression(each.value);
+    for (ConstantValues& setting : definition.constants) {
+        resolve_expression(setting.constant);
+        resolve_expression(setting.value);
     }
     for (RewardItem& item : definition.rewards) {
         if (item.event && item.event->kind == ExprKind::event) resolve_expression(item.event);
         resolve_expression(item.guard);
         resolve_expression(item.value);
     }
-    for (ProbabilisticFunction& each : definition.functions) resolve_function(each);
-    for (ProbabilisticModule& each : definition.modules) resolve_module(each);
+    for (ProbabilisticFunction& function : definition.functions) resolve_function(function);
+    for (ProbabilisticModule& module : definition.modules) resolve_module(module);
 }
 
 void ProbabilityResolver::resolve_clause(const ProbabilisticClause& clause) {
@@ -339,16 +340,17 @@ void ProbabilityResolver::resolve_clause(const ProbabilisticClause& clause) {
 
 void ProbabilityResolver::run(File& file) {
     file_ = &file;
-    for (ProbabilisticDefinition& each : file.probabilistic_definitions)
-        if (!each.broken) resolve_definition(each);
-    for (ProbabilisticAssertion& each : file.probabilistic_assertions) {
-        if (each.broken) continue;
-        for (ProbabilisticClause& part : each.clauses) {
+    for (ProbabilisticDefinition& definition : file.probabilistic_definitions)
+        if (!definition.broken) resolve_definition(definition);
+    for (ProbabilisticAssertion& assertion : file.probabilistic_assertions) {
+        if (assertion.broken) continue;
+        for (ProbabilisticClause& part : assertion.clauses) {
             resolve_clause(part);
             resolve_definition(part.definition);
         }
-        resolve_expression(each.property);
-        for (const ExprPtr* part : {&each.path.steps, &each.path.repeats, &each.path.limit}) resolve_expression(*part);
+        resolve_expression(assertion.property);
+        for (const ExprPtr* part : {&assertion.path.steps, &assertion.path.repeats, &assertion.path.limit})
+            resolve_expression(*part);
     }
 }
 

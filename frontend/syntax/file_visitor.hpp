@@ -40,9 +40,9 @@ private:
     void visit_definition(AnyDefinition& definition) {
         if (definition.constant) visit_variable(*definition.constant);
         visit_expression(definition.value);
-        for (auto& each : definition.constants) {
-            visit_expression(each.constant);
-            visit_expression(each.value);
+        for (auto& setting : definition.constants) {
+            visit_expression(setting.constant);
+            visit_expression(setting.value);
         }
         for (auto& item : definition.rewards)
             for (const ExprPtr* part : {&item.event, &item.guard, &item.value}) visit_expression(*part);
@@ -52,10 +52,10 @@ private:
             visit_updates(function.updates);
         }
         for (auto& module : definition.modules) {
-            for (auto& each : module.variables) {
-                visit_variable(*each.variable);
-                visit_expression(each.low);
-                visit_expression(each.high);
+            for (auto& declared : module.variables) {
+                visit_variable(*declared.variable);
+                visit_expression(declared.low);
+                visit_expression(declared.high);
             }
             for (auto& command : module.commands) {
                 visit_expression(command.event);
@@ -166,7 +166,7 @@ private:
     }
 
     void visit_expressions(std::vector<ExprPtr>& list) {
-        for (auto& each : list) visit_expression(each);
+        for (auto& expression : list) visit_expression(expression);
     }
     void visit_expression(const ExprPtr& expr) {
         if (!expr) return;

@@ -392,8 +392,8 @@ diagnostics::AdviceWord advice_word(const TokenList& tokens, std::ptrdiff_t inde
 }
 
 const ForeignWord* foreign_word(std::string_view word, ForeignPlace place) {
-    const auto* const found =
-        std::ranges::find_if(table, [&](const ForeignWord& each) { return each.word == word && each.place == place; });
+    const auto* const found = std::ranges::find_if(
+        table, [&](const ForeignWord& entry) { return entry.word == word && entry.place == place; });
     return found == table.end() ? nullptr : found;
 }
 

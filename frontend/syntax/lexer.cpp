@@ -285,7 +285,8 @@ bool Lexer::read_mathematical_sign() {
                                          {"\u2192", "->"},
                                          {"\u00D7", "*"},
                                          {"\u2212", "-"}}};
-    const auto* const sign = std::ranges::find_if(signs, [&](const Sign& each) { return starts_with(each.written); });
+    const auto* const sign =
+        std::ranges::find_if(signs, [&](const Sign& candidate) { return starts_with(candidate.written); });
     if (sign == signs.end()) return false;
     const std::size_t begin = at_;
     at_ += sign->written.size();

@@ -33,7 +33,7 @@ constexpr std::array<BinaryOperator, 20> operators = {{{"iff", BinaryOp::iff, 0}
 
 const BinaryOperator* binary_operator(const Token& token) {
     const auto named = [](std::string_view word) {
-        return std::ranges::find_if(operators, [&](const BinaryOperator& each) { return each.word == word; });
+        return std::ranges::find_if(operators, [&](const BinaryOperator& candidate) { return candidate.word == word; });
     };
     if (token.escaped) return token.first_on_line ? nullptr : named("^");
     const bool word = token.kind == TokenKind::keyword || token.kind == TokenKind::symbol;

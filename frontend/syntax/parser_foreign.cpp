@@ -474,7 +474,7 @@ std::string Parser::prism_path(std::size_t begin, std::size_t end) const {
         const Token token = peek(i);
         result += text.substr(peek(i - 1).span.end, token.span.begin - peek(i - 1).span.end);
         const auto* const word =
-            std::ranges::find_if(words, [&](const auto& each) { return each.first == token.text; });
+            std::ranges::find_if(words, [&](const auto& entry) { return entry.first == token.text; });
         result += word != words.end() ? word->second : text.substr(token.span.begin, token.span.end - token.span.begin);
     }
     return result.append(text.substr(peek(end - 1).span.end, peek(end).span.begin - peek(end - 1).span.end));

@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 4> methods = {"CI", "ACI", "APMC", "SPRT"
 /// True at `prob …` or at the first word of a definition, but not at `with constants` or `#label`.
 bool Parser::at_probabilistic_part() const {
     if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
-    const auto* form = std::ranges::find_if(definition_words, [&](const auto& each) { return at_word(each.first); });
+    const auto* form = std::ranges::find_if(definition_words, [&](const auto& entry) { return at_word(entry.first); });
     if (form == definition_words.end() || peek(1).kind != TokenKind::identifier) return false;
     return peek(2).is_word(form->second) || peek().first_on_line;
 }
@@ -157,7 +157,7 @@ void Parser::probabilistic_definition(File& file) {
     ProbabilisticDefinition& definition = file.probabilistic_definitions.emplace_back();
     const std::size_t before = failures_;
     definition.broken = true;
-    const auto* form = std::ranges::find_if(definition_words, [&](const auto& each) { return at_word(each.first); });
+    const auto* form = std::ranges::find_if(definition_words, [&](const auto& entry) { return at_word(entry.first); });
     definition.kind = static_cast<ProbabilisticKind>(form - definition_words.begin());
     const Span begin = advance_token().span;
     definition.span = begin;

@@ -127,8 +127,8 @@ void Printer::print_machine(const Machine& machine) {
 }
 
 void Printer::print_nodes(const NodeContainer& container) {
-    for (const auto& each : container.nodes) print_node(*each);
-    for (const auto& each : container.transitions) print_transition(*each);
+    for (const auto& node : container.nodes) print_node(*node);
+    for (const auto& transition : container.transitions) print_transition(*transition);
 }
 
 std::string_view node_word(DeclKind kind) {
@@ -197,7 +197,7 @@ void Printer::print_component(const Component& component) {
     print_braces(fmt::format("{} {}", to_text(component.kind), written_name(component.name)), [&] {
         print_context(component);
         for (const Declaration* part : component.order) print_declaration(*part);
-        for (const auto& each : component.connections) print_connection(*each);
+        for (const auto& connection : component.connections) print_connection(*connection);
     });
 }
 
@@ -272,10 +272,11 @@ std::string claim(const Assertion& assertion) {
 std::string parameter_list(const std::vector<AssertionParameter>& list) {
     std::string out;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const AssertionParameter& each = list[i];
+        const AssertionParameter& parameter = list[i];
         out += i == 0 ? " with " : i + 1 == list.size() ? " and " : ", ";
-        out += fmt::format("{} {} of {} set to {}", each.constant ? "constant" : "parameter", written_name(each.name),
-                           written_name(each.context), each.value ? to_text(*each.value) : "");
+        out += fmt::format("{} {} of {} set to {}", parameter.constant ? "constant" : "parameter",
+                           written_name(parameter.name), written_name(parameter.context),
+                           parameter.value ? to_text(*parameter.value) : "");
     }
     return out;
 }

@@ -38,8 +38,8 @@ std::string quantitative_text(const Expr& expr) {
 }
 
 std::string simulation_text(const Expr& expr) {
-    return fmt::format("using sim with {} at {}", expr.text, join_with(expr.bindings, ", ", [](const Binding& each) {
-                           return written_name(each.variable->name) + " = " + text_or_empty(each.value);
+    return fmt::format("using sim with {} at {}", expr.text, join_with(expr.bindings, ", ", [](const Binding& binding) {
+                           return written_name(binding.variable->name) + " = " + text_or_empty(binding.value);
                        }));
 }
 
@@ -48,46 +48,47 @@ std::string label_text(const ExprPtr& event) {
 }
 
 std::string updates_text(const std::vector<Update>& list) {
-    return join_with(list, " & ", [](const Update& each) {
-        const std::string probability = each.probability ? text_or_empty(each.probability) + " : " : "";
-        return fmt::format("({}{} = {})", probability, text_or_empty(each.variable), text_or_empty(each.value));
+    return join_with(list, " & ", [](const Update& update) {
+        const std::string probability = update.probability ? text_or_empty(update.probability) + " : " : "";
+        return fmt::format("({}{} = {})", probability, text_or_empty(update.variable), text_or_empty(update.value));
     });
 }
 
 std::string constants_text(const std::vector<ConstantValues>& list) {
-    return join_with(list, ", ", [](const ConstantValues& each) {
-        return fmt::format("{} {} {}", text_or_empty(each.constant), each.from_set ? "from set" : "set to",
-                           text_or_empty(each.value));
+    return join_with(list, ", ", [](const ConstantValues& setting) {
+        return fmt::format("{} {} {}", text_or_empty(setting.constant), setting.from_set ? "from set" : "set to",
+                           text_or_empty(setting.value));
     });
 }
 
 std::string rewards_text(const std::vector<RewardItem>& items) {
     std::string out;
-    for (const RewardItem& each : items)
-        out += fmt::format("{}{} : {}; ", each.of_step ? label_text(each.event) : "", text_or_empty(each.guard),
-                           text_or_empty(each.value));
+    for (const RewardItem& reward : items)
+        out += fmt::format("{}{} : {}; ", reward.of_step ? label_text(reward.event) : "", text_or_empty(reward.guard),
+                           text_or_empty(reward.value));
     return out + "endrewards";
 }
 
-std::string function_text(const ProbabilisticFunction& each) {
-    const std::string parameters =
-        join_with(each.parameters, ", ", [](const VariablePtr& parameter) { return written_name(parameter->name); });
-    const std::string body = each.result ? "return " + text_or_empty(each.result) : updates_text(each.updates);
-    return fmt::format("{} {}({}) = {{ {} }}", each.result ? "pfunction" : "poperation", written_name(each.name),
-                       parameters, body);
+std::string function_text(const ProbabilisticFunction& function) {
+    const std::string parameters = join_with(
+        function.parameters, ", ", [](const VariablePtr& parameter) { return written_name(parameter->name); });
+    const std::string body =
+        function.result ? "return " + text_or_empty(function.result) : updates_text(function.updates);
+    return fmt::format("{} {}({}) = {{ {} }}", function.result ? "pfunction" : "poperation",
+                       written_name(function.name), parameters, body);
 }
 
-std::string module_variable_text(const ModuleVariable& each) {
+std::string module_variable_text(const ModuleVariable& declared) {
     const std::string type =
-        each.low ? fmt::format("[{} to {}]", text_or_empty(each.low), text_or_empty(each.high)) : "bool";
-    const std::string initial = each.variable->initial ? " init " + text_or_empty(each.variable->initial) : "";
-    return fmt::format("{} : {}{}; ", written_name(each.variable->name), type, initial);
+        declared.low ? fmt::format("[{} to {}]", text_or_empty(declared.low), text_or_empty(declared.high)) : "bool";
+    const std::string initial = declared.variable->initial ? " init " + text_or_empty(declared.variable->initial) : "";
+    return fmt::format("{} : {}{}; ", written_name(declared.variable->name), type, initial);
 }
 
-std::string module_text(const ProbabilisticModule& each) {
-    std::string out = fmt::format("pmodule {} {{ ", written_name(each.name));
-    for (const ModuleVariable& declared : each.variables) out += module_variable_text(declared);
-    for (const Command& command : each.commands)
+std::string module_text(const ProbabilisticModule& module) {
+    std::string out = fmt::format("pmodule {} {{ ", written_name(module.name));
+    for (const ModuleVariable& declared : module.variables) out += module_variable_text(declared);
+    for (const Command& command : module.commands)
         out += fmt::format("{}{} -> {}; ", label_text(command.event), text_or_empty(command.guard),
                            command.updates.empty() ? "skip" : updates_text(command.updates));
     return out + "}";
@@ -215,7 +216,7 @@ std::string to_text(const ProbabilisticAssertion& assertion) {
 
 std::string claim_text(const ProbabilisticAssertion& assertion) {
     std::string out = assertion.property ? text_or_empty(assertion.property) : generation_text(assertion.path);
-    for (const ProbabilisticClause& each : assertion.clauses) out += clause_text(each);
+    for (const ProbabilisticClause& clause : assertion.clauses) out += clause_text(clause);
     return assertion.options.empty() ? out : out + " with cmdoptions " + assertion.options;
 }
 

@@ -72,9 +72,9 @@ void WordReader::fail_expecting(std::string_view expected, const std::vector<std
     if (!at_end()) return;
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < next_; ++i) {
-        const Token each = stream_.tokens.token_at(i);
-        if (each.is_word("{")) open.push_back(i);
-        if (each.is_word("}") && !open.empty()) open.pop_back();
+        const Token token = stream_.tokens.token_at(i);
+        if (token.is_word("{")) open.push_back(i);
+        if (token.is_word("}") && !open.empty()) open.pop_back();
     }
     if (!open.empty()) finding.notes.push_back({stream_.tokens.token_at(open.back()).span, "this '{' is not closed"});
 }

@@ -48,10 +48,10 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     for (std::size_t i = 0; i < model.files.size(); ++i)
         for (const Toolkit& toolkit : all_toolkits()) {
             if (!imports_package(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;
-            const auto kept =
+            const auto previous =
                 std::ranges::find_if(had, [&](const auto& f) { return f && f->package.text() == toolkit.package; });
-            model.files.push_back(kept != had.end() ? std::move(*kept)
-                                                    : parse(sources, text_of(toolkit, sources), false, out));
+            model.files.push_back(previous != had.end() ? std::move(*previous)
+                                                        : parse(sources, text_of(toolkit, sources), false, out));
             model.files.back()->is_library = true;
         }
 }

@@ -30,16 +30,16 @@ TypePtr Typer::check_call(Expr& expr, Surroundings& around) {
 }
 
 TypePtr Typer::call_function(Expr& expr, const Function& function, const std::vector<TypePtr>& args) {
-    const std::size_t wanted = function.parameters.size();
-    if (args.size() != wanted) {
+    const std::size_t expected = function.parameters.size();
+    if (args.size() != expected) {
         finder_.out()
             .report(rules::function_count, expr.span,
-                    {function.name, std::to_string(wanted), plural(wanted), std::to_string(args.size())})
+                    {function.name, std::to_string(expected), plural(expected), std::to_string(args.size())})
             .notes.push_back({function.name_span, "the function is declared here"});
         return nullptr;
     }
     TypeBindings bindings;
-    for (std::size_t i = 0; i < wanted; ++i) {
+    for (std::size_t i = 0; i < expected; ++i) {
         if (match_types(function.parameters[i]->type, args[i], bindings)) continue;
         finder_.out().report(
             rules::function_type, expr.args[i]->span,
@@ -50,12 +50,12 @@ TypePtr Typer::call_function(Expr& expr, const Function& function, const std::ve
 }
 
 TypePtr Typer::call_literal(Expr& expr, const EnumLiteral& literal, const std::vector<TypePtr>& args) {
-    const std::size_t wanted = literal.arguments.size();
-    if (wanted == 0 && args.empty()) finder_.out().report(rules::literal_bare, expr.span, {literal.name});
-    if (args.size() != wanted)
+    const std::size_t expected = literal.arguments.size();
+    if (expected == 0 && args.empty()) finder_.out().report(rules::literal_bare, expr.span, {literal.name});
+    if (args.size() != expected)
         finder_.out().report(rules::literal_count, expr.span,
-                             {literal.name, std::to_string(wanted), plural(wanted), std::to_string(args.size())});
-    for (std::size_t i = 0; i < std::min(wanted, args.size()); ++i)
+                             {literal.name, std::to_string(expected), plural(expected), std::to_string(args.size())});
+    for (std::size_t i = 0; i < std::min(expected, args.size()); ++i)
         if (args[i] && !is_compatible(args[i], literal.arguments[i]->type))
             finder_.out().report(
                 rules::literal_type, expr.args[i]->span,
@@ -109,17 +109,17 @@ TypePtr Typer::type_index(Expr& expr, Surroundings& around) {
     for (std::size_t i = 1; i < expr.args.size(); ++i) assign_type(expr.args[i], around);
     if (!owner || owner->form == TypeForm::any) return nullptr;
     const std::size_t given = expr.args.size() - 1;
-    const std::size_t wanted = owner->form == TypeForm::matrix ? 2 : 1;
+    const std::size_t expected = owner->form == TypeForm::matrix ? 2 : 1;
     const bool parts = owner->form == TypeForm::product || owner->form == TypeForm::sequence ||
                        owner->form == TypeForm::vector || owner->form == TypeForm::matrix;
     if (!parts) {
         finder_.out().report(rules::not_indexable, expr.span, {to_string(owner)});
         return nullptr;
     }
-    if (given != wanted) {
+    if (given != expected) {
         finder_.out().report(
             rules::index_count, expr.span,
-            {to_string(owner), std::to_string(wanted), wanted == 1 ? "ex" : "ices", std::to_string(given)});
+            {to_string(owner), std::to_string(expected), expected == 1 ? "ex" : "ices", std::to_string(given)});
         return nullptr;
     }
     if (owner->form == TypeForm::product) return tuple_part(expr, owner);

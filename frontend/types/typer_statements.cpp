@@ -101,15 +101,15 @@ void Typer::check_call(Stmt& statement, Surroundings& around) {
         return unknown_operation(statement, around);
     const OperationSignature& signature = *found->second;
     statement.declaration = &signature;
-    const std::size_t wanted = signature.parameters.size();
-    if (statement.args.size() != wanted) {
+    const std::size_t expected = signature.parameters.size();
+    if (statement.args.size() != expected) {
         finder_.out()
             .report(rules::call_count, statement.span,
-                    {signature.name, std::to_string(wanted), plural(wanted), std::to_string(statement.args.size())})
+                    {signature.name, std::to_string(expected), plural(expected), std::to_string(statement.args.size())})
             .notes.push_back({signature.name_span, "the operation is declared here"});
         return;
     }
-    for (std::size_t i = 0; i < wanted; ++i) {
+    for (std::size_t i = 0; i < expected; ++i) {
         const TypePtr& formal = signature.parameters[i]->type;
         const TypePtr& actual = statement.args[i]->type;
         if (actual && formal && !is_compatible(actual, formal))

@@ -90,9 +90,9 @@ public:
             near_[from].out.push_back(to);
             near_[to].in.push_back(from);
         }
-        for (Near& each : near_) {
-            each.outs = each.out.size();
-            each.ins = each.in.size();
+        for (Near& near : near_) {
+            near.outs = near.out.size();
+            near.ins = near.in.size();
         }
     }
 
@@ -132,8 +132,8 @@ private:
     }
     void remove_box(std::size_t box) {
         left_[box] = false;
-        for (const std::size_t each : near_[box].out) --near_[each].ins;
-        for (const std::size_t each : near_[box].in) --near_[each].outs;
+        for (const std::size_t other : near_[box].out) --near_[other].ins;
+        for (const std::size_t other : near_[box].in) --near_[other].outs;
     }
 
     const Graph& graph_;

@@ -78,8 +78,8 @@ private:
         }
     }
 
-    [[nodiscard]] bool leaves_down(const End& end, bool wanted) const {
-        return end.port == nothing ? wanted : graph_.ports[end.box][end.port].down;
+    [[nodiscard]] bool leaves_down(const End& end, bool without_port) const {
+        return end.port == nothing ? without_port : graph_.ports[end.box][end.port].down;
     }
 
     void make_edge(std::size_t e) {

@@ -163,11 +163,13 @@ private:
                 const Link& link = graph_.links[l];
                 if (link.turn != Link::Turn::none) continue;
                 const Node& other = nodes_[up ? link.upper : link.lower];
-                const double each = node.is_box() && other.is_box() ? 1 : node.is_box() || other.is_box() ? 3 : 40;
+                const double link_weight = node.is_box() && other.is_box()   ? 1
+                                           : node.is_box() || other.is_box() ? 3
+                                                                             : 40;
                 const double here = up ? link.lower_offset : link.upper_offset;
                 const double there = up ? link.upper_offset : link.lower_offset;
-                sum += each * (other.x + there - here);
-                weight += each;
+                sum += link_weight * (other.x + there - here);
+                weight += link_weight;
             }
         };
         if (above) add(node.up, true);
@@ -240,7 +242,7 @@ private:
         std::vector<std::size_t> links;
         std::size_t port = nothing;
         double order = 0;
-        double wanted = 0;
+        double target = 0;
     };
 
     void place_ends() {
@@ -263,7 +265,7 @@ private:
         std::ranges::stable_sort(slots, [](const Slot& x, const Slot& y) { return x.order < y.order; });
         std::vector<Wish> wishes;
         const double gap = graph_.ports[b].empty() ? distance::slots : distance::ports;
-        for (const Slot& slot : slots) wishes.push_back({slot.wanted, 1, gap});
+        for (const Slot& slot : slots) wishes.push_back({slot.target, 1, gap});
         const Interval side = side_of(graph_, node, slots.size());
         const std::vector<double> places = nearest_places(wishes, side.low, std::max(side.low, side.high));
         for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -306,7 +308,7 @@ private:
     /// the links lead; turns to the left come first, and turns to the right last.
     void wish_of(std::size_t b, Slot& slot, bool down) const {
         const Node& node = nodes_[b];
-        slot.wanted = slot.links.empty() ? node.x : 0;
+        slot.target = slot.links.empty() ? node.x : 0;
         slot.order = slot.links.empty() ? far : 0;
         for (const std::size_t l : slot.links) {
             const Link& link = graph_.links[l];
@@ -315,7 +317,7 @@ private:
             const auto count = static_cast<double>(slot.links.size());
             const auto position = static_cast<double>(nodes_[n].position);
             const double beside = nodes_[n].position < node.position ? -1e6 : 1e6;
-            slot.wanted += nodes_[n].x / count;
+            slot.target += nodes_[n].x / count;
             slot.order += (turn ? position + beside : position) / count;
         }
     }

@@ -34,7 +34,7 @@ std::string body_of(const StmtPtr& statement) {
 
 std::string sequence_of(const Stmt& statement) {
     std::string result;
-    for (const StmtPtr& each : statement.body) result += (result.empty() ? "" : "; ") + body_of(each);
+    for (const StmtPtr& part : statement.body) result += (result.empty() ? "" : "; ") + body_of(part);
     return result;
 }
 

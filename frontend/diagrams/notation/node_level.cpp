@@ -46,7 +46,7 @@ std::string join_pieces(const std::vector<std::string>& pieces) {
 /// True if `target` is the node or inside it.
 bool contains_node(const State& node, const State* target) {
     if (&node == target) return true;
-    return std::ranges::any_of(node.nodes, [&](const auto& each) { return contains_node(*each, target); });
+    return std::ranges::any_of(node.nodes, [&](const auto& child) { return contains_node(*child, target); });
 }
 
 }  // namespace

@@ -72,9 +72,9 @@ private:
     }
 
     void add_package(const File& file) {
-        const bool drawn = std::ranges::any_of(file.declarations, [](const auto& each) {
-            return each->kind == DeclKind::interface || each->kind == DeclKind::function ||
-                   dynamic_cast<const TypeDeclaration*>(each.get()) != nullptr;
+        const bool drawn = std::ranges::any_of(file.declarations, [](const auto& declaration) {
+            return declaration->kind == DeclKind::interface || declaration->kind == DeclKind::function ||
+                   dynamic_cast<const TypeDeclaration*>(declaration.get()) != nullptr;
         });
         if (!drawn) return;
         const std::string name = file.package.empty() ? stem_of(sources_.path(file.source)) : file.package.text();

@@ -167,9 +167,9 @@ private:
     [[nodiscard]] const Declaration* node_of(const AirdElement& element, const Declaration& owner) const {
         const Declaration* meant = fragments_.find(element.href);
         const Declaration* called = nullptr;
-        const auto see = [&](const Declaration& each) {
-            if (!is_called(each, element.name)) return;
-            if (called == nullptr || &each == meant) called = &each;
+        const auto see = [&](const Declaration& candidate) {
+            if (!is_called(candidate, element.name)) return;
+            if (called == nullptr || &candidate == meant) called = &candidate;
         };
         if (const auto* container = dynamic_cast<const NodeContainer*>(&owner))
             for (const auto& node : container->nodes) see(*node);
@@ -239,12 +239,12 @@ private:
         std::vector<std::size_t> areas;
         areas_in(shape, areas);
         bool has_rows = false;
-        for (const std::size_t each : areas) has_rows = has_rows || is_rows(element_of(each)->mapping);
+        for (const std::size_t inner : areas) has_rows = has_rows || is_rows(element_of(inner)->mapping);
         const double title = title_of(shape);
-        for (const std::size_t each : areas) {
-            const AirdShape& stacked = diagram_.shapes[each];
+        for (const std::size_t inner : areas) {
+            const AirdShape& stacked = diagram_.shapes[inner];
             area.size.width = std::max(area.size.width, stacked.width.value_or(0));
-            if (!is_inside(element_of(each)->mapping)) continue;
+            if (!is_inside(element_of(inner)->mapping)) continue;
             area.size.height = stacked.height.value_or(0);
             if (stacked.y || !has_rows) area.above = title + stacked.y.value_or(0);
         }
@@ -337,15 +337,15 @@ private:
         const Declaration* source = end_of(element.source).node;
         const Declaration* best = nullptr;
         const std::string label = without_blanks(element.name);
-        const auto see = [&](const auto& each, bool same_label) {
-            if (result_.layout.lines.contains(each.get()) || !has_ends_of(*each, element)) return;
-            if (best == nullptr || same_label) best = each.get();
+        const auto see = [&](const auto& candidate, bool same_label) {
+            if (result_.layout.lines.contains(candidate.get()) || !has_ends_of(*candidate, element)) return;
+            if (best == nullptr || same_label) best = candidate.get();
         };
         for (const Declaration* at = source; at != nullptr && best == nullptr; at = at->parent) {
             if (const auto* container = dynamic_cast<const NodeContainer*>(at))
-                for (const auto& each : container->transitions) see(each, label_text(*each) == label);
+                for (const auto& transition : container->transitions) see(transition, label_text(*transition) == label);
             if (const auto* component = dynamic_cast<const Component*>(at))
-                for (const auto& each : component->connections) see(each, false);
+                for (const auto& connection : component->connections) see(connection, false);
         }
         if (best != nullptr) add_route(*best, line);
     }
@@ -363,13 +363,13 @@ private:
 
 /// Finds the component by the reference, otherwise by its name.
 const Declaration* component_of(const AirdElement& element, const Fragments& fragments) {
-    const auto is_meant = [&](const Declaration* each) {
-        return each != nullptr && has_diagram(*each) && is_called(*each, element.name);
+    const auto is_meant = [&](const Declaration* candidate) {
+        return candidate != nullptr && has_diagram(*candidate) && is_called(*candidate, element.name);
     };
     const Declaration* meant = fragments.find(element.href);
     if (is_meant(meant)) return meant;
-    for (const Declaration* each : fragments.siblings(element.href))
-        if (is_meant(each)) return each;
+    for (const Declaration* sibling : fragments.siblings(element.href))
+        if (is_meant(sibling)) return sibling;
     return nullptr;
 }
 

@@ -94,7 +94,7 @@ const Declaration* in_file(const File& file, const Step& step) {
     }(step.feature);
     if (kinds.empty()) return nullptr;
     return nth_item(file.declarations, step.number,
-                    [&](const Declaration& each) { return each.kind == kinds.front(); });
+                    [&](const Declaration& declaration) { return declaration.kind == kinds.front(); });
 }
 
 const Declaration* in_nodes(const NodeContainer& container, const Step& step) {
@@ -108,7 +108,8 @@ const Declaration* in_component(const Component& component, const Step& step) {
     if (component.kind == DeclKind::module)
         return step.feature == "nodes" ? nth_item(component.order, step.number) : nullptr;
     const auto of_kind = [&](DeclKind kind) {
-        return nth_item(component.order, step.number, [&](const Declaration& each) { return kind_of(each) == kind; });
+        return nth_item(component.order, step.number,
+                        [&](const Declaration& declaration) { return kind_of(declaration) == kind; });
     };
     if (step.feature == "machines") return of_kind(DeclKind::state_machine);
     if (step.feature == "lOperations") return of_kind(DeclKind::operation);
