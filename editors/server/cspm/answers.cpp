@@ -39,10 +39,10 @@ std::map<std::string, Json> script_findings(const Session& session, Scripts& scr
     for (const ScriptReading* reading : scripts.current_readings()) {
         const Locate locate = [&](Span span) { return script_location(session, scripts, *reading, span); };
         for (const auto& [source, file] : reading->in) result.emplace(scripts.uri_of(*reading, source), Json::array());
-        for (const Diagnostic& each : reading->findings.sorted_findings())
-            if (each.span.is_known())
-                add_new(result[scripts.uri_of(*reading, each.span.source)],
-                        lsp_diagnostic(reading->sources, each, session.client.encoding, locate));
+        for (const Diagnostic& finding : reading->findings.sorted_findings())
+            if (finding.span.is_known())
+                add_new(result[scripts.uri_of(*reading, finding.span.source)],
+                        lsp_diagnostic(reading->sources, finding, session.client.encoding, locate));
     }
     return result;
 }
@@ -71,7 +71,7 @@ Json script_hover(const Session& session, Scripts& scripts, ScriptDocument& docu
         text = fmt::format(fmt::runtime(markdown ? "```cspm\n{} :: {}\n```" : "{} :: {}"), name->known->name,
                            name->known->type);
     std::vector<Diagnostic> findings = at.reading.findings.sorted_findings();
-    std::erase_if(findings, [&](const Diagnostic& each) { return each.span.source != at.source; });
+    std::erase_if(findings, [&](const Diagnostic& finding) { return finding.span.source != at.source; });
     const std::string rules = explain_findings(findings, at.offset, markdown);
     if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += rules;

@@ -52,13 +52,13 @@ std::optional<NameAt> declaration_at(const ScriptReading& reading, SourceId sour
     const std::string_view word = word_at(reading.sources.source_text(source), offset);
     std::optional<NameAt> best;
     std::uint32_t shortest = 0;
-    for (const cspm::KnownName& each : reading.names.names) {
-        if (!covers_offset(each.span, source, offset) || short_name(each.name) != word) continue;
-        if (best && shortest <= span_length(each.span)) continue;
-        const Span place = name_place(reading.sources, each.span, each.name);
+    for (const cspm::KnownName& known_name : reading.names.names) {
+        if (!covers_offset(known_name.span, source, offset) || short_name(known_name.name) != word) continue;
+        if (best && shortest <= span_length(known_name.span)) continue;
+        const Span place = name_place(reading.sources, known_name.span, known_name.name);
         if (!covers_offset(place, source, offset) || place.begin == place.end) continue;
-        best = NameAt{&each, place};
-        shortest = span_length(each.span);
+        best = NameAt{&known_name, place};
+        shortest = span_length(known_name.span);
     }
     return best;
 }
@@ -73,10 +73,10 @@ std::string_view short_name(std::string_view qualified) {
 Span name_place(const SourceManager& sources, Span declaration, std::string_view name) {
     const std::string_view text =
         sources.source_text(declaration.source).substr(declaration.begin, span_length(declaration));
-    const std::string_view wanted = short_name(name);
+    const std::string_view word = short_name(name);
     diagnostics::Diagnostics ignored;
     for (const cspm::Token& token : cspm::lex(text, declaration.source, ignored))
-        if (token.kind == cspm::Tok::identifier && token.text == wanted)
+        if (token.kind == cspm::Tok::identifier && token.text == word)
             return {declaration.source, declaration.begin + token.span.begin, declaration.begin + token.span.end};
     return {declaration.source, declaration.begin, declaration.begin};
 }

@@ -69,7 +69,7 @@ void Scripts::refresh_file(const std::string& uri) {
 void Scripts::forget_readings(const std::string& file) {
     news_ = true;
     for (const auto& [uri, document] : documents_)
-        if (document->file == file || (document->reading && document->reading->asked.contains(file)))
+        if (document->file == file || (document->reading && document->reading->searched.contains(file)))
             document->reading.reset();
 }
 
@@ -88,7 +88,7 @@ std::string Scripts::file_of(const std::string& path) const {
 
 std::optional<SourceId> Scripts::load_text(ScriptReading& reading, const std::string& path, std::string& error) {
     const std::string file = file_of(path);
-    reading.asked.insert(file);
+    reading.searched.insert(file);
     const ScriptDocument* document = find_open(file);
     std::optional<SourceId> source;
     if (document != nullptr)
@@ -141,8 +141,8 @@ std::vector<const ScriptReading*> Scripts::current_readings() {
 }
 
 const ScriptReading& Scripts::reading_of(const ScriptDocument& document) {
-    for (const ScriptReading* each : current_readings())
-        if (each->at.contains(document.file)) return *each;
+    for (const ScriptReading* reading : current_readings())
+        if (reading->at.contains(document.file)) return *reading;
     return *document.reading;
 }
 

@@ -30,7 +30,7 @@ struct ScriptReading {
     cspm::NameTable names;               ///< empty until types are computed
     std::map<std::string, SourceId> at;  ///< the text of each file; the first one if a file is included several times
     std::map<SourceId, std::string> in;  ///< the file of every text
-    std::set<std::string> asked;         ///< files that were searched for, whether they exist or not
+    std::set<std::string> searched;      ///< files that were searched for, whether they exist or not
     bool typed = false;                  ///< types were checked, or cannot be because reading failed
 };
 

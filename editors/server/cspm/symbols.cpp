@@ -39,14 +39,15 @@ constexpr int event = 24;
 class Outline {
 public:
     Outline(const ScriptReading& reading, SourceId source) : reading_(reading), source_(source) {
-        for (const cspm::KnownName& each : reading.names.names)
-            if (each.span.source == source) types_.emplace(std::pair(each.span.begin, each.name), &each.type);
+        for (const cspm::KnownName& known_name : reading.names.names)
+            if (known_name.span.source == source)
+                types_.emplace(std::pair(known_name.span.begin, known_name.name), &known_name.type);
     }
 
     std::vector<Entry> list_entries(const std::vector<DeclPtr>& decls, const std::string& prefix) {
         std::vector<Entry> result;
-        for (const DeclPtr& each : decls)
-            if (each->span.source == source_) add(*each, prefix, result);
+        for (const DeclPtr& decl : decls)
+            if (decl->span.source == source_) add(*decl, prefix, result);
         return result;
     }
 
@@ -89,7 +90,7 @@ private:
                     make_entry(decl.names.at(0), prefix, kinds::module, decl.span, "instance of " + decl.text));
                 break;
             case DeclKind::timed:
-                for (Entry& each : list_entries(decl.decls, prefix)) out.push_back(std::move(each));
+                for (Entry& entry : list_entries(decl.decls, prefix)) out.push_back(std::move(entry));
                 break;
             case DeclKind::assertion:
                 add_assertion(decl, out);
@@ -106,13 +107,13 @@ private:
             if (type != types_.end()) made.detail = *type->second;
             out.push_back(std::move(made));
         }
-        for (const cspm::PatternPtr& each : pattern.args) this->add_pattern(*each, whole, prefix, out);
+        for (const cspm::PatternPtr& argument : pattern.args) this->add_pattern(*argument, whole, prefix, out);
     }
 
     void add_datatype(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
         Entry made = make_entry(decl.names.at(0), prefix, kinds::enumeration, decl.span);
-        for (const cspm::Constructor& each : decl.constructors)
-            made.inside.push_back(make_entry(each.name, prefix, kinds::member, each.span));
+        for (const cspm::Constructor& constructor : decl.constructors)
+            made.inside.push_back(make_entry(constructor.name, prefix, kinds::member, constructor.span));
         out.push_back(std::move(made));
     }
 
@@ -120,7 +121,7 @@ private:
         Entry made = make_entry(decl.names.at(0), prefix, kinds::module, decl.span, "module");
         const std::string inside = prefix + decl.names.at(0) + "::";
         made.inside = list_entries(decl.decls, inside);
-        for (Entry& each : list_entries(decl.exports, inside)) made.inside.push_back(std::move(each));
+        for (Entry& entry : list_entries(decl.exports, inside)) made.inside.push_back(std::move(entry));
         out.push_back(std::move(made));
     }
 
@@ -145,7 +146,7 @@ Json symbol_of_entry(const PositionTable& positions, const Entry& entry) {
                                 {"range", positions.lsp_range(entry.whole)},
                                 {"selectionRange", positions.lsp_range(entry.place)}});
     Json children = Json::array();
-    for (const Entry& each : entry.inside) children.push_back(symbol_of_entry(positions, each));
+    for (const Entry& child : entry.inside) children.push_back(symbol_of_entry(positions, child));
     if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
@@ -157,7 +158,7 @@ void add_flat(const PositionTable& positions, const Entry& entry, const std::str
                                 {"kind", entry.kind},
                                 {"location", Json::object({{"uri", uri}, {"range", positions.lsp_range(entry.place)}})},
                                 {"containerName", container}}));
-    for (const Entry& each : entry.inside) add_flat(positions, each, entry.name, uri, out);
+    for (const Entry& child : entry.inside) add_flat(positions, child, entry.name, uri, out);
 }
 
 }  // namespace
@@ -166,11 +167,11 @@ Json script_symbols(const ScriptReading& reading, SourceId source, const std::st
                     bool hierarchical) {
     Json result = Json::array();
     const PositionTable positions(reading.sources, source, encoding);
-    for (const Entry& each : Outline(reading, source).list_entries(reading.script.decls, {})) {
+    for (const Entry& entry : Outline(reading, source).list_entries(reading.script.decls, {})) {
         if (hierarchical)
-            result.push_back(symbol_of_entry(positions, each));
+            result.push_back(symbol_of_entry(positions, entry));
         else
-            add_flat(positions, each, {}, uri, result);
+            add_flat(positions, entry, {}, uri, result);
     }
     return result;
 }

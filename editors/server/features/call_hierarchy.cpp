@@ -39,8 +39,8 @@ struct CallGraph {
     /// The operations that a call may run; the signature if none is defined.
     [[nodiscard]] std::vector<const Declaration*> definitions_of(const Declaration& callee) const {
         std::vector<const Declaration*> result;
-        for (const Machine* each : operations)
-            if (each->name == callee.name) result.push_back(each);
+        for (const Machine* operation : operations)
+            if (operation->name == callee.name) result.push_back(operation);
         if (result.empty()) result.push_back(&callee);
         return result;
     }
@@ -121,8 +121,8 @@ Json prepare_call_hierarchy(Session& session, View params) {
     std::vector<const Declaration*> shown = {found};
     if (found->kind == DeclKind::operation_signature) shown = call_graph(target.project).definitions_of(*found);
     Json result = Json::array();
-    for (const Declaration* each : shown)
-        if (Json made = hierarchy_item(session, target.project, *each); !made.is_null())
+    for (const Declaration* declaration : shown)
+        if (Json made = hierarchy_item(session, target.project, *declaration); !made.is_null())
             result.push_back(std::move(made));
     return result;
 }
@@ -144,7 +144,8 @@ Json outgoing_calls(Session& session, View params) {
     Ends callees(session, target.project, "to");
     for (const CallSite& call : graph.calls)
         if (call.caller == caller)
-            for (const Declaration* each : graph.definitions_of(*call.callee)) callees.add(*each, call.span);
+            for (const Declaration* definition : graph.definitions_of(*call.callee))
+                callees.add(*definition, call.span);
     return callees.take_calls();
 }
 

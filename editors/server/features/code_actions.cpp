@@ -53,14 +53,14 @@ Json code_action(const Session& session, const Target& target, const Diagnostic&
 
 Json code_actions(Session& session, View params) {
     const Target target = target_of(session, params);
-    const Span asked =
+    const Span requested =
         span_of(target.project.sources(), target.document.source, params["range"], session.client.encoding);
     const View only = params["context"]["only"];
     Json list = Json::array();
     for (const View kind : only.items())
         if (kind.text() != "quickfix" && kind.text() != "" && only.items().size() == 1) return list;
     for (const Diagnostic& finding : findings_about(target)) {
-        if (!spans_overlap(finding.span, asked)) continue;
+        if (!spans_overlap(finding.span, requested)) continue;
         for (const FixIt& fix : finding.fixes)
             if (fix.span.is_known()) list.push_back(code_action(session, target, finding, fix, params["context"]));
     }

@@ -17,16 +17,18 @@ public:
     Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}
 
     Json find() {
-        for (const frontend::Assertion& each : target_.project.tree_of(target_.document).assertions)
+        for (const frontend::Assertion& assertion : target_.project.tree_of(target_.document).assertions)
             // The parser makes up a name, with an empty span, for an assertion without one.
-            if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
-        for (const auto& each : target_.project.tree_of(target_.document).probabilistic_assertions)
-            if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
-        for (const diagrams::Subject& each :
+            if (assertion.name_span.begin != assertion.name_span.end)
+                add("check", check_command, assertion.name_span, assertion.name);
+        for (const auto& assertion : target_.project.tree_of(target_.document).probabilistic_assertions)
+            if (assertion.name_span.begin != assertion.name_span.end)
+                add("check", check_command, assertion.name_span, assertion.name);
+        for (const diagrams::Subject& subject :
              diagrams::find_subjects(target_.project.current_model(), target_.project.sources())) {
-            if (!is_component(each)) continue;
-            add("draw", draw_command, each.component->name_span, each.name);
-            add("step", step_command, each.component->name_span, each.name);
+            if (!is_component(subject)) continue;
+            add("draw", draw_command, subject.component->name_span, subject.name);
+            add("step", step_command, subject.component->name_span, subject.name);
         }
         return std::move(result_);
     }

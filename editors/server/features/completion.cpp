@@ -47,10 +47,10 @@ public:
           source_(target.document.source),
           context_(context_at(sources_, target.document.source, target.document.is_assertions, target.offset)) {
         edit_range_ = lsp_range(sources_, context_.prefix, session.client.encoding);
-        for (const Enclosing& each : context_.enclosing) {
-            const Declaration* found = declared_at(file_, each.name);
+        for (const Enclosing& enclosing : context_.enclosing) {
+            const Declaration* found = declared_at(file_, enclosing.name);
             if (found == nullptr) continue;
-            if (dynamic_cast<const NodeContainer*>(found) != nullptr && each.block != Block::transition)
+            if (dynamic_cast<const NodeContainer*>(found) != nullptr && enclosing.block != Block::transition)
                 container_ = found;
             const bool scope =
                 dynamic_cast<const frontend::Context*>(found) != nullptr || found->kind == DeclKind::function;
@@ -102,19 +102,19 @@ private:
         if (const auto* function = dynamic_cast<const Function*>(scope_))
             for (const auto& parameter : function->parameters)
                 if (filter(parameter->kind)) add(*parameter, Rank::scope);
-        for (const Declaration* each : members_of(*scope_))
-            if (filter(each->kind)) add(*each, Rank::scope);
+        for (const Declaration* member : members_of(*scope_))
+            if (filter(member->kind)) add(*member, Rank::scope);
     }
     template <class Filter>
     void from_project(const Filter& filter) {
-        for (const Declaration* each : visible_from(model_, file_))
-            if (filter(each->kind)) add(*each, Rank::project);
+        for (const Declaration* declaration : visible_from(model_, file_))
+            if (filter(declaration->kind)) add(*declaration, Rank::project);
     }
     /// Adds the components inside the controllers and modules that contain the place.
     template <class Filter>
     void from_parts(const Filter& filter) {
-        for (const Enclosing& each : context_.enclosing)
-            if (const auto* component = dynamic_cast<const Component*>(declared_at(file_, each.name)))
+        for (const Enclosing& enclosing : context_.enclosing)
+            if (const auto* component = dynamic_cast<const Component*>(declared_at(file_, enclosing.name)))
                 for (const Declaration* part : component->order)
                     if (filter(part->kind)) add(*part, Rank::scope);
     }
@@ -125,7 +125,7 @@ private:
     // The expected construct
 
     void add_unqualified() {
-        switch (context_.wanted) {
+        switch (context_.expected) {
             case Wanted::nothing:
                 return;
             case Wanted::member:
@@ -190,9 +190,9 @@ private:
         const Block block = context_.enclosing.back().block;
         add_words(file_.is_assertions ? assertion_member_words() : member_words(block, context_.word));
         if (!session_.client.snippets || file_.is_assertions) return;
-        constexpr int snippet = 15;
-        for (const Snippet& each : snippets_for(block))
-            add(std::string(each.label), snippet, Rank::snippet, "snippet", std::string(each.text), true);
+        constexpr int snippet_kind = 15;
+        for (const Snippet& snippet : snippets_for(block))
+            add(std::string(snippet.label), snippet_kind, Rank::snippet, "snippet", std::string(snippet.text), true);
     }
 
     void add_nodes(DeclKind except) {
@@ -219,8 +219,8 @@ private:
                               : context_.word == "cref" ? DeclKind::controller
                               : context_.word == "rref" ? DeclKind::platform
                                                         : DeclKind::operation;
-        from_parts([&](DeclKind each) { return each == kind; });
-        from_project([&](DeclKind each) { return each == kind; });
+        from_parts([&](DeclKind candidate) { return candidate == kind; });
+        from_project([&](DeclKind candidate) { return candidate == kind; });
         add_packages();
     }
 
@@ -247,8 +247,8 @@ private:
     }
 
     const Component* enclosing_component() const {
-        for (auto each = context_.enclosing.rbegin(); each != context_.enclosing.rend(); ++each)
-            if (const auto* found = dynamic_cast<const Component*>(declared_at(file_, each->name))) return found;
+        for (auto enclosing = context_.enclosing.rbegin(); enclosing != context_.enclosing.rend(); ++enclosing)
+            if (const auto* found = dynamic_cast<const Component*>(declared_at(file_, enclosing->name))) return found;
         return nullptr;
     }
 
@@ -266,8 +266,8 @@ private:
         for (const Declaration* part : around->order)
             if (part->name == context_.path.front()) node = part;
         if (node == nullptr) return;
-        for (const Declaration* each : members_of(*node))
-            if (each->kind == DeclKind::event) add(*each, Rank::scope);
+        for (const Declaration* member : members_of(*node))
+            if (member->kind == DeclKind::event) add(*member, Rank::scope);
     }
 
     void add_imports() {
@@ -284,7 +284,7 @@ private:
     /// Adds the names of suitable kinds after `A::B::`.
     void add_qualified() {
         const auto fits = [&](DeclKind kind) {
-            switch (context_.wanted) {
+            switch (context_.expected) {
                 case Wanted::interface:
                     return kind == DeclKind::interface;
                 case Wanted::type:
@@ -300,15 +300,15 @@ private:
                     return kind != DeclKind::transition && kind != DeclKind::field;
             }
         };
-        for (const Declaration* each : declarations_after(model_, file_, context_.qualifier))
-            if (fits(each->kind)) add(*each, Rank::scope);
+        for (const Declaration* declaration : declarations_after(model_, file_, context_.qualifier))
+            if (fits(declaration->kind)) add(*declaration, Rank::scope);
         for (const std::string& name : packages_behind(model_, context_.qualifier)) add_package(name);
-        if (context_.wanted == Wanted::import) add("*", 14, Rank::word, "everything", "*");
+        if (context_.expected == Wanted::import) add("*", 14, Rank::word, "everything", "*");
     }
 
     /// Adds the fields after `a[1].f.`. After an event and `.`, a value is expected instead.
     void add_fields() {
-        const auto first = [&](const Declaration* each) { return each->name == context_.value.front(); };
+        const auto first = [&](const Declaration* declaration) { return declaration->name == context_.value.front(); };
         if (scope_ == nullptr) return;
         const auto members = members_of(*scope_);
         const auto found = std::ranges::find_if(members, first);

@@ -115,7 +115,7 @@ public:
             end = read_qualifier(end);
         else if (end > 0 && token_before(end).is_word(".") && !is_assertions_)
             return member_step(end);
-        context_.wanted = is_assertions_ ? in_assertions(end) : wanted_at(end);
+        context_.expected = is_assertions_ ? in_assertions(end) : wanted_at(end);
         read_binders(end);
     }
 
@@ -154,15 +154,15 @@ private:
             --end;
         }
         context_.value = std::move(steps);
-        context_.wanted = Wanted::expression;
+        context_.expected = Wanted::expression;
         read_binders(end);
     }
 
     /// The last token before the end that begins a clause of the body; the beginning of the body if there is none.
     [[nodiscard]] std::size_t clause_begin(std::size_t end) const {
         std::size_t begin = 0;
-        for (const Enclosing& each : context_.enclosing)
-            if (each.block != Block::bracket) begin = each.begin;
+        for (const Enclosing& enclosing : context_.enclosing)
+            if (enclosing.block != Block::bracket) begin = enclosing.begin;
         for (std::size_t i = end; i > begin; --i)
             if (is_among(words_[i - 1], {"from",   "trigger", "probability", "condition",    "action",       "entry",
                                          "during", "exit",    "uses",        "requires",     "provides",     "var",

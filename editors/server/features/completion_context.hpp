@@ -62,7 +62,7 @@ enum class Wanted {
 
 /// The context of a completion. A step from a value to a part of it is a field's name, or "" for an index.
 struct CompletionContext {
-    Wanted wanted = Wanted::nothing;
+    Wanted expected = Wanted::nothing;
     std::vector<Enclosing> enclosing;    ///< outermost first; the file is always included
     Span prefix;                         ///< the letters already written
     std::vector<std::string> qualifier;  ///< `A`, `B` of `A::B::`

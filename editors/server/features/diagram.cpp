@@ -58,8 +58,9 @@ bool contains_cursor(Span span, const Target& target) {
 /// True if the place is in a type, function or interface, which the diagram of a package shows.
 bool is_in_package(const Subject& subject, const Target& target) {
     const auto has_place = [&](const frontend::File* file) {
-        return std::ranges::any_of(
-            file->declarations, [&](const auto& each) { return contains_cursor(span_of_declaration(*each), target); });
+        return std::ranges::any_of(file->declarations, [&](const auto& declaration) {
+            return contains_cursor(span_of_declaration(*declaration), target);
+        });
     };
     return std::ranges::any_of(subject.files, has_place);
 }
@@ -68,16 +69,17 @@ bool is_in_package(const Subject& subject, const Target& target) {
 const Subject* subject_at(const std::vector<Subject>& subjects, const Target& target) {
     const Subject* best = nullptr;
     std::uint32_t least = 0;
-    for (const Subject& each : subjects) {
-        if (each.component == nullptr) continue;
-        const Span span = span_of_declaration(*each.component);
+    for (const Subject& subject : subjects) {
+        if (subject.component == nullptr) continue;
+        const Span span = span_of_declaration(*subject.component);
         if (!contains_cursor(span, target) || (best != nullptr && span.end - span.begin >= least)) continue;
-        best = &each;
+        best = &subject;
         least = span.end - span.begin;
     }
     if (best != nullptr) return best;
-    const auto package = std::ranges::find_if(
-        subjects, [&](const Subject& each) { return each.component == nullptr && is_in_package(each, target); });
+    const auto package = std::ranges::find_if(subjects, [&](const Subject& subject) {
+        return subject.component == nullptr && is_in_package(subject, target);
+    });
     return package != subjects.end() ? &*package : nullptr;
 }
 
@@ -91,18 +93,18 @@ bool is_of(const Subject& subject, SourceId source) {
 const Subject* subject_called(const std::vector<Subject>& subjects, const std::string& name, SourceId source) {
     const Subject* best = nullptr;
     int rank = 0;
-    for (const Subject& each : subjects) {
-        const bool whole = each.name == name;
-        if (!whole && !each.name.ends_with("::" + name)) continue;
-        const int here = 1 + (whole ? 2 : 0) + (is_of(each, source) ? 4 : 0);
-        if (here > rank) best = &each;
+    for (const Subject& subject : subjects) {
+        const bool whole = subject.name == name;
+        if (!whole && !subject.name.ends_with("::" + name)) continue;
+        const int here = 1 + (whole ? 2 : 0) + (is_of(subject, source) ? 4 : 0);
+        if (here > rank) best = &subject;
         rank = std::max(rank, here);
     }
     return best;
 }
 
 const Subject* first_of(const std::vector<Subject>& subjects, SourceId source) {
-    const auto found = std::ranges::find_if(subjects, [&](const Subject& each) { return is_of(each, source); });
+    const auto found = std::ranges::find_if(subjects, [&](const Subject& subject) { return is_of(subject, source); });
     return found != subjects.end() ? &*found : nullptr;
 }
 
@@ -112,13 +114,13 @@ struct Choice {
     bool certain = false;  ///< selected by place or name; otherwise the first component of the file
 };
 
-Choice choose_subject(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& wanted) {
+Choice choose_subject(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& parameters) {
     const SourceId source = target.document.source;
-    if (wanted.at_position)
+    if (parameters.at_position)
         if (const Subject* found = subject_at(subjects, target)) return {found, true};
-    if (!wanted.component.empty())
-        if (const Subject* found = subject_called(subjects, wanted.component, source)) return {found, true};
-    const bool only_named = !wanted.at_position && !wanted.component.empty();
+    if (!parameters.component.empty())
+        if (const Subject* found = subject_called(subjects, parameters.component, source)) return {found, true};
+    const bool only_named = !parameters.at_position && !parameters.component.empty();
     return {only_named ? nullptr : first_of(subjects, source), false};
 }
 
@@ -199,19 +201,20 @@ DrawnDiagram draw_now(Session& session, const Target& target, const Subject& sub
 
 /// The stored diagram to show while the text has errors: that of the requested component, otherwise the latest diagram
 /// of the document; null if there is none.
-const KeptDiagram* stand_in(const KeptDiagrams& kept, const std::string& uri, const Choice& choice,
+const KeptDiagram* stand_in(const KeptDiagrams& stored, const std::string& uri, const Choice& choice,
                             const std::string& component) {
-    const KeptDiagram* found = choice.certain ? kept.find_last(uri, choice.subject->name) : nullptr;
-    if (found == nullptr && !component.empty()) found = kept.find_last(uri, component);
-    if (found == nullptr && !choice.certain) found = kept.find_last(uri, "");
+    const KeptDiagram* found = choice.certain ? stored.find_last(uri, choice.subject->name) : nullptr;
+    if (found == nullptr && !component.empty()) found = stored.find_last(uri, component);
+    if (found == nullptr && !choice.certain) found = stored.find_last(uri, "");
     return found;
 }
 
 }  // namespace
 
 KeptDiagram& KeptDiagrams::find_or_add(const std::string& uri, const std::string& kind, const std::string& name) {
-    const auto found = std::ranges::find_if(
-        entries_, [&](const KeptDiagram& each) { return each.uri == uri && each.kind == kind && each.name == name; });
+    const auto found = std::ranges::find_if(entries_, [&](const KeptDiagram& entry) {
+        return entry.uri == uri && entry.kind == kind && entry.name == name;
+    });
     if (found != entries_.end()) {
         entries_.splice(entries_.begin(), entries_, found);
     } else {
@@ -222,32 +225,33 @@ KeptDiagram& KeptDiagrams::find_or_add(const std::string& uri, const std::string
 }
 
 const KeptDiagram* KeptDiagrams::find_last(std::string_view uri, std::string_view name) const {
-    const auto found = std::ranges::find_if(entries_, [&](const KeptDiagram& each) {
-        return each.drawn && each.uri == uri && (name.empty() || each.name == name);
+    const auto found = std::ranges::find_if(entries_, [&](const KeptDiagram& entry) {
+        return entry.drawn && entry.uri == uri && (name.empty() || entry.name == name);
     });
     return found != entries_.end() ? &*found : nullptr;
 }
 
 Json component_diagram(Session& session, View params) {
     const Target target = target_of(session, params);
-    const DiagramParameters wanted = diagram_parameters(params);
+    const DiagramParameters parameters = diagram_parameters(params);
     if (!session.diagrams) session.diagrams = std::make_shared<KeptDiagrams>();
-    KeptDiagrams& kept = *session.diagrams;
-    kept.asked.insert(target.document.uri);
+    KeptDiagrams& stored = *session.diagrams;
+    stored.requested.insert(target.document.uri);
     const std::vector<Subject> subjects =
         diagrams::find_subjects(target.project.current_model(), target.project.sources());
-    const Choice choice = choose_subject(subjects, target, wanted);
+    const Choice choice = choose_subject(subjects, target, parameters);
     std::vector<const Document*> documents = {&target.document};
     if (choice.subject != nullptr) documents = documents_of(*choice.subject, target.project);
     const std::string uri = documents.empty() ? target.document.uri : documents.front()->uri;
-    const bool broken = std::ranges::any_of(documents, [](const Document* each) { return !each->findings.ok(); });
+    const bool broken =
+        std::ranges::any_of(documents, [](const Document* document) { return !document->findings.ok(); });
     if (broken)
-        if (const KeptDiagram* old = stand_in(kept, uri, choice, wanted.component))
-            return answer_of(*old->drawn, old->name, wanted.theme, true);
+        if (const KeptDiagram* old = stand_in(stored, uri, choice, parameters.component))
+            return answer_of(*old->drawn, old->name, parameters.theme, true);
     if (choice.subject == nullptr) return nullptr;
-    KeptDiagram& entry = kept.find_or_add(uri, kind_of(*choice.subject), choice.subject->name);
+    KeptDiagram& entry = stored.find_or_add(uri, kind_of(*choice.subject), choice.subject->name);
     DrawnDiagram now = draw_now(session, target, *choice.subject, entry.memory);
-    Json answer = answer_of(now, entry.name, wanted.theme, false);
+    Json answer = answer_of(now, entry.name, parameters.theme, false);
     // A diagram of a text with errors may lack parts, so it is not stored.
     if (!broken) entry.drawn = std::move(now);
     return answer;
@@ -255,9 +259,9 @@ Json component_diagram(Session& session, View params) {
 
 void announce_diagrams(Session& session, const Project& project) {
     if (!session.diagrams) return;
-    std::set<std::string>& asked = session.diagrams->asked;
-    std::erase_if(asked, [&](const std::string& uri) { return !session.workspace.find(uri); });
-    for (const std::string& uri : asked) {
+    std::set<std::string>& uris = session.diagrams->requested;
+    std::erase_if(uris, [&](const std::string& uri) { return !session.workspace.find(uri); });
+    for (const std::string& uri : uris) {
         const Workspace::Place place = session.workspace.find(uri);
         if (place.project != &project) continue;
         const Json params = Json::object({{"uri", uri}, {"version", version_of(place.document->version)}});

@@ -46,8 +46,8 @@ public:
     /// The latest entry of a document that has a picture and, unless `name` is "", this name; null if there is none.
     [[nodiscard]] const KeptDiagram* find_last(std::string_view uri, std::string_view name) const;
 
-    std::set<std::string> asked;  ///< URIs
-    diagrams::AirdFiles files;    ///< RoboTool's files with diagrams
+    std::set<std::string> requested;  ///< URIs
+    diagrams::AirdFiles files;        ///< RoboTool's files with diagrams
 
 private:
     static constexpr std::size_t most = 16;

@@ -77,8 +77,8 @@ private:
 
 class Hints {
 public:
-    Hints(const SourceManager& sources, Encoding encoding, Span wanted)
-        : positions_(sources, wanted.source, encoding), wanted_(wanted) {}
+    Hints(const SourceManager& sources, Encoding encoding, Span range)
+        : positions_(sources, range.source, encoding), wanted_(range) {}
 
     void visit(const Variable& variable) {
         type_of(variable);
@@ -128,8 +128,8 @@ private:
 Json inlay_hints(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();
-    const Span wanted = span_of(sources, target.document.source, params["range"], session.client.encoding);
-    Hints hints(sources, session.client.encoding, wanted);
+    const Span range = span_of(sources, target.document.source, params["range"], session.client.encoding);
+    Hints hints(sources, session.client.encoding, range);
     Traversal(hints).visit_file(target.project.tree_of(target.document));
     return hints.take_hints();
 }

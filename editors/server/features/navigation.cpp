@@ -15,8 +15,8 @@ using frontend::Occurrence;
 
 Json locations_of(const Session& session, Project& project, const std::vector<const Occurrence*>& list) {
     Json result = Json::array();
-    for (const Occurrence* each : list) {
-        Json place = lsp_location(session, project, each->span);
+    for (const Occurrence* occurrence : list) {
+        Json place = lsp_location(session, project, occurrence->span);
         if (!place.is_null()) result.push_back(std::move(place));
     }
     return result;
@@ -31,13 +31,14 @@ Json definition_locations(Session& session, View params) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return {};
     std::vector<const Occurrence*> found;
-    for (const Occurrence* each : same_name(target.project, *name))
-        if (each->declares) found.push_back(each);
+    for (const Occurrence* occurrence : same_name(target.project, *name))
+        if (occurrence->declares) found.push_back(occurrence);
     if (name->target != nullptr && name->target->kind == frontend::DeclKind::operation_signature)
-        for (const Occurrence& each : target.project.current_occurrences())
-            if (each.declares && each.target != nullptr && each.target->kind == frontend::DeclKind::operation &&
-                each.target->name == name->target->name)
-                found.push_back(&each);
+        for (const Occurrence& occurrence : target.project.current_occurrences())
+            if (occurrence.declares && occurrence.target != nullptr &&
+                occurrence.target->kind == frontend::DeclKind::operation &&
+                occurrence.target->name == name->target->name)
+                found.push_back(&occurrence);
     Json result = locations_of(session, target.project, found);
     if (!found.empty() || name->target == nullptr) return result;
     Json library = lsp_location(session, target.project, name->target->name_span);
@@ -51,7 +52,7 @@ Json reference_locations(Session& session, View params) {
     if (name == nullptr) return Json::array();
     std::vector<const Occurrence*> found = same_name(target.project, *name);
     if (!params["context"]["includeDeclaration"].truth_or(true))
-        std::erase_if(found, [](const Occurrence* each) { return each->declares; });
+        std::erase_if(found, [](const Occurrence* occurrence) { return occurrence->declares; });
     return locations_of(session, target.project, found);
 }
 
@@ -64,12 +65,12 @@ Json name_highlights(Session& session, View params) {
     constexpr int text_kind = 1;
     constexpr int read_kind = 2;
     constexpr int write_kind = 3;
-    for (const Occurrence* each : same_name(target.project, *name)) {
-        if (each->span.source != target.document.source) continue;
-        const int kind = each->access == Access::write  ? write_kind
-                         : each->access == Access::read ? read_kind
-                                                        : text_kind;
-        result.push_back(Json::object({{"range", positions.lsp_range(each->span)}, {"kind", kind}}));
+    for (const Occurrence* occurrence : same_name(target.project, *name)) {
+        if (occurrence->span.source != target.document.source) continue;
+        const int kind = occurrence->access == Access::write  ? write_kind
+                         : occurrence->access == Access::read ? read_kind
+                                                              : text_kind;
+        result.push_back(Json::object({{"range", positions.lsp_range(occurrence->span)}, {"kind", kind}}));
     }
     return result;
 }

@@ -32,7 +32,7 @@ std::string_view text_of(Project& project, Span span) {
 
 bool is_declared_here(Project& project, const Occurrence& name) {
     const auto all = same_name(project, name);
-    return std::ranges::any_of(all, [](const Occurrence* each) { return each->declares; });
+    return std::ranges::any_of(all, [](const Occurrence* occurrence) { return occurrence->declares; });
 }
 
 /// The name to rename; throws a refusal if it cannot be renamed.
@@ -107,21 +107,21 @@ bool same_family(DeclKind a, DeclKind b) {
 /// The occurrences of equal names that other components may match with this one.
 std::vector<const Occurrence*> related_occurrences(Project& project, const Occurrence& name) {
     std::set<const Declaration*> members;
-    for (const Occurrence& each : project.current_occurrences())
-        if (each.declares && each.target != nullptr && each.target->name == name.target->name &&
-            same_family(each.target->kind, name.target->kind))
-            members.insert(each.target);
+    for (const Occurrence& occurrence : project.current_occurrences())
+        if (occurrence.declares && occurrence.target != nullptr && occurrence.target->name == name.target->name &&
+            same_family(occurrence.target->kind, name.target->kind))
+            members.insert(occurrence.target);
     std::vector<const Occurrence*> result;
-    for (const Occurrence& each : project.current_occurrences())
-        if (members.contains(each.target)) result.push_back(&each);
+    for (const Occurrence& occurrence : project.current_occurrences())
+        if (members.contains(occurrence.target)) result.push_back(&occurrence);
     return result;
 }
 
 std::vector<Edit> edits_of(Project& project, const std::vector<const Occurrence*>& list, const std::string& name) {
     std::vector<Edit> edits;
-    for (const Occurrence* each : list) {
-        const Document* document = project.find(each->span.source);
-        if (document != nullptr) edits.push_back({each->span, name_as_written(name, document->is_assertions)});
+    for (const Occurrence* occurrence : list) {
+        const Document* document = project.find(occurrence->span.source);
+        if (document != nullptr) edits.push_back({occurrence->span, name_as_written(name, document->is_assertions)});
     }
     return edits;
 }

@@ -114,9 +114,9 @@ int modifiers_of(const Occurrence& name) {
 
 Json semantic_legend() {
     Json names = Json::array();
-    for (const char* each : types) names.push_back(each);
+    for (const char* type : types) names.push_back(type);
     Json extras = Json::array();
-    for (const char* each : modifiers) extras.push_back(each);
+    for (const char* modifier : modifiers) extras.push_back(modifier);
     return Json::object({{"tokenTypes", std::move(names)}, {"tokenModifiers", std::move(extras)}});
 }
 

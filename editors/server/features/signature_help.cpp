@@ -52,12 +52,12 @@ const Declaration* find_callee(Project& project, const Document& document, std::
                                const std::string& name) {
     const File& file = project.tree_of(document);
     const CompletionContext context = context_at(project.sources(), document.source, document.is_assertions, offset);
-    for (auto each = context.enclosing.rbegin(); each != context.enclosing.rend(); ++each)
-        if (const Declaration* around = declared_at(file, each->name))
+    for (auto enclosing = context.enclosing.rbegin(); enclosing != context.enclosing.rend(); ++enclosing)
+        if (const Declaration* around = declared_at(file, enclosing->name))
             for (const Declaration* member : members_of(*around))
                 if (member->name == name && parameters_of(*member) != nullptr) return member;
-    for (const Declaration* each : visible_from(project.current_model(), file))
-        if (each->name == name && parameters_of(*each) != nullptr) return each;
+    for (const Declaration* declaration : visible_from(project.current_model(), file))
+        if (declaration->name == name && parameters_of(*declaration) != nullptr) return declaration;
     return nullptr;
 }
 
@@ -70,9 +70,9 @@ Json signature_help(Session& session, View params) {
     const Declaration* found = find_callee(target.project, target.document, target.offset, call.name);
     if (found == nullptr) return {};
     Json parameters = Json::array();
-    for (const VariablePtr& each : *parameters_of(*found)) {
-        std::string label = each->name;
-        if (each->type_expr) label += " : " + to_text(*each->type_expr);
+    for (const VariablePtr& parameter : *parameters_of(*found)) {
+        std::string label = parameter->name;
+        if (parameter->type_expr) label += " : " + to_text(*parameter->type_expr);
         parameters.push_back(Json::object({{"label", std::move(label)}}));
     }
     return Json::object(

@@ -38,7 +38,7 @@ std::vector<const Declaration*> inner_declarations(const Declaration& declaratio
     }
     std::ranges::sort(
         list, [](const Declaration* a, const Declaration* b) { return a->name_span.begin < b->name_span.begin; });
-    std::erase_if(list, [](const Declaration* each) { return each->name.empty() || !each->name_span.is_known(); });
+    std::erase_if(list, [](const Declaration* inner) { return inner->name.empty() || !inner->name_span.is_known(); });
     return list;
 }
 
@@ -46,7 +46,7 @@ std::vector<const Declaration*> inner_declarations(const Declaration& declaratio
 /// whole.
 Span full_extent(const Declaration& declaration) {
     Span result = join_spans(declaration.span, declaration.name_span);
-    for (const Declaration* each : inner_declarations(declaration)) result = join_spans(result, full_extent(*each));
+    for (const Declaration* inner : inner_declarations(declaration)) result = join_spans(result, full_extent(*inner));
     return result;
 }
 
@@ -58,8 +58,8 @@ Json document_symbol(const PositionTable& positions, const Declaration& declarat
                                 {"range", positions.lsp_range(full_extent(declaration))},
                                 {"selectionRange", positions.lsp_range(declaration.name_span)}});
     Json children = Json::array();
-    for (const Declaration* each : inner_declarations(declaration))
-        children.push_back(document_symbol(positions, *each));
+    for (const Declaration* inner : inner_declarations(declaration))
+        children.push_back(document_symbol(positions, *inner));
     if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
@@ -86,7 +86,7 @@ bool matches_query(std::string_view name, std::string_view query) {
 template <class Use>
 void visit_all(const Declaration& declaration, const Use& use) {
     use(declaration);
-    for (const Declaration* each : inner_declarations(declaration)) visit_all(*each, use);
+    for (const Declaration* inner : inner_declarations(declaration)) visit_all(*inner, use);
 }
 
 Json symbol_information(const Declaration& declaration, Json place) {
@@ -109,30 +109,32 @@ Json document_symbols(Session& session, View params) {
         if (session.client.hierarchical_symbols) {
             result.push_back(document_symbol(positions, *declaration));
         } else {
-            visit_all(*declaration, [&](const Declaration& each) {
+            visit_all(*declaration, [&](const Declaration& visited) {
                 const Json place =
-                    Json::object({{"uri", target.document.uri}, {"range", positions.lsp_range(each.name_span)}});
-                result.push_back(symbol_information(each, place));
+                    Json::object({{"uri", target.document.uri}, {"range", positions.lsp_range(visited.name_span)}});
+                result.push_back(symbol_information(visited, place));
             });
         }
     }
     constexpr int boolean_kind = 17;
     constexpr int function_kind = 12;
     constexpr int constant_kind = 14;
-    for (const Assertion& each : file.assertions)
-        if (!each.name.empty())
-            result.push_back(claim_symbol(positions, each.name, "assertion", boolean_kind, each.span, each.name_span));
-    for (const CspBlock& each : file.csp_blocks)
-        if (!each.name.empty())
-            result.push_back(claim_symbol(positions, each.name, "csp", function_kind, each.span, each.name_span));
-    for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
-        if (!each.name.empty())
-            result.push_back(
-                claim_symbol(positions, each.name, to_text(each.kind), constant_kind, each.span, each.name_span));
-    for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
-        if (!each.name.empty())
-            result.push_back(claim_symbol(positions, each.name, each.property ? "prob property" : "prob generate path",
-                                          boolean_kind, each.span, each.name_span));
+    for (const Assertion& assertion : file.assertions)
+        if (!assertion.name.empty())
+            result.push_back(claim_symbol(positions, assertion.name, "assertion", boolean_kind, assertion.span,
+                                          assertion.name_span));
+    for (const CspBlock& block : file.csp_blocks)
+        if (!block.name.empty())
+            result.push_back(claim_symbol(positions, block.name, "csp", function_kind, block.span, block.name_span));
+    for (const ProbabilisticDefinition& definition : file.probabilistic_definitions)
+        if (!definition.name.empty())
+            result.push_back(claim_symbol(positions, definition.name, to_text(definition.kind), constant_kind,
+                                          definition.span, definition.name_span));
+    for (const ProbabilisticAssertion& assertion : file.probabilistic_assertions)
+        if (!assertion.name.empty())
+            result.push_back(claim_symbol(positions, assertion.name,
+                                          assertion.property ? "prob property" : "prob generate path", boolean_kind,
+                                          assertion.span, assertion.name_span));
     return result;
 }
 
@@ -143,9 +145,9 @@ Json workspace_symbols(Session& session, View params) {
     for (const auto& project : session.workspace.projects())
         for (const auto& file : project->current_model().files)
             for (const auto& declaration : file->declarations)
-                visit_all(*declaration, [&](const Declaration& each) {
-                    if (file->is_library || result.size() >= limit || !matches_query(each.name, query)) return;
-                    Json found = symbol_information(each, lsp_location(session, *project, each.name_span));
+                visit_all(*declaration, [&](const Declaration& visited) {
+                    if (file->is_library || result.size() >= limit || !matches_query(visited.name, query)) return;
+                    Json found = symbol_information(visited, lsp_location(session, *project, visited.name_span));
                     if (!found.is_null()) result.push_back(std::move(found));
                 });
     return result;

@@ -17,9 +17,9 @@ std::map<std::string, Json> plain_findings(const Session& session, PlainTexts& t
             return Json::object({{"uri", at}, {"range", lsp_range(text.texts, span, session.client.encoding)}});
         };
         Json& list = result[uri] = Json::array();
-        for (const diagnostics::Diagnostic& each : texts.findings_in(*document).sorted_findings())
-            if (each.span.is_known())
-                list.push_back(lsp_diagnostic(document->texts, each, session.client.encoding, locate));
+        for (const diagnostics::Diagnostic& finding : texts.findings_in(*document).sorted_findings())
+            if (finding.span.is_known())
+                list.push_back(lsp_diagnostic(document->texts, finding, session.client.encoding, locate));
     }
     return result;
 }

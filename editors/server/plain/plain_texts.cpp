@@ -24,9 +24,9 @@ void read(std::string_view language, const SourceManager& sources, SourceId sour
 
 /// The language of a document; "" if it is not one of these languages.
 std::string_view language_of(std::string_view uri, std::string_view language) {
-    for (const std::string_view each : languages)
-        if (language == each || (uri.ends_with(each) && uri.substr(0, uri.size() - each.size()).ends_with('.')))
-            return each;
+    for (const std::string_view known : languages)
+        if (language == known || (uri.ends_with(known) && uri.substr(0, uri.size() - known.size()).ends_with('.')))
+            return known;
     return {};
 }
 

@@ -72,12 +72,12 @@ Frame FrameReader::read_body() {
     // Reads in pieces, so that a large length alone does not allocate memory.
     constexpr std::size_t piece = 1U << 16U;
     while (text.size() < length_) {
-        const std::size_t wanted = std::min(piece, length_ - text.size());
+        const std::size_t requested = std::min(piece, length_ - text.size());
         const std::size_t had = text.size();
-        text.resize(had + wanted);
-        in_.read(text.data() + had, static_cast<std::streamsize>(wanted));
+        text.resize(had + requested);
+        in_.read(text.data() + had, static_cast<std::streamsize>(requested));
         const auto got = static_cast<std::size_t>(in_.gcount());
-        if (got < wanted)
+        if (got < requested)
             return {Frame::Kind::fault,
                     fmt::format("the stream ended after {} of {} bytes of a message", had + got, length_)};
     }

@@ -66,18 +66,18 @@ struct Names {
 
 Names names_of(const Model& model, const std::vector<Occurrence>& all) {
     std::map<SourceId, std::vector<const Occurrence*>> by_source;
-    for (const Occurrence& each : all) by_source[each.span.source].push_back(&each);
+    for (const Occurrence& occurrence : all) by_source[occurrence.span.source].push_back(&occurrence);
     Names names;
     for (const auto& file : model.files)
         names.list.insert(names.list.end(), by_source[file->source].begin(), by_source[file->source].end());
     std::map<const frontend::Declaration*, std::size_t> declared;
     for (std::size_t i = 0; i < names.list.size(); ++i)
         if (names.list[i]->declares && names.list[i]->target != nullptr) declared.emplace(names.list[i]->target, i);
-    for (const Occurrence* each : names.list) {
-        const auto found = declared.find(each->target);
+    for (const Occurrence* occurrence : names.list) {
+        const auto found = declared.find(occurrence->target);
         const bool ours = found != declared.end();
-        const std::string library = !ours && each->target != nullptr ? each->target->name : std::string();
-        names.meanings.push_back({each->kind, ours ? found->second : names.list.size(), library});
+        const std::string library = !ours && occurrence->target != nullptr ? occurrence->target->name : std::string();
+        names.meanings.push_back({occurrence->kind, ours ? found->second : names.list.size(), library});
     }
     return names;
 }

@@ -22,9 +22,9 @@ std::map<std::string, Json> rule_findings(const Session& session, RuleTexts& rul
             return Json::object({{"uri", at}, {"range", lsp_range(text.texts, span, session.client.encoding)}});
         };
         Json& list = result[uri] = Json::array();
-        for (const diagnostics::Diagnostic& each : rules.reading_of(*document).findings.sorted_findings())
-            if (each.span.is_known())
-                list.push_back(lsp_diagnostic(document->texts, each, session.client.encoding, locate));
+        for (const diagnostics::Diagnostic& finding : rules.reading_of(*document).findings.sorted_findings())
+            if (finding.span.is_known())
+                list.push_back(lsp_diagnostic(document->texts, finding, session.client.encoding, locate));
     }
     return result;
 }

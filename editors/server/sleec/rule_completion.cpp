@@ -65,16 +65,16 @@ private:
             {{"label", text}, {"kind", kind}, {"textEdit", Json::object({{"range", range_}, {"newText", text}})}}));
     }
     void add_words(std::initializer_list<std::string_view> list) {
-        for (const std::string_view each : list) add(each, kinds::keyword);
+        for (const std::string_view word : list) add(word, kinds::keyword);
     }
     void add_events() {
-        for (const sleec::Event& each : file_.events) add(each.name.text, kinds::event);
+        for (const sleec::Event& event : file_.events) add(event.name.text, kinds::event);
     }
     void add_measures() {
-        for (const sleec::Measure& each : file_.measures) add(each.name.text, kinds::variable);
+        for (const sleec::Measure& measure : file_.measures) add(measure.name.text, kinds::variable);
     }
     void add_constants() {
-        for (const sleec::Constant& each : file_.constants) add(each.name.text, kinds::constant);
+        for (const sleec::Constant& constant : file_.constants) add(constant.name.text, kinds::constant);
     }
     void add_condition_words() {
         add_measures();
@@ -84,8 +84,8 @@ private:
     void add_units() { add_words({"seconds", "minutes", "hours", "days"}); }
 
     [[nodiscard]] const sleec::Measure* find_measure(std::string_view name) const {
-        for (const sleec::Measure& each : file_.measures)
-            if (each.name.text == name) return &each;
+        for (const sleec::Measure& measure : file_.measures)
+            if (measure.name.text == name) return &measure;
         return nullptr;
     }
 
@@ -93,7 +93,7 @@ private:
     void add_compared_values() {
         const sleec::Measure* left = find_measure(word_before(word_before(2) == "}" ? 3 : 2));
         if (left != nullptr && left->type == MeasureType::scale) {
-            for (const sleec::Name& each : left->literals) add(each.text, kinds::literal);
+            for (const sleec::Name& literal : left->literals) add(literal.text, kinds::literal);
             return;
         }
         add_measures();

@@ -39,26 +39,28 @@ std::string measure_type(const sleec::Measure& measure) {
     if (measure.type == MeasureType::boolean) return "boolean";
     if (measure.type == MeasureType::numeric) return "numeric";
     std::string literals;
-    for (const sleec::Name& each : measure.literals) literals += (literals.empty() ? "" : ", ") + each.text;
+    for (const sleec::Name& literal : measure.literals) literals += (literals.empty() ? "" : ", ") + literal.text;
     return fmt::format("scale({})", literals);
 }
 
 std::vector<Declared> declared_in(const RuleFile& file) {
     std::vector<Declared> result;
-    for (const sleec::Event& each : file.events)
-        result.push_back({&each.name, symbols::event, "event " + each.name.text, each.name.span});
-    for (const sleec::Measure& each : file.measures)
-        result.push_back({&each.name, symbols::variable,
-                          fmt::format("measure {} : {}", each.name.text, measure_type(each)), each.name.span});
-    for (const sleec::Constant& each : file.constants)
-        result.push_back({&each.name, symbols::constant,
-                          fmt::format("constant {} = {}", each.name.text, sleec::print(each.value)), each.name.span});
-    for (const sleec::Rule& each : file.rules)
+    for (const sleec::Event& event : file.events)
+        result.push_back({&event.name, symbols::event, "event " + event.name.text, event.name.span});
+    for (const sleec::Measure& measure : file.measures)
+        result.push_back({&measure.name, symbols::variable,
+                          fmt::format("measure {} : {}", measure.name.text, measure_type(measure)), measure.name.span});
+    for (const sleec::Constant& constant : file.constants)
+        result.push_back({&constant.name, symbols::constant,
+                          fmt::format("constant {} = {}", constant.name.text, sleec::print(constant.value)),
+                          constant.name.span});
+    for (const sleec::Rule& rule : file.rules)
         result.push_back(
-            {&each.name, symbols::function, fmt::format("{} {}", each.name.text, sleec::print(each)), each.span});
+            {&rule.name, symbols::function, fmt::format("{} {}", rule.name.text, sleec::print(rule)), rule.span});
     for (const auto& [properties, what] : {std::pair(&file.concerns, "concern"), std::pair(&file.purposes, "purpose")})
-        for (const sleec::Property& each : *properties)
-            result.push_back({&each.name, symbols::function, fmt::format("{} {}", what, each.name.text), each.span});
+        for (const sleec::Property& property : *properties)
+            result.push_back(
+                {&property.name, symbols::function, fmt::format("{} {}", what, property.name.text), property.span});
     return result;
 }
 
@@ -73,14 +75,14 @@ public:
     bool mentioned_in(const ExprPtr& expr) {
         if (!expr) return false;
         return (expr->op == sleec::Op::name && expr->text == name_) ||
-               std::ranges::any_of(expr->parts, [&](const ExprPtr& each) { return mentioned_in(each); });
+               std::ranges::any_of(expr->parts, [&](const ExprPtr& part) { return mentioned_in(part); });
     }
     bool mentioned_in(const ResponsePtr& response) {
         if (!response) return false;
         if (response->event.text == name_ || mentioned_in(response->otherwise)) return true;
         if (response->limit && (mentioned_in(response->limit->from) || mentioned_in(response->limit->to))) return true;
-        return std::ranges::any_of(response->defeaters, [&](const sleec::Defeater& each) {
-            return mentioned_in(each.condition) || mentioned_in(each.response);
+        return std::ranges::any_of(response->defeaters, [&](const sleec::Defeater& defeater) {
+            return mentioned_in(defeater.condition) || mentioned_in(defeater.response);
         });
     }
 
@@ -91,9 +93,9 @@ private:
 std::string rules_with(const RuleFile& file, const std::string& name) {
     std::string text;
     Mentions mentions(name);
-    for (const sleec::Rule& each : file.rules)
-        if (mentions.mentioned_in(each.trigger) || mentions.mentioned_in(each.response))
-            text += (text.empty() ? "in " : ", ") + each.name.text;
+    for (const sleec::Rule& rule : file.rules)
+        if (mentions.mentioned_in(rule.trigger) || mentions.mentioned_in(rule.response))
+            text += (text.empty() ? "in " : ", ") + rule.name.text;
     return text;
 }
 
@@ -121,10 +123,10 @@ constexpr std::array meanings = {
 };
 
 std::optional<Span> declaration_of(const RuleFile& file, const std::string& text) {
-    for (const Declared& each : declared_in(file))
-        if (each.name->text == text) return each.name->span;
-    for (const sleec::Measure& each : file.measures)
-        for (const sleec::Name& literal : each.literals)
+    for (const Declared& declared : declared_in(file))
+        if (declared.name->text == text) return declared.name->span;
+    for (const sleec::Measure& measure : file.measures)
+        for (const sleec::Name& literal : measure.literals)
             if (literal.text == text) return literal.span;
     return std::nullopt;
 }
@@ -144,30 +146,31 @@ std::optional<RuleName> rule_name_at(const RuleText& document, const RuleFile& f
 }
 
 std::string about_rule_name(const RuleFile& file, const RuleName& name, bool markdown) {
-    for (const Declared& each : declared_in(file)) {
-        if (each.name->text != name.text) continue;
-        std::string text = markdown ? fmt::format("```sleec\n{}\n```", each.text) : each.text;
-        const std::string where = each.kind == symbols::function ? "" : rules_with(file, name.text);
+    for (const Declared& declared : declared_in(file)) {
+        if (declared.name->text != name.text) continue;
+        std::string text = markdown ? fmt::format("```sleec\n{}\n```", declared.text) : declared.text;
+        const std::string where = declared.kind == symbols::function ? "" : rules_with(file, name.text);
         return where.empty() ? text : text + "\n" + where;
     }
-    for (const sleec::Measure& each : file.measures)
-        for (const sleec::Name& literal : each.literals)
-            if (literal.text == name.text) return fmt::format("a value of {} : {}", each.name.text, measure_type(each));
-    for (const WordMeaning& each : meanings)
-        if (each.word == name.text) return std::string(each.meaning);
+    for (const sleec::Measure& measure : file.measures)
+        for (const sleec::Name& literal : measure.literals)
+            if (literal.text == name.text)
+                return fmt::format("a value of {} : {}", measure.name.text, measure_type(measure));
+    for (const WordMeaning& entry : meanings)
+        if (entry.word == name.text) return std::string(entry.meaning);
     return "";
 }
 
 Json rule_outline(const RuleText& document, const RuleFile& file, const Client& client) {
     Json result = Json::array();
     const PositionTable positions(document.texts, document.source, client.encoding);
-    for (const Declared& each : declared_in(file)) {
-        const Json whole = positions.lsp_range(each.whole);
-        Json symbol = Json::object({{"name", each.name->text}, {"kind", each.kind}});
+    for (const Declared& declared : declared_in(file)) {
+        const Json whole = positions.lsp_range(declared.whole);
+        Json symbol = Json::object({{"name", declared.name->text}, {"kind", declared.kind}});
         if (client.hierarchical_symbols) {
-            symbol["detail"] = each.text;
+            symbol["detail"] = declared.text;
             symbol["range"] = whole;
-            symbol["selectionRange"] = positions.lsp_range(each.name->span);
+            symbol["selectionRange"] = positions.lsp_range(declared.name->span);
         } else {
             symbol["location"] = Json::object({{"uri", document.uri}, {"range", whole}});
         }

@@ -57,7 +57,7 @@ std::vector<std::pair<std::string, std::string>> RuleTexts::names_in(const std::
     std::map<std::string, std::vector<std::string>> names;  // keyed by file name
     const auto add = [&](const std::string& path, const sleec::RuleFile& file) {
         std::vector<std::string>& of = names[fs::path(path).filename().string()];
-        for (const sleec::Rule& each : file.rules) of.push_back(each.name.text);
+        for (const sleec::Rule& rule : file.rules) of.push_back(rule.name.text);
     };
     for (const auto& [uri, document] : documents_)
         if (fs::path(document->path).parent_path() == fs::path(folder)) add(document->path, reading_of(*document).file);

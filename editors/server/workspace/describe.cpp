@@ -27,7 +27,7 @@ std::string name_with_type(const Variable& variable) {
 
 std::string parameter_list(const std::vector<VariablePtr>& parameters) {
     std::string out;
-    for (const VariablePtr& each : parameters) out += (out.empty() ? "" : ", ") + name_with_type(*each);
+    for (const VariablePtr& parameter : parameters) out += (out.empty() ? "" : ", ") + name_with_type(*parameter);
     return "(" + out + ")";
 }
 
@@ -40,7 +40,8 @@ std::string variable_text(const Variable& variable) {
 
 std::string literal_text(const EnumLiteral& literal) {
     std::string arguments;
-    for (const TypeExprPtr& each : literal.arguments) arguments += (arguments.empty() ? "" : ", ") + to_text(*each);
+    for (const TypeExprPtr& argument : literal.arguments)
+        arguments += (arguments.empty() ? "" : ", ") + to_text(*argument);
     const std::string owner = literal.parent != nullptr ? literal.parent->name + "::" : "";
     return owner + literal.name + (arguments.empty() ? "" : "(" + arguments + ")");
 }
@@ -49,7 +50,7 @@ std::string type_declaration(const TypeDeclaration& type) {
     if (type.kind == DeclKind::primitive_type) return "type " + type.name;
     std::string members;
     for (const VariablePtr& field : type.fields) members += "\n    " + name_with_type(*field);
-    for (const auto& each : type.literals) members += " " + each->name;
+    for (const auto& literal : type.literals) members += " " + literal->name;
     const bool record = type.kind == DeclKind::record_type;
     return fmt::format("{} {} {{{}{}}}", record ? "datatype" : "enumeration", type.name, members, record ? "\n" : " ");
 }
@@ -169,17 +170,17 @@ std::string comment_about(const SourceManager& sources, const File& file, Span n
     const std::uint32_t line = line_of(name.begin);
     std::string above;
     std::string behind;
-    std::uint32_t wanted = line;
+    std::uint32_t line_below = line;
     for (auto comment = file.comments.rbegin(); comment != file.comments.rend(); ++comment) {
         const std::string_view text =
             sources.source_text(file.source).substr(comment->begin, comment->end - comment->begin);
         if (comment->begin >= name.end && line_of(comment->begin) == line && ends_its_line(sources, *comment))
             behind = words_of(text);
-        if (comment->end > name.begin || line_of(comment->end) + 1 != wanted || !begins_its_line(sources, *comment))
+        if (comment->end > name.begin || line_of(comment->end) + 1 != line_below || !begins_its_line(sources, *comment))
             continue;
         above = words_of(text) + (above.empty() ? "" : "\n" + above);
         if (!text.starts_with("//")) break;
-        wanted = line_of(comment->begin);
+        line_below = line_of(comment->begin);
     }
     return above.empty() ? behind : above;
 }

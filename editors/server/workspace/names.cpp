@@ -32,8 +32,8 @@ bool same_target(const Occurrence& a, const Occurrence& b) {
 
 std::vector<const Occurrence*> same_name(Project& project, const Occurrence& name) {
     std::vector<const Occurrence*> result;
-    for (const Occurrence& each : project.current_occurrences())
-        if (same_target(each, name)) result.push_back(&each);
+    for (const Occurrence& occurrence : project.current_occurrences())
+        if (same_target(occurrence, name)) result.push_back(&occurrence);
     return result;
 }
 

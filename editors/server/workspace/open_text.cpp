@@ -15,11 +15,11 @@ void take_opened(View params, const std::function<OpenText&(const std::string& u
 
 void take_changes(OpenText& document, View params, Encoding encoding,
                   const std::function<void(std::string text)>& change) {
-    for (const View each : params["contentChanges"].items()) {
-        if (!each["text"].is_text()) continue;
-        std::string text = each["text"].text();
-        if (each.has_key("range")) {
-            const Span span = span_of(document.texts, document.source, each["range"], encoding);
+    for (const View edit : params["contentChanges"].items()) {
+        if (!edit["text"].is_text()) continue;
+        std::string text = edit["text"].text();
+        if (edit.has_key("range")) {
+            const Span span = span_of(document.texts, document.source, edit["range"], encoding);
             text = std::string(document.texts.source_text(document.source))
                        .replace(span.begin, span.end - span.begin, text);
         }

@@ -16,8 +16,8 @@ const Declaration* search_inside(const Declaration& in, Span name) {
     if (in.name_span == name) return &in;
     if (in.span.is_known() && (name.begin < in.span.begin || name.begin > in.span.end)) return nullptr;
     const auto among = [&](const auto& list) -> const Declaration* {
-        for (const auto& each : list)
-            if (const Declaration* found = search_inside(*each, name)) return found;
+        for (const auto& declaration : list)
+            if (const Declaration* found = search_inside(*declaration, name)) return found;
         return nullptr;
     };
     if (const auto* container = dynamic_cast<const NodeContainer*>(&in)) {
@@ -53,7 +53,8 @@ bool imports_one(const File& file, const std::string& full_name) {
 /// The declaration `A::B` after a package name of `first` parts; null if there is none.
 const Declaration* declaration_along(const std::vector<const Declaration*>& start, const std::vector<std::string>& path,
                                      std::size_t first) {
-    const auto found = std::ranges::find_if(start, [&](const Declaration* each) { return each->name == path[first]; });
+    const auto found =
+        std::ranges::find_if(start, [&](const Declaration* declaration) { return declaration->name == path[first]; });
     const Declaration* at = found != start.end() ? *found : nullptr;
     for (std::size_t i = first + 1; i < path.size() && at != nullptr; ++i) at = member_of(*at, path[i]);
     return at;

@@ -127,10 +127,10 @@ void Workspace::refresh_file(const std::string& uri) {
     const std::string extension = fs::path(path).extension().string();
     if (extension != ".rct" && extension != ".assertions") return;
     const std::string root = root_of(path);
-    const bool wanted = !folder_around(path).empty() || std::ranges::any_of(projects_, [&](const auto& project) {
+    const bool belongs = !folder_around(path).empty() || std::ranges::any_of(projects_, [&](const auto& project) {
         return project->folder() == root && !root.empty();
     });
-    if (wanted) project_at(root).refresh_file(path);
+    if (belongs) project_at(root).refresh_file(path);
 }
 
 }  // namespace robochart::lsp
