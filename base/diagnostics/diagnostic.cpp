@@ -43,9 +43,9 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
     if (rule.severity == Severity::warning) ++warnings_;
     if (rule.severity == Severity::error && span.is_known()) wrong_.insert(span.source);
     // Each severity has its own limit, so that many warnings never hide an error.
-    const std::size_t like_this = rule.severity == Severity::error     ? errors_
-                                  : rule.severity == Severity::warning ? warnings_
-                                                                       : 0;
+    std::size_t like_this = 0;
+    if (rule.severity == Severity::error) like_this = errors_;
+    if (rule.severity == Severity::warning) like_this = warnings_;
     if (like_this > max_kept) {
         ++dropped_;
         overflow_ = std::move(finding);

@@ -35,7 +35,9 @@ std::string control_escape(char c) {
 /// The code point of a well-formed UTF-8 sequence.
 unsigned decode_utf8(std::string_view sequence) {
     const unsigned lead = static_cast<unsigned char>(sequence.front());
-    unsigned code = sequence.size() == 2 ? lead & 0x1FU : sequence.size() == 3 ? lead & 0x0FU : lead & 0x07U;
+    unsigned code = lead & 0x07U;
+    if (sequence.size() == 2) code = lead & 0x1FU;
+    if (sequence.size() == 3) code = lead & 0x0FU;
     for (const char c : sequence.substr(1)) code = (code << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
     return code;
 }

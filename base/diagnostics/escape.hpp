@@ -24,7 +24,10 @@ public:
     /// tests/sanity lists the files that call it.
     [[nodiscard]] const std::string& unescaped() const { return text_; }
 
-    friend ForeignText operator+(ForeignText a, const ForeignText& b) { return a.text_ += b.text_, a; }
+    friend ForeignText operator+(ForeignText a, const ForeignText& b) {
+        a.text_ += b.text_;
+        return a;
+    }
     friend bool operator==(const ForeignText&, const ForeignText&) = default;
     friend auto operator<=>(const ForeignText&, const ForeignText&) = default;
 

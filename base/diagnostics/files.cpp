@@ -201,7 +201,10 @@ std::string standard_input(std::size_t most, std::string& error) {
     while (got != 0 && text.size() <= most) {
         got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return error = std::strerror(errno), std::string();
+        if (got < 0) {
+            error = std::strerror(errno);
+            return {};
+        }
         text.append(buffer.data(), static_cast<std::size_t>(got));
     }
     if (text.size() > most) error = "too large";

@@ -125,8 +125,9 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     std::vector<const Rule*> rules;
     const auto index = [&](const Diagnostic& d) {
         const auto same = std::ranges::find_if(rules, [&](const Rule* r) { return r->code == d.rule->code; });
-        if (same == rules.end()) return rules.push_back(d.rule), rules.size() - 1;
-        return static_cast<std::size_t>(same - rules.begin());
+        const auto position = static_cast<std::size_t>(same - rules.begin());
+        if (same == rules.end()) rules.push_back(d.rule);
+        return position;
     };
     SarifRun run;
     run.version = about.version;

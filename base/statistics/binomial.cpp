@@ -29,7 +29,7 @@ long double sum_of_terms(std::uint64_t low, std::uint64_t high, std::uint64_t n,
     const long double p = probability;
     const long double odds = p / (1 - p);
     const auto mode = static_cast<std::uint64_t>((static_cast<long double>(n) + 1) * p);
-    const std::uint64_t start = mode < low ? low : mode > high ? high : mode;
+    const std::uint64_t start = std::clamp(mode, low, high);
     const long double first = binomial_term(start, n, p);
     const auto over = static_cast<long double>(n);
     long double total = first;
