@@ -97,9 +97,22 @@ std::optional<double> constant_value(const Expr& expr, int constants = 20) {
             return *left * *right;
         case BinaryOp::divide:
             return *right != 0 ? std::optional(*left / *right) : std::nullopt;
-        default:
-            return std::nullopt;
+        case BinaryOp::iff:
+        case BinaryOp::implies:
+        case BinaryOp::disjunction:
+        case BinaryOp::conjunction:
+        case BinaryOp::equal:
+        case BinaryOp::not_equal:
+        case BinaryOp::greater:
+        case BinaryOp::greater_equal:
+        case BinaryOp::less:
+        case BinaryOp::less_equal:
+        case BinaryOp::in:
+        case BinaryOp::modulus:
+        case BinaryOp::concat:
+            break;
     }
+    return std::nullopt;
 }
 
 void check_probability(const Transition& transition, Diagnostics& out) {
@@ -174,9 +187,22 @@ std::optional<Polynomial> read_polynomial(const Expr& expr, int constants = 6) {
             const bool number = right->size() == 1 && right->begin()->first.empty() && right->begin()->second != 0;
             return number ? std::optional(add_polynomials({}, *left, 1 / right->begin()->second)) : std::nullopt;
         }
-        default:
-            return std::nullopt;
+        case BinaryOp::iff:
+        case BinaryOp::implies:
+        case BinaryOp::disjunction:
+        case BinaryOp::conjunction:
+        case BinaryOp::equal:
+        case BinaryOp::not_equal:
+        case BinaryOp::greater:
+        case BinaryOp::greater_equal:
+        case BinaryOp::less:
+        case BinaryOp::less_equal:
+        case BinaryOp::in:
+        case BinaryOp::modulus:
+        case BinaryOp::concat:
+            break;
     }
+    return std::nullopt;
 }
 
 /// The sum of the probabilities must be 1 for all values of the names in it. `p` and `1 - p` add up to 1 for every `p`.
@@ -204,22 +230,16 @@ void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out
 
 void check_node(const Ways& ways, const State& node, Diagnostics& out) {
     const std::size_t count = transitions_from(ways, node).size();
-    switch (node.kind) {
-        case DeclKind::initial:
-            if (count != 1)
-                out.report(rules::ij2, node.name_span, {node.name, count == 0 ? "no" : std::to_string(count)});
-            break;
-        case DeclKind::junction:
-        case DeclKind::probabilistic:
-            if (count == 0) out.report(rules::j1, node.name_span, {node.name});
-            if (!has_incoming(ways, node)) out.report(rules::j2, node.name_span, {node.name});
-            if (node.kind == DeclKind::probabilistic && count > 0) check_probability_sum(ways, node, out);
-            break;
-        case DeclKind::final:
-            check_final(node, out);
-            break;
-        default:
-            check_actions(node, out);
+    if (node.kind == DeclKind::initial) {
+        if (count != 1) out.report(rules::ij2, node.name_span, {node.name, count == 0 ? "no" : std::to_string(count)});
+    } else if (node.kind == DeclKind::junction || node.kind == DeclKind::probabilistic) {
+        if (count == 0) out.report(rules::j1, node.name_span, {node.name});
+        if (!has_incoming(ways, node)) out.report(rules::j2, node.name_span, {node.name});
+        if (node.kind == DeclKind::probabilistic && count > 0) check_probability_sum(ways, node, out);
+    } else if (node.kind == DeclKind::final) {
+        check_final(node, out);
+    } else {
+        check_actions(node, out);
     }
 }
 

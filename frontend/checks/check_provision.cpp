@@ -287,7 +287,10 @@ void check_controller_provision(const Component& controller, Diagnostics& out) {
         const bool first = seen.insert(machine).second;
         out.poll();
         const Caller caller(surroundings, *part, *machine);
-        machine->kind == DeclKind::operation ? check_operation(caller, first, out) : check_part(caller, first, out);
+        if (machine->kind == DeclKind::operation)
+            check_operation(caller, first, out);
+        else
+            check_part(caller, first, out);
     }
 }
 
@@ -321,8 +324,10 @@ void check_module_provision(const Component& module, Diagnostics& out) {
 }  // namespace
 
 void check_provision(const Component& component, Diagnostics& out) {
-    component.kind == DeclKind::module ? check_module_provision(component, out)
-                                       : check_controller_provision(component, out);
+    if (component.kind == DeclKind::module)
+        check_module_provision(component, out);
+    else
+        check_controller_provision(component, out);
 }
 
 }  // namespace robochart::frontend

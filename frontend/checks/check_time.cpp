@@ -25,16 +25,9 @@ const Expr& inner_expression(const Expr& expr) {
 
 bool is_comparison(const Expr& expr) {
     if (expr.kind != ExprKind::binary) return false;
-    switch (*expr.binary) {
-        case BinaryOp::less:
-        case BinaryOp::less_equal:
-        case BinaryOp::greater:
-        case BinaryOp::greater_equal:
-        case BinaryOp::equal:
-            return true;
-        default:
-            return false;
-    }
+    const BinaryOp op = *expr.binary;
+    return op == BinaryOp::less || op == BinaryOp::less_equal || op == BinaryOp::greater ||
+           op == BinaryOp::greater_equal || op == BinaryOp::equal;
 }
 
 /// CE2: a clock is compared with a number.

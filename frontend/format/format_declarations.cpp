@@ -21,7 +21,8 @@ Doc ModelLayout::format_members(ModelPart part, Gap inside, Gap between) {
 Doc ModelLayout::format_braces(ModelPart part, Gap inside, Gap between) {
     const Doc open = format_token(Gap::blank);
     const Doc body = format_members(part, inside, between);
-    const Doc close = body == 0 ? 0 : inside == Gap::first ? doc_.hard() : doc_.line();
+    Doc close = 0;
+    if (body != 0) close = inside == Gap::first ? doc_.hard() : doc_.line();
     after_block_ = body != 0 && inside == Gap::first;
     return cat({open, doc_.nest_indented(body), close, advance()});
 }

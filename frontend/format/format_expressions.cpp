@@ -172,7 +172,8 @@ Doc ExpressionLayout::format_elements(Gap first, Part element) {
         if (at(",") || at(";")) inner = doc_.cat(inner, format_token(Gap::none));
     }
     inner = doc_.cat(inner, closing_comments());
-    const Doc close = inner == 0 ? 0 : may_touch() ? doc_.soft() : doc_.line();
+    Doc close = 0;
+    if (inner != 0) close = may_touch() ? doc_.soft() : doc_.line();
     return cat({doc_.nest_indented(inner), close, advance()});
 }
 

@@ -57,9 +57,11 @@ Doc WordLayout::format_separator(Gap gap, std::size_t lines) {
             return doc_.empty_line();
         case Gap::none:
             return may_touch() ? 0 : doc_.blank();
-        default:
-            return 0;
+        case Gap::done:
+        case Gap::start:
+            break;
     }
+    return 0;
 }
 
 Doc WordLayout::format_gap(Gap gap) {
@@ -126,7 +128,11 @@ Doc WordLayout::closing_comments() {
     for (std::size_t i = 0; i < found.size(); ++i) {
         const bool behind = found[i].lines == 0 && (i == 0 || !found[i - 1].to_line_end);
         const bool empty_line = found[i].lines > 1 && !(i == 0 && opened);
-        const Doc before = behind ? doc_.blank() : empty_line ? doc_.empty_line() : doc_.hard();
+        Doc before = 0;
+        if (behind)
+            before = doc_.blank();
+        else
+            before = empty_line ? doc_.empty_line() : doc_.hard();
         result = cat({result, i == 0 && !last_token() ? 0 : before, format_comment(found[i])});
         read_to(found[i].span.end);
     }

@@ -80,7 +80,8 @@ Doc AssertionLayout::format_definition(Gap gap) {
     if (constant) return cat({before, head, format_type(Gap::blank)});
     if (value) return group(before, doc_.cat(head, doc_.nest_indented(format_expression(Gap::line))));
     if (list) return group(before, doc_.cat(head, doc_.nest_indented(format_constants(Gap::line))));
-    return cat({before, head, reward ? format_rewards() : function ? format_functions() : format_modules()});
+    if (reward) return cat({before, head, format_rewards()});
+    return cat({before, head, function ? format_functions() : format_modules()});
 }
 
 // ---------------------------------------------------------------- definitions

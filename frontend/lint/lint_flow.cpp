@@ -41,7 +41,8 @@ private:
 };
 
 std::string default_of(const TypePtr& type) {
-    if (type == nullptr) return "the default of its type";
+    constexpr const char* other = "the default of its type";
+    if (type == nullptr) return other;
     switch (type->form) {
         case TypeForm::boolean:
             return "true";
@@ -57,9 +58,19 @@ std::string default_of(const TypePtr& type) {
             if (type->declaration != nullptr && !type->declaration->literals.empty())
                 return type->declaration->literals.front()->name;
             return "the first literal";
-        default:
-            return "the default of its type";
+        case TypeForm::any:
+        case TypeForm::string:
+        case TypeForm::given:
+        case TypeForm::record:
+        case TypeForm::variable:
+        case TypeForm::product:
+        case TypeForm::function:
+        case TypeForm::relation:
+        case TypeForm::vector:
+        case TypeForm::matrix:
+            break;
     }
+    return other;
 }
 
 class Flow {
@@ -95,6 +106,19 @@ private:
         Bits entry, exit;  ///< the variables that its actions certainly set
         bool queued = false, reached = false, passed = false;
     };
+
+    /// The variables that are certainly set before the actions of this kind.
+    static const Bits& set_before(const Point& point, ActionKind kind) {
+        switch (kind) {
+            case ActionKind::entry:
+                return point.in;
+            case ActionKind::during:
+                return point.settled;
+            case ActionKind::exit:
+                break;
+        }
+        return point.inner_leave;
+    }
 
     void track_variable(const Variable& variable) {
         if (variable.kind != DeclKind::variable || variable.initial) return;
@@ -239,9 +263,7 @@ private:
             if (!point.reached) continue;
             for (const Action& action : node->actions) {
                 if (!action.statement) continue;
-                Bits now = action.kind == ActionKind::entry    ? point.in
-                           : action.kind == ActionKind::during ? point.settled
-                                                               : point.inner_leave;
+                Bits now = set_before(point, action.kind);
                 add_set_variables(*action.statement, now, true);
             }
             read(*node);

@@ -63,18 +63,9 @@ Linear add_linear(Linear a, const Linear& b) {
 /// True for names, their fields and their elements, which the reasoner treats as independent values. The values of
 /// calls and of binders are unknown.
 bool is_plain(const Expr& expr) {
-    switch (expr.kind) {
-        case ExprKind::name:
-        case ExprKind::result:
-        case ExprKind::since:
-        case ExprKind::since_entry:
-            return true;
-        case ExprKind::parenthesised:
-        case ExprKind::member:
-            return is_plain(*expr.args[0]);
-        default:
-            return false;
-    }
+    if (expr.kind == ExprKind::parenthesised || expr.kind == ExprKind::member) return is_plain(*expr.args[0]);
+    return expr.kind == ExprKind::name || expr.kind == ExprKind::result || expr.kind == ExprKind::since ||
+           expr.kind == ExprKind::since_entry;
 }
 
 std::string text_of(const Expr& expr) {
@@ -157,9 +148,8 @@ std::optional<Linear> Reasoner::read_linear(const Expr& written) {
 Formula Reasoner::comparison_with_zero(Linear difference, Relation relation, const std::string& text) {
     if (difference.terms.empty()) {
         const double left = difference.constant;
-        return constant_formula(relation == Relation::less    ? left < 0
-                                : relation == Relation::equal ? left == 0
-                                                              : left <= 0);
+        if (relation == Relation::less) return constant_formula(left < 0);
+        return constant_formula(relation == Relation::equal ? left == 0 : left <= 0);
     }
     const double leading = difference.terms.begin()->second;
     const Linear form = scale_linear(std::move(difference), 1 / leading);
@@ -326,9 +316,15 @@ Formula Reasoner::read_binary(const Expr& expr) {
             return read_comparison(expr);
         case BinaryOp::in:
             return read_membership(expr);
-        default:
-            return opaque_atom(to_text(expr), false);
+        case BinaryOp::plus:
+        case BinaryOp::minus:
+        case BinaryOp::times:
+        case BinaryOp::divide:
+        case BinaryOp::modulus:
+        case BinaryOp::concat:
+            break;
     }
+    return opaque_atom(to_text(expr), false);
 }
 
 Formula Reasoner::read(const Expr& expr) {

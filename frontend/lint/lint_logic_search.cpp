@@ -23,7 +23,8 @@ constexpr std::size_t max_eliminations = 32;  ///< checks of a whole system of c
 enum class Truth { no, yes, open };
 
 Truth negate_truth(Truth truth) {
-    return truth == Truth::open ? truth : truth == Truth::yes ? Truth::no : Truth::yes;
+    if (truth == Truth::open) return truth;
+    return truth == Truth::yes ? Truth::no : Truth::yes;
 }
 
 double value_inside(double low, double high, bool integer) {
@@ -54,10 +55,18 @@ public:
     Finding run() {
         Finding result;
         const Truth found = search_from(0);
-        result.answer = found == Truth::yes  ? Answer::possible
-                        : found == Truth::no ? Answer::impossible
-                                             : Answer::unknown;
-        if (found == Truth::yes) describe_solution(result);
+        switch (found) {
+            case Truth::yes:
+                result.answer = Answer::possible;
+                describe_solution(result);
+                break;
+            case Truth::no:
+                result.answer = Answer::impossible;
+                break;
+            case Truth::open:
+                result.answer = Answer::unknown;
+                break;
+        }
         return result;
     }
 
@@ -311,8 +320,10 @@ private:
             if (reasoner_.keys_[i].opaque) finding.trusted = false;
         }
         parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            finding.example += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i > 0) finding.example += i + 1 == parts.size() ? " and " : ", ";
+            finding.example += parts[i];
+        }
     }
 
     const Reasoner& reasoner_;

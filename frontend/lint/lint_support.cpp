@@ -60,7 +60,12 @@ void add_effect(const Stmt& statement, Effects& effects) {
         case StmtKind::clock_reset:
             effects.writes.insert(statement.declaration);
             break;
-        default:
+        case StmtKind::skip:
+        case StmtKind::sequence:
+        case StmtKind::if_then_else:
+        case StmtKind::deadline:
+        case StmtKind::parenthesised:
+        case StmtKind::error:
             break;
     }
 }
@@ -112,8 +117,8 @@ double least_time(const Stmt& statement) {
 std::string list_names(const std::vector<std::string>& names) {
     std::string result;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const bool last = i + 1 == names.size();
-        result += (i == 0 ? "`" : last ? " and `" : ", `") + names[i] + "`";
+        if (i > 0) result += i + 1 == names.size() ? " and " : ", ";
+        result += "`" + names[i] + "`";
     }
     return result;
 }

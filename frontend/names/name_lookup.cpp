@@ -60,7 +60,11 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     const std::size_t cut = full.rfind("::");
     const bool importable = cut != std::string::npos && name.parts.size() == 1;
     // Names that are missing for the same reason, a missing or unresolved import, are reported only once.
-    const std::string package = importable ? full.substr(0, cut) : hidden == nullptr ? lost_import(place) : "";
+    std::string package;
+    if (importable)
+        package = full.substr(0, cut);
+    else if (hidden == nullptr)
+        package = lost_import(place);
     if (!package.empty() && !reported_.emplace(name.span.source, "import\n" + package).second) return nullptr;
     diagnostics::Diagnostic& finding = report_unknown(name, what, "that is visible here", candidate_names(kinds));
     if (hidden != nullptr)

@@ -168,9 +168,11 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
         for (const Import& import : place.file->imports) {
             const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
             const std::string prefix = import.name.text();
-            const std::string full = import.wildcard ? qualify_name(prefix, text)
-                                     : names_it      ? prefix + text.substr(name.parts.front().size())
-                                                     : std::string();
+            std::string full;
+            if (import.wildcard)
+                full = qualify_name(prefix, text);
+            else if (names_it)
+                full = prefix + text.substr(name.parts.front().size());
             if (full.empty()) continue;
             const Declaration* const found = find_nearest(full, kinds, place.file);
             if (found != nullptr && (own == nullptr || file_nearness(*place.file, *file_of(*found)) > near))
@@ -202,16 +204,10 @@ const Context* Names::interface_with(std::string_view name, DeclKind kind) const
         return std::ranges::any_of(members, [&](const auto& member) { return member->name == name; });
     };
     const auto declares = [&](const Context& interface) {
-        switch (kind) {
-            case DeclKind::event:
-                return among(interface.events);
-            case DeclKind::clock:
-                return among(interface.clocks);
-            case DeclKind::operation_signature:
-                return among(interface.signatures);
-            default:
-                return among(interface.variables);
-        }
+        if (kind == DeclKind::event) return among(interface.events);
+        if (kind == DeclKind::clock) return among(interface.clocks);
+        if (kind == DeclKind::operation_signature) return among(interface.signatures);
+        return among(interface.variables);
     };
     for (const auto& [full, declarations] : by_name_)
         for (const Declaration* declaration : declarations) {

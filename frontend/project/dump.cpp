@@ -111,16 +111,14 @@ void Dumper::dump_function(const Function& function) {
 }
 
 void Dumper::dump_context(const Context& context) {
-    for (const InterfaceClause& clause : context.interfaces) {
-        const std::string_view word = clause.use == InterfaceUse::uses       ? "uses"
-                                      : clause.use == InterfaceUse::provides ? "provides"
-                                                                             : "requires";
-        write_line("{} {}{}", word, clause.name.text(), target_text(clause.target));
-    }
+    for (const InterfaceClause& clause : context.interfaces)
+        write_line("{} {}{}", to_text(clause.use), clause.name.text(), target_text(clause.target));
     for (const VariablePtr& declared : context.variables) dump_variable(*declared);
-    for (const auto& event : context.events)
-        write_line("{}event {}{}", event->broadcast ? "_broadcast " : "", event->name,
-                   event->type_expr ? ":" + (resolved_ ? to_string(event->type) : to_text(*event->type_expr)) : "");
+    for (const auto& event : context.events) {
+        std::string type;
+        if (event->type_expr) type = ":" + (resolved_ ? to_string(event->type) : to_text(*event->type_expr));
+        write_line("{}event {}{}", event->broadcast ? "_broadcast " : "", event->name, type);
+    }
     for (const auto& clock : context.clocks) write_line("clock {}", clock->name);
     for (const auto& signature : context.signatures)
         write_line("{}({}){}", signature->name, parameter_list(signature->parameters),
@@ -148,12 +146,8 @@ void Dumper::dump_nodes(const NodeContainer& container) {
 void Dumper::dump_state(const State& state) {
     write_line("{} {}", to_text(state.kind), state.name);
     with_indentation([&] {
-        for (const Action& action : state.actions) {
-            const std::string_view word = action.kind == ActionKind::entry    ? "entry"
-                                          : action.kind == ActionKind::during ? "during"
-                                                                              : "exit";
-            write_line("{} {}", word, action.statement ? to_text(*action.statement) : "<error>");
-        }
+        for (const Action& action : state.actions)
+            write_line("{} {}", to_text(action.kind), action.statement ? to_text(*action.statement) : "<error>");
         dump_nodes(state);
     });
 }

@@ -170,7 +170,10 @@ public:
         const std::vector<Part> parts = paths_.parts_of(place_, import.name);
         const bool declared = !parts.empty() && parts.back().target != nullptr;
         // The declaration may not exist.
-        declared ? add_path(import.name, parts.back().target) : add_package(import.name, false);
+        if (declared)
+            add_path(import.name, parts.back().target);
+        else
+            add_package(import.name, false);
     }
     void visit(const InterfaceClause& clause) { add_path(clause.name, clause.target); }
     void visit(const TypeExpr& type) {

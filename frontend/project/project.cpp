@@ -212,7 +212,8 @@ std::set<std::string> robosim_files(const std::vector<std::string>& inputs) {
         std::error_code code;
         const bool is_folder = fs::is_directory(input, code);
         const fs::path path(input);
-        const fs::path folder = is_folder ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");
+        fs::path folder = path;
+        if (!is_folder) folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
         for (const std::string& file : diagnostics::files_below(folder.string(), is_folder).files)
             if (fs::path(file).extension() == ".rst") result.insert(fs::path(file).lexically_normal().string());
     }

@@ -332,9 +332,9 @@ void ProbabilityResolver::resolve_definition(ProbabilisticDefinition& definition
 
 void ProbabilityResolver::resolve_clause(const ProbabilisticClause& clause) {
     const ProbabilisticKind kind = clause.definition.kind;
-    const std::string_view what = kind == ProbabilisticKind::constants     ? "set of constants"
-                                  : kind == ProbabilisticKind::definitions ? "set of definitions"
-                                                                           : "set of modules";
+    std::string_view what = "set of modules";
+    if (kind == ProbabilisticKind::constants) what = "set of constants";
+    if (kind == ProbabilisticKind::definitions) what = "set of definitions";
     if (!clause.name.empty()) resolve_definition_name(clause.name, kind, what);
 }
 

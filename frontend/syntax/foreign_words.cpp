@@ -386,9 +386,12 @@ diagnostics::AdviceWord advice_word(const TokenList& tokens, std::ptrdiff_t inde
             return {number, token.text};
         case TokenKind::string:
             return {text, token.text};
-        default:
-            return {other, token.text};
+        case TokenKind::keyword:
+        case TokenKind::symbol:
+        case TokenKind::csp_code:
+            break;
     }
+    return {other, token.text};
 }
 
 const ForeignWord* foreign_word(std::string_view word, ForeignPlace place) {

@@ -73,7 +73,10 @@ public:
 
         Iterator(const TokenList& list, std::size_t at) : list_(&list), at_(at) {}
         Token operator*() const { return (*list_)[at_]; }
-        Iterator& operator++() { return ++at_, *this; }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
         Iterator operator++(int) { return {*list_, at_++}; }
         friend bool operator==(const Iterator&, const Iterator&) = default;
 

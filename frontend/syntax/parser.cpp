@@ -205,9 +205,13 @@ std::string Parser::describe_token() const {
             return "a string";
         case TokenKind::csp_code:
             return "a CSP block";
-        default:
-            return fmt::format("`{}`", shorten_token(token.text));
+        case TokenKind::identifier:
+        case TokenKind::integer:
+        case TokenKind::real:
+        case TokenKind::symbol:
+            break;
     }
+    return fmt::format("`{}`", shorten_token(token.text));
 }
 
 // ---------------------------------------------------------------- mistakes and recovery
@@ -479,7 +483,11 @@ std::unique_ptr<File> Parser::parse_file() {
     result->is_assertions = is_assertions_;
     try {
         catch_syntax_error([&] { package_clause(*result); });
-        while (!at_end()) is_assertions_ ? assertion_member(*result) : top_level(*result);
+        while (!at_end())
+            if (is_assertions_)
+                assertion_member(*result);
+            else
+                top_level(*result);
     } catch (const GiveUp&) {
         // The error has been reported. The part that was parsed before it is used.
     }

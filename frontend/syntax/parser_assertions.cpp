@@ -67,9 +67,11 @@ void Parser::assertion_member(File& file) {
             qualified_name("the package's name");
             return;
         }
-        const AssertionTime time = accept_word("timed")     ? AssertionTime::timed
-                                   : accept_word("untimed") ? AssertionTime::untimed
-                                                            : AssertionTime::both;
+        AssertionTime time = AssertionTime::both;
+        if (accept_word("timed"))
+            time = AssertionTime::timed;
+        else if (accept_word("untimed"))
+            time = AssertionTime::untimed;
         if (time == AssertionTime::both && at_foreign_assertion()) return foreign_assertion(file);
         if (neural_construct()) return;
         if (at_word("assertion")) return parse_assertion(file, time);

@@ -2,6 +2,9 @@
 // Literals, names and bracketed forms (RoboChart.xtext: Atomic).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "frontend/syntax/parser.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -23,9 +26,11 @@ ExprPtr Parser::parse_atom() {
             return keyword_atom();
         case TokenKind::symbol:
             return parse_bracketed();
-        default:
-            return missing_expression();
+        case TokenKind::end:
+        case TokenKind::csp_code:
+            break;
     }
+    return missing_expression();
 }
 
 /// No expression begins here; an error node takes its place.
@@ -88,15 +93,16 @@ ExprPtr Parser::parse_record(QualifiedName type_name) {
 
 ExprPtr Parser::keyword_atom() {
     if (at_token("true") || at_token("false")) return parse_literal(ExprKind::boolean);
-    const ExprKind kind = at_token("result")       ? ExprKind::result
-                          : at_token("to")         ? ExprKind::to
-                          : at_token("from")       ? ExprKind::from
-                          : at_token("inverse")    ? ExprKind::inverse
-                          : at_token("transpose")  ? ExprKind::transpose
-                          : at_token("since")      ? ExprKind::since
-                          : at_token("sinceEntry") ? ExprKind::since_entry
-                                                   : ExprKind::error;
-    if (kind == ExprKind::error) return missing_expression();
+    constexpr std::array<std::pair<std::string_view, ExprKind>, 7> kinds = {{{"result", ExprKind::result},
+                                                                             {"to", ExprKind::to},
+                                                                             {"from", ExprKind::from},
+                                                                             {"inverse", ExprKind::inverse},
+                                                                             {"transpose", ExprKind::transpose},
+                                                                             {"since", ExprKind::since},
+                                                                             {"sinceEntry", ExprKind::since_entry}}};
+    const auto* const found = std::ranges::find_if(kinds, [&](const auto& entry) { return at_token(entry.first); });
+    if (found == kinds.end()) return missing_expression();
+    const ExprKind kind = found->second;
     ExprPtr result = make_expression(kind);
     const Span begin = advance_token().span;
     if (kind == ExprKind::result || kind == ExprKind::to || kind == ExprKind::from) return result;

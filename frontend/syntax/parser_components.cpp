@@ -9,20 +9,27 @@ namespace robochart::frontend {
 
 /// Parses a member that the grammar allows in any context, or that a rule (STM6, C7, C9, RP3) rejects there.
 bool Parser::context_member(Context& context) {
-    if (at_token("uses") || at_token("requires") || at_token("provides")) return interface_clause(context), true;
-    if (at_token("var") || at_token("const")) return variable_list(context), true;
-    if (at_token("event") || at_token("_broadcast")) return parse_event(context), true;
-    if (at_token("clock")) return parse_clock(context), true;
-    if (peek().kind == TokenKind::identifier && peek(1).is_word("(")) return operation_signature(context), true;
-    return false;
+    if (at_token("uses") || at_token("requires") || at_token("provides"))
+        interface_clause(context);
+    else if (at_token("var") || at_token("const"))
+        variable_list(context);
+    else if (at_token("event") || at_token("_broadcast"))
+        parse_event(context);
+    else if (at_token("clock"))
+        parse_clock(context);
+    else if (peek().kind == TokenKind::identifier && peek(1).is_word("("))
+        operation_signature(context);
+    else
+        return false;
+    return true;
 }
 
 /// Parses an interface clause. RoboChart.xtext allows one name after the keyword; old models have lists.
 void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
-    clause.use = at_token("uses")       ? InterfaceUse::uses
-                 : at_token("requires") ? InterfaceUse::requires_
-                                        : InterfaceUse::provides;
+    clause.use = InterfaceUse::provides;
+    if (at_token("uses")) clause.use = InterfaceUse::uses;
+    if (at_token("requires")) clause.use = InterfaceUse::requires_;
     advance_token();
     const std::string_view word = previous_token().text;
     for (;;) {
@@ -155,10 +162,10 @@ void Parser::module_member(Component& component) {
 
 std::unique_ptr<Reference> Parser::parse_reference() {
     auto reference = std::make_unique<Reference>();
-    reference->refers_to = at_token("sref")   ? DeclKind::state_machine
-                           : at_token("cref") ? DeclKind::controller
-                           : at_token("rref") ? DeclKind::platform
-                                              : DeclKind::operation;
+    reference->refers_to = DeclKind::operation;
+    if (at_token("sref")) reference->refers_to = DeclKind::state_machine;
+    if (at_token("cref")) reference->refers_to = DeclKind::controller;
+    if (at_token("rref")) reference->refers_to = DeclKind::platform;
     reference->span = advance_token().span;
     name(*reference);
     if (at_token(":") && peek(1).kind == TokenKind::identifier) {

@@ -63,10 +63,10 @@ ExprPtr Parser::parse_expression() {
 
 /// `forall v:T, … | p @ e`, and the same form with exists, exists1 and lambda.
 ExprPtr Parser::parse_quantified() {
-    ExprPtr result = make_expression(at_token("forall")    ? ExprKind::forall
-                                     : at_token("exists")  ? ExprKind::exists
-                                     : at_token("exists1") ? ExprKind::exists_unique
-                                                           : ExprKind::lambda);
+    ExprPtr result = make_expression(ExprKind::lambda);
+    if (at_token("forall")) result->kind = ExprKind::forall;
+    if (at_token("exists")) result->kind = ExprKind::exists;
+    if (at_token("exists1")) result->kind = ExprKind::exists_unique;
     advance_token();
     parse_bindings(*result);
     such_that(*result);
@@ -184,7 +184,8 @@ ExprPtr Parser::logical_not(int level) {
     const Span begin = expect_token("not");
     result->unary = UnaryOp::logical_not;
     const bool again = at_token("not") || at_token("!");
-    result->args.push_back(again ? parse_prefix(not_level) : parse_operand(probabilistic_ ? not_level : compare_level));
+    const int operand_level = probabilistic_ ? not_level : compare_level;
+    result->args.push_back(again ? parse_prefix(not_level) : parse_operand(operand_level));
     result = finish_node(std::move(result), begin);
     check_weak_prefix(word, *result, level, not_level);
     return result;

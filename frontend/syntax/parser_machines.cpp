@@ -52,15 +52,21 @@ bool Parser::contract_member(Machine& machine) {
 }
 
 bool Parser::node_member(NodeContainer& container) {
-    if (at_token("transition")) return parse_transition(container), true;
+    if (at_token("transition")) {
+        parse_transition(container);
+        return true;
+    }
     constexpr std::array<std::pair<std::string_view, DeclKind>, 5> kinds = {
         {{"state", DeclKind::state},
          {"initial", DeclKind::initial},
          {"final", DeclKind::final},
          {"junction", DeclKind::junction},
          {"probabilistic", DeclKind::probabilistic}}};
-    for (const auto& [word, kind] : kinds)
-        if (at_token(word)) return parse_node(container, kind), true;
+    for (const auto& [word, kind] : kinds) {
+        if (!at_token(word)) continue;
+        parse_node(container, kind);
+        return true;
+    }
     return false;
 }
 
@@ -90,7 +96,9 @@ void Parser::state_body(State& state) {
 
 void Parser::parse_action(State& state) {
     Action action;
-    action.kind = at_token("entry") ? ActionKind::entry : at_token("during") ? ActionKind::during : ActionKind::exit;
+    action.kind = ActionKind::exit;
+    if (at_token("entry")) action.kind = ActionKind::entry;
+    if (at_token("during")) action.kind = ActionKind::during;
     action.span = advance_token().span;
     if (at_token("/")) pass_superfluous("an action directly follows its keyword: `entry skip`");
     pass_sign_behind_word();
@@ -118,7 +126,10 @@ void Parser::parse_transition(NodeContainer& container) {
         expect_token("{");
         if (!catch_syntax_error([&] { transition_body(transition); })) {
             while (!at_end() && !at_token("}") && !at_member_word() && !at_top_level_word())
-                at_token("{") || at_token("<{") ? skip_balanced() : static_cast<void>(advance_token());
+                if (at_token("{") || at_token("<{"))
+                    skip_balanced();
+                else
+                    advance_token();
             if (at_token("}")) advance_token();
             return;
         }
@@ -203,13 +214,19 @@ diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std
 
 /// Parses a clause and returns its position in the order of clauses.
 int Parser::transition_clause(Transition& transition) {
-    if (at_token("trigger")) return parse_trigger(transition), 1;
+    if (at_token("trigger")) {
+        parse_trigger(transition);
+        return 1;
+    }
     if (accept_token("probability")) {
         pass_sign_behind_word();
         transition.probability = parse_expression();
         return 1;
     }
-    if (at_token("#")) return reset(transition), 2;
+    if (at_token("#")) {
+        reset(transition);
+        return 2;
+    }
     if (accept_token("<{")) {
         transition.deadline = parse_expression();
         expect_token("}");
@@ -226,7 +243,10 @@ int Parser::transition_clause(Transition& transition) {
         transition.action = parse_statement();
         return 5;
     }
-    if (at_token("[")) return bracketed_guard(transition), 4;
+    if (at_token("[")) {
+        bracketed_guard(transition);
+        return 4;
+    }
     if (called_reset(transition)) return 2;
     if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
     if (const int clause = forgotten_trigger(transition); clause > 0) return clause;

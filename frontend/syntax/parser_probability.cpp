@@ -52,7 +52,10 @@ bool Parser::at_probabilistic_part() const {
 
 void Parser::probabilistic_part(File& file) {
     const Raised inside(probabilistic_);
-    at_word("prob") ? probabilistic_assertion(file) : probabilistic_definition(file);
+    if (at_word("prob"))
+        probabilistic_assertion(file);
+    else
+        probabilistic_definition(file);
 }
 
 void Parser::definition_name(std::string& name, Span& span) {
@@ -113,11 +116,11 @@ void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
     while (at_word("with")) {
         advance_token();
         const Token word = peek();
-        const int clause = at_word("constants") || at_word("constant") ? 0
-                           : at_word("definitions")                    ? 1
-                           : at_word("modules")                        ? 2
-                           : at_word("cmdoptions")                     ? 3
-                                                                       : -1;
+        int clause = -1;
+        if (at_word("constants") || at_word("constant")) clause = 0;
+        if (at_word("definitions")) clause = 1;
+        if (at_word("modules")) clause = 2;
+        if (at_word("cmdoptions")) clause = 3;
         if (clause < 0) fail_expecting("`constants`, `definitions`, `modules` or `cmdoptions`");
         const std::string text(word.text);
         advance_token();
@@ -377,11 +380,11 @@ ExprPtr Parser::path_prefix() {
     const Nesting nesting(*this);
     ExprPtr result = make_expression(ExprKind::path);
     const Span begin = result->span;
-    result->path = at_word("Finally")    ? PathOp::eventually
-                   : at_word("Globally") ? PathOp::globally
-                   : at_word("Next")     ? PathOp::next
-                   : at_word("Weak")     ? PathOp::weak_until
-                                         : PathOp::release;
+    result->path = PathOp::release;
+    if (at_word("Finally")) result->path = PathOp::eventually;
+    if (at_word("Globally")) result->path = PathOp::globally;
+    if (at_word("Next")) result->path = PathOp::next;
+    if (at_word("Weak")) result->path = PathOp::weak_until;
     if (advance_token().text == "Weak") advance_token();
     step_bound(*result);
     result->args.push_back(parse_expression());
@@ -453,7 +456,9 @@ ExprPtr Parser::reward_path() {
     const bool linear_time = at_word("LTL");
     if (!reachable && !linear_time && !at_word("Cumul")) fail_expecting("`Reachable`, `LTL`, `Cumul` or `Total`");
     advance_token();
-    result->path = reachable ? PathOp::reachable : linear_time ? PathOp::linear_time : PathOp::cumulative;
+    result->path = PathOp::cumulative;
+    if (reachable) result->path = PathOp::reachable;
+    if (linear_time) result->path = PathOp::linear_time;
     result->args.push_back(parse_expression());
     return finish_node(std::move(result), begin);
 }

@@ -394,4 +394,35 @@ std::string_view to_text(DeclKind kind) {
     return "?";
 }
 
+std::string_view to_text(ActionKind kind) {
+    switch (kind) {
+        case ActionKind::entry:
+            return "entry";
+        case ActionKind::during:
+            return "during";
+        case ActionKind::exit:
+            return "exit";
+    }
+    return "?";
+}
+
+std::string_view to_text(InterfaceUse use) {
+    switch (use) {
+        case InterfaceUse::uses:
+            return "uses";
+        case InterfaceUse::requires_:
+            return "requires";
+        case InterfaceUse::provides:
+            return "provides";
+    }
+    return "?";
+}
+
+std::string_view reference_word(DeclKind kind) {
+    if (kind == DeclKind::state_machine) return "sref";
+    if (kind == DeclKind::controller) return "cref";
+    if (kind == DeclKind::platform) return "rref";
+    return "opref";
+}
+
 }  // namespace robochart::frontend

@@ -23,6 +23,13 @@ namespace robochart::frontend {
 /// The keyword or keywords of a kind of declaration, e.g. "stm", "robotic platform".
 [[nodiscard]] std::string_view to_text(DeclKind kind);
 
+/// The keyword of an action of a state, e.g. "entry".
+[[nodiscard]] std::string_view to_text(ActionKind kind);
+/// The keyword of an interface clause, e.g. "uses".
+[[nodiscard]] std::string_view to_text(InterfaceUse use);
+/// The keyword of a reference to a component of this kind, e.g. "sref" for a state machine.
+[[nodiscard]] std::string_view reference_word(DeclKind kind);
+
 /// A name as it must be written: a reserved word gets its `^`.
 [[nodiscard]] std::string written_name(std::string_view name);
 [[nodiscard]] std::string written_name(const QualifiedName& name);

@@ -90,12 +90,8 @@ void Printer::print_function(const Function& function) {
 }
 
 void Printer::print_clauses(const Context& context) {
-    for (const InterfaceClause& clause : context.interfaces) {
-        const std::string_view word = clause.use == InterfaceUse::uses       ? "uses"
-                                      : clause.use == InterfaceUse::provides ? "provides"
-                                                                             : "requires";
-        print_line(fmt::format("{} {}", word, written_name(clause.name)));
-    }
+    for (const InterfaceClause& clause : context.interfaces)
+        print_line(fmt::format("{} {}", to_text(clause.use), written_name(clause.name)));
 }
 
 void Printer::print_context(const Context& context) {
@@ -132,22 +128,10 @@ void Printer::print_nodes(const NodeContainer& container) {
 }
 
 std::string_view node_word(DeclKind kind) {
-    switch (kind) {
-        case DeclKind::initial:
-            return "initial";
-        case DeclKind::final:
-            return "final";
-        case DeclKind::junction:
-            return "junction";
-        case DeclKind::probabilistic:
-            return "probabilistic";
-        default:
-            return "state";
-    }
-}
-
-std::string_view action_word(ActionKind kind) {
-    return kind == ActionKind::entry ? "entry" : kind == ActionKind::during ? "during" : "exit";
+    if (kind == DeclKind::initial) return "initial";
+    if (kind == DeclKind::final) return "final";
+    if (kind == DeclKind::junction) return "junction";
+    return kind == DeclKind::probabilistic ? "probabilistic" : "state";
 }
 
 void Printer::print_node(const State& node) {
@@ -156,8 +140,7 @@ void Printer::print_node(const State& node) {
     if (empty) return print_line(node.kind == DeclKind::state ? head + " {}" : head);
     print_braces(head, [&] {
         for (const Action& action : node.actions)
-            print_line(
-                fmt::format("{} {}", action_word(action.kind), action.statement ? to_text(*action.statement) : ""));
+            print_line(fmt::format("{} {}", to_text(action.kind), action.statement ? to_text(*action.statement) : ""));
         print_nodes(node);
     });
 }
@@ -179,11 +162,8 @@ void Printer::print_transition(const Transition& transition) {
 // ---------------------------------------------------------------- components
 
 void Printer::print_reference(const Reference& reference) {
-    const std::string_view word = reference.refers_to == DeclKind::platform        ? "rref"
-                                  : reference.refers_to == DeclKind::controller    ? "cref"
-                                  : reference.refers_to == DeclKind::state_machine ? "sref"
-                                                                                   : "opref";
-    print_line(fmt::format("{} {} = {}", word, written_name(reference.name), written_name(reference.target_name)));
+    print_line(fmt::format("{} {} = {}", reference_word(reference.refers_to), written_name(reference.name),
+                           written_name(reference.target_name)));
 }
 
 void Printer::print_connection(const Connection& connection) {
@@ -215,7 +195,15 @@ void Printer::print_declaration(const Declaration& declared) {
 // ---------------------------------------------------------------- assertions
 
 std::string_view time_word(AssertionTime time) {
-    return time == AssertionTime::timed ? "timed " : time == AssertionTime::untimed ? "untimed " : "";
+    switch (time) {
+        case AssertionTime::timed:
+            return "timed ";
+        case AssertionTime::untimed:
+            return "untimed ";
+        case AssertionTime::both:
+            break;
+    }
+    return "";
 }
 
 std::string_view model_words(AssertionModel model) {
@@ -273,7 +261,10 @@ std::string parameter_list(const std::vector<AssertionParameter>& list) {
     std::string out;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const AssertionParameter& parameter = list[i];
-        out += i == 0 ? " with " : i + 1 == list.size() ? " and " : ", ";
+        if (i == 0)
+            out += " with ";
+        else
+            out += i + 1 == list.size() ? " and " : ", ";
         out += fmt::format("{} {} of {} set to {}", parameter.constant ? "constant" : "parameter",
                            written_name(parameter.name), written_name(parameter.context),
                            parameter.value ? to_text(*parameter.value) : "");

@@ -116,9 +116,9 @@ std::string definition_text(const ProbabilisticDefinition& definition) {
 }
 
 std::string clause_text(const ProbabilisticClause& clause) {
-    const std::string_view word = clause.definition.kind == ProbabilisticKind::constants     ? "constants"
-                                  : clause.definition.kind == ProbabilisticKind::definitions ? "definitions"
-                                                                                             : "modules";
+    std::string_view word = "modules";
+    if (clause.definition.kind == ProbabilisticKind::constants) word = "constants";
+    if (clause.definition.kind == ProbabilisticKind::definitions) word = "definitions";
     return fmt::format(" with {} {}", word,
                        clause.name.empty() ? definition_text(clause.definition) : written_name(clause.name));
 }

@@ -50,9 +50,22 @@ TypePtr as_set(const TypePtr& type) {
                                                        {simplify_type(type->args[0]), simplify_type(type->args[1])})});
         case TypeForm::sequence:
             return make_type(TypeForm::set, {make_type(TypeForm::product, {make_type(TypeForm::nat), type->args[0]})});
-        default:
-            return nullptr;
+        case TypeForm::any:
+        case TypeForm::boolean:
+        case TypeForm::nat:
+        case TypeForm::integer:
+        case TypeForm::real:
+        case TypeForm::string:
+        case TypeForm::given:
+        case TypeForm::enumeration:
+        case TypeForm::record:
+        case TypeForm::variable:
+        case TypeForm::product:
+        case TypeForm::vector:
+        case TypeForm::matrix:
+            break;
     }
+    return nullptr;
 }
 
 TypePtr as_product(const TypePtr& type) {
@@ -87,9 +100,21 @@ bool same_form(const Type& from, const Type& to) {
         case TypeForm::vector:
         case TypeForm::matrix:
             return sizes_agree(from.sizes, to.sizes) && args_agree(from, to);
-        default:
-            return args_agree(from, to);
+        case TypeForm::any:
+        case TypeForm::boolean:
+        case TypeForm::nat:
+        case TypeForm::integer:
+        case TypeForm::real:
+        case TypeForm::string:
+        case TypeForm::variable:
+        case TypeForm::sequence:
+        case TypeForm::set:
+        case TypeForm::product:
+        case TypeForm::function:
+        case TypeForm::relation:
+            break;
     }
+    return args_agree(from, to);
 }
 
 bool is_free(const Type& type) {

@@ -33,9 +33,9 @@ long read_number(const std::string& digits) {
 
 TypePtr Typer::declared_type(const TypeDeclaration& declaration) const {
     auto type = std::make_shared<Type>();
-    type->form = declaration.kind == DeclKind::enumeration   ? TypeForm::enumeration
-                 : declaration.kind == DeclKind::record_type ? TypeForm::record
-                                                             : TypeForm::given;
+    type->form = TypeForm::given;
+    if (declaration.kind == DeclKind::enumeration) type->form = TypeForm::enumeration;
+    if (declaration.kind == DeclKind::record_type) type->form = TypeForm::record;
     type->name = finder_.names().type_name(declaration);
     type->declaration = &declaration;
     return type;

@@ -207,17 +207,12 @@ TypePtr Typer::type_binder(Expr& expr, Surroundings& around) {
 
 TypePtr Typer::bound_body(Expr& expr, Surroundings& around, const TypePtr& variables) {
     const TypePtr body = assign_type(expr.args[1], around);
-    switch (expr.kind) {
-        case ExprKind::lambda:
-            return variables && body ? make_type(TypeForm::function, {variables, body}) : nullptr;
-        case ExprKind::the:
-            return expr.args[1] ? body : simplify_type(variables);
-        case ExprKind::set_comprehension: {
-            const TypePtr element = expr.args[1] ? body : simplify_type(variables);
-            return element ? make_type(TypeForm::set, {element}) : nullptr;
-        }
-        default:
-            break;
+    if (expr.kind == ExprKind::lambda)
+        return variables && body ? make_type(TypeForm::function, {variables, body}) : nullptr;
+    if (expr.kind == ExprKind::the) return expr.args[1] ? body : simplify_type(variables);
+    if (expr.kind == ExprKind::set_comprehension) {
+        const TypePtr element = expr.args[1] ? body : simplify_type(variables);
+        return element ? make_type(TypeForm::set, {element}) : nullptr;
     }
     if (body && !is_compatible(body, make_type(TypeForm::boolean)))
         finder_.out().report(rules::condition_boolean, expr.args[1]->span, {"what follows `@`", to_string(body)});

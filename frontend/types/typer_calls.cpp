@@ -25,8 +25,8 @@ TypePtr Typer::check_call(Expr& expr, Surroundings& around) {
     if (const auto* function = dynamic_cast<const Function*>(expr.target)) return call_function(expr, *function, args);
     if (const auto* literal = dynamic_cast<const EnumLiteral*>(expr.target)) return call_literal(expr, *literal, args);
     if (const auto* variable = dynamic_cast<const Variable*>(expr.target)) callee = variable->type;
-    return callee ? apply(expr, simplify_type(callee), args, expr.callee ? to_text(*expr.callee) : expr.name.text())
-                  : nullptr;
+    if (!callee) return nullptr;
+    return apply(expr, simplify_type(callee), args, expr.callee ? to_text(*expr.callee) : expr.name.text());
 }
 
 TypePtr Typer::call_function(Expr& expr, const Function& function, const std::vector<TypePtr>& args) {

@@ -117,9 +117,14 @@ TypePtr Typer::type_binary(Expr& expr, Surroundings& around) {
             return type_membership(expr, left, right);
         case BinaryOp::concat:
             return left && right ? type_concatenation(expr, left, right) : nullptr;
-        default:
-            return left && right ? type_arithmetic(expr, left, right) : nullptr;
+        case BinaryOp::plus:
+        case BinaryOp::minus:
+        case BinaryOp::times:
+        case BinaryOp::divide:
+        case BinaryOp::modulus:
+            break;
     }
+    return left && right ? type_arithmetic(expr, left, right) : nullptr;
 }
 
 TypePtr Typer::type_logical(Expr& expr, const TypePtr& left, const TypePtr& right) {

@@ -36,7 +36,10 @@ void Typer::check_statement(Stmt& statement, Surroundings& around) {
                 finder_.out().report(rules::deadline_type, statement.value->span, {to_string(bound)});
             break;
         }
-        default:
+        case StmtKind::skip:
+        case StmtKind::sequence:
+        case StmtKind::parenthesised:
+        case StmtKind::error:
             break;
     }
     for (const StmtPtr& inner : statement.body) this->check_statement(*inner, around);

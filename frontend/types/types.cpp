@@ -25,7 +25,7 @@ std::string product_text(const Type& type) {
     std::string out;
     for (const TypePtr& arg : type.args) out += (out.empty() ? "" : " * ") + operand_text(arg);
     // The argument type of a function with one or no parameter is a product as well.
-    return type.args.size() == 1 ? out : type.args.empty() ? "()" : out;
+    return type.args.empty() ? "()" : out;
 }
 
 /// A product binds more tightly than arrows, so it needs no parentheses next to them.

@@ -4,11 +4,20 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "base/diagnostics/escape.hpp"
 #include "frontend/diagrams/exports/outline.hpp"
 
 namespace robochart::diagrams {
 namespace {
+
+/// The letter in the circle of a node.
+std::string_view letter_of(Look look) {
+    if (look == Look::initial) return "i";
+    if (look == Look::probabilistic) return "P";
+    return look == Look::final ? "F" : "";
+}
 
 class DotWriter {
 public:
@@ -40,12 +49,8 @@ private:
     void write_box(std::size_t box, const std::string& indent) {
         const Look look = picture_.boxes[box].look;
         if (is_round(look)) {
-            const char* letter = look == Look::initial         ? "i"
-                                 : look == Look::probabilistic ? "P"
-                                 : look == Look::final         ? "F"
-                                                               : "";
             out_ += fmt::format("{}{} [shape=circle, width=0.3, fixedsize=true, label=\"{}\"];\n", indent,
-                                outline_.id(box), letter);
+                                outline_.id(box), letter_of(look));
             return;
         }
         if (!is_cluster(box)) {

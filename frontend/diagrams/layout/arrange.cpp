@@ -276,7 +276,8 @@ Placement arrange_level(const Level& level, diagnostics::Budget* budget) {
     Placement right = arrange_in(level, parts, true, budget);
     // Chooses the layout to the right only if it is clearly better. After an edit, the previous direction is used
     // unless it is much worse.
-    const double bound = !level.previous ? 0.85 : level.previous == Direction::right ? 1.3 : 0.7;
+    double bound = 0.85;
+    if (level.previous) bound = level.previous == Direction::right ? 1.3 : 0.7;
     return page_extent(right.size) < bound * page_extent(down.size) ? right : down;
 }
 

@@ -178,7 +178,11 @@ std::vector<Piece> pieces_of(const DrawnEdge& edge, const std::vector<Point>& po
         const double width = std::abs(edge.bends[i].from_source.x - edge.bends[i - 1].from_source.x);
         const double height = std::abs(edge.bends[i].from_source.y - edge.bends[i - 1].from_source.y);
         if (width <= straight_enough && height <= straight_enough && !(first && last)) continue;
-        const auto between = [&](double p, double q) { return first && !last ? p : last && !first ? q : (p + q) / 2; };
+        const auto between = [&](double p, double q) {
+            if (first && !last) return p;
+            if (last && !first) return q;
+            return (p + q) / 2;
+        };
         if (!is_askew(edge, i)) {
             const bool flat = width > height;
             add_piece(pieces, {flat, flat ? between(a.y, b.y) : between(a.x, b.x)});

@@ -154,6 +154,12 @@ private:
         for (std::size_t i = 0; i < layer.size(); ++i) nodes_[layer[i]].x = places[i];
     }
 
+    /// Links of boxes weigh less than links between two points of a line.
+    static double weight_of_link(const Node& node, const Node& other) {
+        if (node.is_box() && other.is_box()) return 1;
+        return node.is_box() || other.is_box() ? 3 : 40;
+    }
+
     /// The mean position of the neighbours; a node between two lines follows those lines.
     [[nodiscard]] Wish wish_for(const Node& node, bool above, bool below) const {
         double sum = 0;
@@ -163,9 +169,7 @@ private:
                 const Link& link = graph_.links[l];
                 if (link.turn != Link::Turn::none) continue;
                 const Node& other = nodes_[up ? link.upper : link.lower];
-                const double link_weight = node.is_box() && other.is_box()   ? 1
-                                           : node.is_box() || other.is_box() ? 3
-                                                                             : 40;
+                const double link_weight = weight_of_link(node, other);
                 const double here = up ? link.lower_offset : link.upper_offset;
                 const double there = up ? link.upper_offset : link.lower_offset;
                 sum += link_weight * (other.x + there - here);
@@ -313,7 +317,8 @@ private:
         for (const std::size_t l : slot.links) {
             const Link& link = graph_.links[l];
             const bool turn = link.turn != Link::Turn::none;
-            const std::size_t n = turn ? (link.upper == b ? link.lower : link.upper) : (down ? link.lower : link.upper);
+            const bool to_lower = turn ? link.upper == b : down;
+            const std::size_t n = to_lower ? link.lower : link.upper;
             const auto count = static_cast<double>(slot.links.size());
             const auto position = static_cast<double>(nodes_[n].position);
             const double beside = nodes_[n].position < node.position ? -1e6 : 1e6;

@@ -46,7 +46,7 @@ public:
         if (const auto* component = dynamic_cast<const Component*>(&it)) add_component(*component);
         if (const auto* state = dynamic_cast<const State*>(&it)) {
             for (const Action& action : state->actions)
-                add(&action, std::string(word_of(action.kind)) + " action", "", action.span);
+                add(&action, std::string(to_text(action.kind)) + " action", "", action.span);
             add_nodes(*state);
         }
     }
@@ -68,7 +68,7 @@ private:
 
     void add_context(const Context& context) {
         for (const InterfaceClause& clause : context.interfaces)
-            add(&clause, std::string(word_of(clause.use)), shown_name(clause.name.text()), clause.name.span);
+            add(&clause, std::string(to_text(clause.use)), shown_name(clause.name.text()), clause.name.span);
         add_all(context.variables);
         add_all(context.events);
         add_all(context.clocks);

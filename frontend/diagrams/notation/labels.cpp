@@ -52,30 +52,6 @@ std::string shown_name(std::string_view name) {
     return diagnostics::escape_for_display(name);
 }
 
-std::string_view word_of(ActionKind kind) {
-    switch (kind) {
-        case ActionKind::entry:
-            return "entry";
-        case ActionKind::during:
-            return "during";
-        case ActionKind::exit:
-            return "exit";
-    }
-    return "";
-}
-
-std::string_view word_of(InterfaceUse use) {
-    switch (use) {
-        case InterfaceUse::uses:
-            return "uses";
-        case InterfaceUse::requires_:
-            return "requires";
-        case InterfaceUse::provides:
-            return "provides";
-    }
-    return "";
-}
-
 std::string text_of(const Expr& expr) {
     return printable_line(to_text(expr));
 }
@@ -93,9 +69,16 @@ std::string text_of(const Stmt& statement) {
                                statement.value ? text_of(*statement.value) : "");
         case StmtKind::parenthesised:
             return "(" + (statement.body.empty() ? "" : body_of(statement.body[0])) + ")";
-        default:
-            return printable_line(to_text(statement));
+        case StmtKind::skip:
+        case StmtKind::assignment:
+        case StmtKind::call:
+        case StmtKind::wait:
+        case StmtKind::wait_interval:
+        case StmtKind::clock_reset:
+        case StmtKind::error:
+            break;
     }
+    return printable_line(to_text(statement));
 }
 
 std::string text_of(const Variable& variable) {

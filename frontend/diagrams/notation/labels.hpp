@@ -12,10 +12,6 @@ namespace robochart::diagrams {
 
 /// A name for display; any characters are allowed in it.
 [[nodiscard]] std::string shown_name(std::string_view name);
-/// "entry", "during", "exit".
-[[nodiscard]] std::string_view word_of(frontend::ActionKind kind);
-/// "uses", "requires", "provides".
-[[nodiscard]] std::string_view word_of(frontend::InterfaceUse use);
 
 [[nodiscard]] std::string text_of(const frontend::Expr& expr);
 /// A statement without the keyword `send`, as RoboTool draws it.

@@ -7,6 +7,7 @@
 
 #include "frontend/diagrams/layout/drawn.hpp"
 #include "frontend/diagrams/notation/labels.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::diagrams {
 
@@ -23,18 +24,10 @@ constexpr layout::LineLimits label_limits{34, 6};
 constexpr layout::LineLimits action_limits{44, 6};
 
 Look look_of(const State& state) {
-    switch (state.kind) {
-        case DeclKind::initial:
-            return Look::initial;
-        case DeclKind::junction:
-            return Look::junction;
-        case DeclKind::probabilistic:
-            return Look::probabilistic;
-        case DeclKind::final:
-            return Look::final;
-        default:
-            return Look::plain;
-    }
+    if (state.kind == DeclKind::initial) return Look::initial;
+    if (state.kind == DeclKind::junction) return Look::junction;
+    if (state.kind == DeclKind::probabilistic) return Look::probabilistic;
+    return state.kind == DeclKind::final ? Look::final : Look::plain;
 }
 
 std::string join_pieces(const std::vector<std::string>& pieces) {
@@ -108,7 +101,7 @@ void NodeLevel::add_actions(Shape& shape) {
     if (drawing_.stored != nullptr) limits.columns = std::max(limits.columns, columns_of(*shape.state));
     for (const Action& action : shape.state->actions) {
         const std::string text =
-            std::string(word_of(action.kind)) + " " + (action.statement ? text_of(*action.statement) : "");
+            std::string(to_text(action.kind)) + " " + (action.statement ? text_of(*action.statement) : "");
         shape.actions.push_back(layout::break_lines({text}, limits));
         if (shape.actions.back().elided) shape.whole += text + "\n";
         const Size size = size_of(shape.actions.back());

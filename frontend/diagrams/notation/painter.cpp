@@ -26,7 +26,9 @@ std::string short_title(const std::string& text) {
 /// The bounding box of a text.
 Rectangle extent_of(const Text& text) {
     const double width = text_width(text.text, text.size, text.bold);
-    const double shift = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? width / 2 : width;
+    double shift = 0;
+    if (text.anchor == Anchor::middle) shift = width / 2;
+    if (text.anchor == Anchor::end) shift = width;
     return {text.at.x - shift, text.at.y - text.size, width, text.size * 1.3};
 }
 

@@ -22,16 +22,9 @@ namespace {
 constexpr double component_inset = 22;  ///< between the border of the component and its contents
 
 Icon icon_of(DeclKind kind) {
-    switch (kind) {
-        case DeclKind::platform:
-            return Icon::platform;
-        case DeclKind::controller:
-            return Icon::controller;
-        case DeclKind::operation:
-            return Icon::operation;
-        default:
-            return Icon::machine;
-    }
+    if (kind == DeclKind::platform) return Icon::platform;
+    if (kind == DeclKind::controller) return Icon::controller;
+    return kind == DeclKind::operation ? Icon::operation : Icon::machine;
 }
 
 /// The label of a connection: `async`, or none.

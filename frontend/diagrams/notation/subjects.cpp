@@ -184,22 +184,13 @@ private:
 
     void set_title() {
         title_.text = shown_name(context_.name);
-        switch (context_.kind) {
-            case DeclKind::module:
-                title_.icon = Icon::module;
-                break;
-            case DeclKind::controller:
-                title_.icon = Icon::controller;
-                break;
-            case DeclKind::platform:
-                title_.icon = Icon::platform;
-                break;
-            case DeclKind::operation:
-                title_.icon = Icon::operation;
-                title_.text = title_of(dynamic_cast<const Machine&>(context_));
-                break;
-            default:
-                title_.icon = Icon::machine;
+        title_.icon = Icon::machine;
+        if (context_.kind == DeclKind::module) title_.icon = Icon::module;
+        if (context_.kind == DeclKind::controller) title_.icon = Icon::controller;
+        if (context_.kind == DeclKind::platform) title_.icon = Icon::platform;
+        if (context_.kind == DeclKind::operation) {
+            title_.icon = Icon::operation;
+            title_.text = title_of(dynamic_cast<const Machine&>(context_));
         }
     }
 
@@ -350,16 +341,9 @@ Picture draw_any(const Subject& subject, const Drawing& drawing) {
 }  // namespace
 
 bool has_diagram(const frontend::Declaration& declaration) {
-    switch (declaration.kind) {
-        case DeclKind::module:
-        case DeclKind::controller:
-        case DeclKind::state_machine:
-        case DeclKind::operation:
-        case DeclKind::platform:
-            return true;
-        default:
-            return false;
-    }
+    const DeclKind kind = declaration.kind;
+    return kind == DeclKind::module || kind == DeclKind::controller || kind == DeclKind::state_machine ||
+           kind == DeclKind::operation || kind == DeclKind::platform;
 }
 
 std::vector<Subject> find_subjects(const Model& model, const diagnostics::SourceManager& sources) {

@@ -172,8 +172,10 @@ private:
             case Kind::line:
                 in_line(now, tag, attributes);
                 return;
-            default:
+            case Kind::outside:
+            case Kind::other:
                 now.kind = Kind::other;
+                return;
         }
     }
 

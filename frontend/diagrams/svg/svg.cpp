@@ -74,6 +74,13 @@ std::string_view class_of(Look look) {
     return "";
 }
 
+/// The letter in the circle of a node.
+std::string_view letter_of(Look look) {
+    if (look == Look::initial) return "i";
+    if (look == Look::junction) return "";
+    return look == Look::probabilistic ? "P" : "F";
+}
+
 /// The path of a line with rounded corners.
 std::string path_of(const std::vector<Point>& points) {
     constexpr double radius = 5;
@@ -186,13 +193,12 @@ private:
         const bool thick = box.look == Look::probabilistic;
         const bool full = box.look == Look::initial || box.look == Look::junction;
         const double line = thick ? 3.5 : 1.5;
-        out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
-                            thick  ? "thick"
-                            : full ? "full"
-                                   : "open",
-                            format_number(at.centre().x), format_number(at.centre().y),
-                            format_number((at.width - line) / 2));
-        const std::string_view letter = box.look == Look::initial ? "i" : thick ? "P" : full ? "" : "F";
+        std::string_view kind = "open";
+        if (thick) kind = "thick";
+        if (full) kind = "full";
+        out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", kind, format_number(at.centre().x),
+                            format_number(at.centre().y), format_number((at.width - line) / 2));
+        const std::string_view letter = letter_of(box.look);
         if (!letter.empty())
             out_ += fmt::format(
                 "<text{} x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\">{}</text>",
