@@ -95,7 +95,11 @@ private:
             case DeclKind::assertion:
                 add_assertion(decl, out);
                 break;
-            default:
+            case DeclKind::transparent:
+            case DeclKind::external:
+            case DeclKind::annotation:
+            case DeclKind::print:
+            case DeclKind::include:
                 break;
         }
     }

@@ -16,7 +16,15 @@ bool lists_word(View items, std::string_view word) {
 }
 
 std::string_view name_of(Encoding encoding) {
-    return encoding == Encoding::utf8 ? "utf-8" : encoding == Encoding::utf32 ? "utf-32" : "utf-16";
+    switch (encoding) {
+        case Encoding::utf8:
+            return "utf-8";
+        case Encoding::utf32:
+            return "utf-32";
+        case Encoding::utf16:
+            break;
+    }
+    return "utf-16";
 }
 
 }  // namespace

@@ -214,11 +214,16 @@ private:
             }
     }
 
+    /// The kind of component to which a reference with the word before the cursor refers.
+    [[nodiscard]] DeclKind referenced_kind() const {
+        if (context_.word == "sref") return DeclKind::state_machine;
+        if (context_.word == "cref") return DeclKind::controller;
+        if (context_.word == "rref") return DeclKind::platform;
+        return DeclKind::operation;
+    }
+
     void add_reference_targets() {
-        const DeclKind kind = context_.word == "sref"   ? DeclKind::state_machine
-                              : context_.word == "cref" ? DeclKind::controller
-                              : context_.word == "rref" ? DeclKind::platform
-                                                        : DeclKind::operation;
+        const DeclKind kind = referenced_kind();
         from_parts([&](DeclKind candidate) { return candidate == kind; });
         from_project([&](DeclKind candidate) { return candidate == kind; });
         add_packages();
@@ -296,9 +301,24 @@ private:
                            kind == DeclKind::function || kind == DeclKind::record_type;
                 case Wanted::state:
                     return is_node(kind);
-                default:
-                    return kind != DeclKind::transition && kind != DeclKind::field;
+                case Wanted::nothing:
+                case Wanted::member:
+                case Wanted::continuation:
+                case Wanted::source:
+                case Wanted::target:
+                case Wanted::event:
+                case Wanted::reference:
+                case Wanted::clock:
+                case Wanted::variable:
+                case Wanted::connection_node:
+                case Wanted::connection_event:
+                case Wanted::import:
+                case Wanted::component:
+                case Wanted::property:
+                case Wanted::rule:
+                    break;
             }
+            return kind != DeclKind::transition && kind != DeclKind::field;
         };
         for (const Declaration* declaration : declarations_after(model_, file_, context_.qualifier))
             if (fits(declaration->kind)) add(*declaration, Rank::scope);

@@ -196,9 +196,13 @@ private:
             case TokenKind::real:
             case TokenKind::string:
                 return true;
-            default:
-                return is_among(token, {")", "]", "}", "|)", "|]", "true", "false", "result", "end", "skip"});
+            case TokenKind::end:
+            case TokenKind::keyword:
+            case TokenKind::symbol:
+            case TokenKind::csp_code:
+                break;
         }
+        return is_among(token, {")", "]", "}", "|)", "|]", "true", "false", "result", "end", "skip"});
     }
 
     [[nodiscard]] Wanted wanted_at(std::size_t end) {

@@ -102,9 +102,13 @@ Words infix_words(Block block, bool is_assertions) {
         case Block::function:
         case Block::bracket:
             return operators;
-        default:
-            return {};
+        case Block::file:
+        case Block::interface:
+        case Block::platform:
+        case Block::type:
+            break;
     }
+    return {};
 }
 
 const Words& type_words() {
@@ -160,9 +164,15 @@ const std::vector<Snippet>& snippets_for(Block block) {
         case Block::controller:
         case Block::module:
             return in_component;
-        default:
-            return none;
+        case Block::interface:
+        case Block::platform:
+        case Block::function:
+        case Block::transition:
+        case Block::type:
+        case Block::bracket:
+            break;
     }
+    return none;
 }
 
 }  // namespace robochart::lsp

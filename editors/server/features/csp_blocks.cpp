@@ -51,9 +51,20 @@ int item_kind(const ScriptName& name) {
         case cspm::DeclKind::function:
         case cspm::DeclKind::value:
             return 3;
-        default:
-            return 13;
+        case cspm::DeclKind::datatype:
+        case cspm::DeclKind::subtype:
+        case cspm::DeclKind::nametype:
+        case cspm::DeclKind::instance:
+        case cspm::DeclKind::timed:
+        case cspm::DeclKind::transparent:
+        case cspm::DeclKind::external:
+        case cspm::DeclKind::annotation:
+        case cspm::DeclKind::print:
+        case cspm::DeclKind::assertion:
+        case cspm::DeclKind::include:
+            break;
     }
+    return 13;
 }
 
 /// True for internal names: definitions of control states and numbers of transitions. `D__`, `VS_O__` and similar names
@@ -72,9 +83,20 @@ std::string_view kind_text(cspm::DeclKind kind) {
         case cspm::DeclKind::function:
         case cspm::DeclKind::value:
             return "definition";
-        default:
-            return "type";
+        case cspm::DeclKind::datatype:
+        case cspm::DeclKind::subtype:
+        case cspm::DeclKind::nametype:
+        case cspm::DeclKind::instance:
+        case cspm::DeclKind::timed:
+        case cspm::DeclKind::transparent:
+        case cspm::DeclKind::external:
+        case cspm::DeclKind::annotation:
+        case cspm::DeclKind::print:
+        case cspm::DeclKind::assertion:
+        case cspm::DeclKind::include:
+            break;
     }
+    return "type";
 }
 
 }  // namespace

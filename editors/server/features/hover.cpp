@@ -110,7 +110,9 @@ Json hover_text(Session& session, View params) {
     const std::string rules = explain_findings(findings_about(target), target.offset, markdown);
     if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += rules;
-    const Span span = name != nullptr ? name->span : word ? word->span : Span();
+    Span span;
+    if (name != nullptr) span = name->span;
+    if (word) span = word->span;
     return hover_answer(target.project.sources(), std::move(text), span, session.client.encoding, markdown);
 }
 

@@ -22,6 +22,18 @@ Json locations_of(const Session& session, Project& project, const std::vector<co
     return result;
 }
 
+int highlight_kind(Access access) {
+    switch (access) {  // DocumentHighlightKind (LSP 3.17)
+        case Access::none:
+            return 1;
+        case Access::read:
+            return 2;
+        case Access::write:
+            break;
+    }
+    return 3;
+}
+
 }  // namespace
 
 /// Finds the places of declarations. A declaration of a library is in its installed file. For a call, the results are
@@ -62,14 +74,9 @@ Json name_highlights(Session& session, View params) {
     Json result = Json::array();
     if (name == nullptr) return result;
     const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
-    constexpr int text_kind = 1;
-    constexpr int read_kind = 2;
-    constexpr int write_kind = 3;
     for (const Occurrence* occurrence : same_name(target.project, *name)) {
         if (occurrence->span.source != target.document.source) continue;
-        const int kind = occurrence->access == Access::write  ? write_kind
-                         : occurrence->access == Access::read ? read_kind
-                                                              : text_kind;
+        const int kind = highlight_kind(occurrence->access);
         result.push_back(Json::object({{"range", positions.lsp_range(occurrence->span)}, {"kind", kind}}));
     }
     return result;

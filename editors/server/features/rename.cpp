@@ -86,20 +86,10 @@ std::string check_new_name(const std::string& wish) {
 /// True for kinds whose declarations are matched by name between components.
 bool same_family(DeclKind a, DeclKind b) {
     const auto group = [](DeclKind kind) {
-        switch (kind) {
-            case DeclKind::operation_signature:
-            case DeclKind::operation:
-                return 1;
-            case DeclKind::variable:
-            case DeclKind::constant:
-                return 2;
-            case DeclKind::event:
-                return 3;
-            case DeclKind::clock:
-                return 4;
-            default:
-                return 0;
-        }
+        if (kind == DeclKind::operation_signature || kind == DeclKind::operation) return 1;
+        if (kind == DeclKind::variable || kind == DeclKind::constant) return 2;
+        if (kind == DeclKind::event) return 3;
+        return kind == DeclKind::clock ? 4 : 0;
     };
     return group(a) != 0 && group(a) == group(b);
 }

@@ -18,7 +18,15 @@ using diagnostics::Diagnostic;
 using diagnostics::Severity;
 
 int severity_number(Severity severity) {
-    return severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3;
+    switch (severity) {
+        case Severity::error:
+            return 1;
+        case Severity::warning:
+            return 2;
+        case Severity::note:
+            break;
+    }
+    return 3;
 }
 
 /// LSP requires a place for every related message, so notes without one become part of the message.

@@ -117,7 +117,10 @@ private:
         }
         if (is_one_of(1, {"unless"})) add_events();
         if (is_one_of(1, {"and", "or", "unless", "not", "(", "+", "-", "*"})) return add_condition_words();
-        if (is_one_of(1, {"{"})) return add_measures(), add_events();
+        if (is_one_of(1, {"{"})) {
+            add_measures();
+            return add_events();
+        }
         if (is_one_of(1, {"<", ">", "<=", ">=", "=", "<>"})) return add_compared_values();
         if (is_one_of(1, {"within", "least", "["})) return add_constants();
         if (is_one_of(1, {"]"}) || is_one_of(2, {"within", "least"})) return add_units();

@@ -65,11 +65,7 @@ std::string transition_text(const Transition& transition) {
 }
 
 std::string reference_text(const Reference& reference) {
-    const std::string_view word = reference.refers_to == DeclKind::state_machine ? "sref"
-                                  : reference.refers_to == DeclKind::controller  ? "cref"
-                                  : reference.refers_to == DeclKind::platform    ? "rref"
-                                                                                 : "opref";
-    return fmt::format("{} {} = {}", word, reference.name, reference.target_name.text());
+    return fmt::format("{} {} = {}", reference_word(reference.refers_to), reference.name, reference.target_name.text());
 }
 
 /// The keyword that begins the declaration.
