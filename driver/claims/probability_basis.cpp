@@ -89,9 +89,20 @@ std::string scalar_text(const ir::System& system, const ir::Instantiation& insta
             if (const auto label = static_cast<std::size_t>(value.number); label < type.labels.size())
                 return type.labels[label];
             return "";
-        default:
-            return "";
+        case ir::TypeKind::string:
+        case ir::TypeKind::given:
+        case ir::TypeKind::sequence:
+        case ir::TypeKind::set:
+        case ir::TypeKind::product:
+        case ir::TypeKind::record:
+        case ir::TypeKind::function:
+        case ir::TypeKind::relation:
+        case ir::TypeKind::vector:
+        case ir::TypeKind::matrix:
+        case ir::TypeKind::unit:
+            break;
     }
+    return "";
 }
 
 Ground chosen_constant(const Project& project, const ir::NamedConstant& constant, const std::string& value) {

@@ -72,11 +72,10 @@ ir::ComponentRef subject_of(const Project& project, const std::vector<std::strin
         throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
     const std::string subject = subjects.empty() ? "" : subjects.front();
     const std::vector<ir::ComponentRef> found = code_components(project.system, subject);
-    if (found.size() != 1)
-        throw NotExpressed(subjects.empty() ? "it names no component, and the model has several"
-                           : found.empty()  ? fmt::format("`{}` has no process of its own", subject)
-                                            : fmt::format("there are several components `{}`", subject));
-    return found.front();
+    if (found.size() == 1) return found.front();
+    if (subjects.empty()) throw NotExpressed("it names no component, and the model has several");
+    if (found.empty()) throw NotExpressed(fmt::format("`{}` has no process of its own", subject));
+    throw NotExpressed(fmt::format("there are several components `{}`", subject));
 }
 
 std::string name_of(Scheduler scheduler) {

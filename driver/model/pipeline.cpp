@@ -151,8 +151,9 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
 /// The file that a unit is named after: its first model, or the assertion file that distinguishes it.
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
+    if (unit.again) return path(unit.files.back());
     const auto model = std::ranges::find_if(unit.files, [&](std::size_t file) { return path(file).ends_with(".rct"); });
-    return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
+    return path(model == unit.files.end() ? unit.files.front() : *model);
 }
 
 /// A unique name for each unit: the name of its file. If several are equal, the folder is put before the name; if that
@@ -591,10 +592,13 @@ void check_component(const std::vector<Part>& parts, const std::string& componen
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
     constexpr std::size_t few = 8;
-    const std::string help = !meant.empty()        ? fmt::format("; did you mean '{}'?", meant)
-                             : known.empty()       ? "; it has none"
-                             : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", "))
-                                                   : "";
+    std::string help;
+    if (!meant.empty())
+        help = fmt::format("; did you mean '{}'?", meant);
+    else if (known.empty())
+        help = "; it has none";
+    else if (known.size() <= few)
+        help = fmt::format("; there are {}", fmt::join(known, ", "));
     parts.front().project->diagnostics.report(
         rules::bad_option, {},
         {fmt::format("--component {}: the model has no module, controller or state machine of this name{}", component,

@@ -11,9 +11,11 @@ diagnostics::Span declared_at(const ir::System& system, const ir::ComponentRef& 
             return system.controllers[component.definition].origin.span;
         case ir::ComponentKind::machine:
             return system.machines[component.definition].origin.span;
-        default:
-            return {};
+        case ir::ComponentKind::operation:
+        case ir::ComponentKind::process:
+            break;
     }
+    return {};
 }
 
 diagnostics::Span model_place(const Project& project) {

@@ -198,11 +198,10 @@ private:
         verdict.kind = RuleVerdict::Kind::broken;
         verdict.lines = reading.demand_lines();
         const std::int64_t seconds = reading.current_second() - from;
-        verdict.lines.push_back(fmt::format(
-            "from second {} on time can pass for ever without it{}", from,
-            seconds == 1 && between.empty()
-                ? ""
-                : fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between)));
+        std::string loop;
+        if (seconds != 1 || !between.empty())
+            loop = fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between);
+        verdict.lines.push_back(fmt::format("from second {} on time can pass for ever without it{}", from, loop));
     }
 
     /// Adds the infinite run to the verdict as steps of the terms from which the system was compiled. No run is added

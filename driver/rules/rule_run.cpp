@@ -38,10 +38,11 @@ std::optional<std::int64_t> RuleWords::value_in(std::size_t measure, std::string
     const std::size_t mark = word.find_first_of("?!");
     const std::string_view text = mark == std::string_view::npos ? std::string_view() : word.substr(mark + 1);
     const sleec::Measure& of = rules_.measure(measure);
-    if (of.type == sleec::MeasureType::boolean)
-        return text == "true"    ? std::optional<std::int64_t>(1)
-               : text == "false" ? std::optional<std::int64_t>(0)
-                                 : std::nullopt;
+    if (of.type == sleec::MeasureType::boolean) {
+        if (text == "true") return 1;
+        if (text == "false") return 0;
+        return std::nullopt;
+    }
     if (of.type == sleec::MeasureType::scale) {
         for (std::size_t i = 0; i < of.literals.size(); ++i)
             if (of.literals[i].text == text) return static_cast<std::int64_t>(i);
