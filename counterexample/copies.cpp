@@ -28,10 +28,10 @@ void Copies::number_leaves(const std::vector<bool>& of_model) {
     leaves_.clear();
     const auto all = static_cast<std::size_t>(std::ranges::count(of_model, true));
     if (!meaning_ || all == 0 || all % meaning_->count != 0) return;
-    const std::size_t each = all / meaning_->count;
+    const std::size_t leaves_per_copy = all / meaning_->count;
     std::size_t before = 0;
     for (const bool one : of_model) {
-        leaves_.push_back(one ? std::optional(static_cast<std::uint32_t>(before / each)) : std::nullopt);
+        leaves_.push_back(one ? std::optional(static_cast<std::uint32_t>(before / leaves_per_copy)) : std::nullopt);
         before += one ? 1 : 0;
     }
 }

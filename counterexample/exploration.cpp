@@ -70,13 +70,13 @@ private:
         Exploration::State result;
         Stepper stepper(reader_, term);
         try {
-            for (Machine& each : stepper.current_machines())
-                result.machines.push_back(machines_.number_of(std::move(each)));
-            for (const Offer& each : stepper.current_offers())
+            for (Machine& machine : stepper.current_machines())
+                result.machines.push_back(machines_.number_of(std::move(machine)));
+            for (const Offer& offer : stepper.current_offers())
                 result.offers.push_back(
-                    {labels_.number_of({each.happening, each.name, each.hidden}), number_of(each.step.target)});
-            for (Absence& each : stepper.explain_absences())
-                result.absences.push_back(absences_.number_of(std::move(each)));
+                    {labels_.number_of({offer.happening, offer.name, offer.hidden}), number_of(offer.step.target)});
+            for (Absence& absence : stepper.explain_absences())
+                result.absences.push_back(absences_.number_of(std::move(absence)));
             if (const auto& whole = stepper.current_structure()) result.structure = add_part(*whole);
         } catch (const cspm::EvaluationError& error) {
             const Context& context = reader_.context();
@@ -90,7 +90,7 @@ private:
     /// The recursion ends, because behaviour() limits the depth of a structure.
     std::size_t add_part(const process::Behaviour& whole) {
         Exploration::Part result{part_text(whole), {}, {}};
-        for (const process::Behaviour& each : whole.parts) result.parts.push_back(add_part(each));
+        for (const process::Behaviour& part : whole.parts) result.parts.push_back(add_part(part));
         if (whole.parts.empty()) result.offers = offers_text(whole, reader_.context().session.event_table());
         return parts_.number_of(std::move(result));
     }
@@ -99,8 +99,8 @@ private:
         const std::size_t explored = result_.states.size();
         result_.left_out = found_.size() - explored;
         for (Exploration::State& state : result_.states)
-            for (Exploration::Transition& each : state.offers)
-                if (*each.target >= explored) each.target.reset();
+            for (Exploration::Transition& transition : state.offers)
+                if (*transition.target >= explored) transition.target.reset();
     }
 
     StepReader& reader_;

@@ -104,9 +104,9 @@ std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<Te
         if (leaves[leaf]) calls[copies_.of_leaf(leaf)].push_back(reader_.calls_of(*leaves[leaf]));
     std::vector<Machine> result;
     for (const auto& [copy, own] : calls)
-        for (Machine& each : reader_.machines_of(own)) {
-            each.component = copies_.name_with_copy(each.component, copy);
-            result.push_back(std::move(each));
+        for (Machine& machine : reader_.machines_of(own)) {
+            machine.component = copies_.name_with_copy(machine.component, copy);
+            result.push_back(std::move(machine));
         }
     return result;
 }
@@ -129,9 +129,9 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
         const auto copy = copies_.of_event(name);
         if (!copy) continue;
         const bool of_it =
-            std::ranges::any_of(moment.movers, [&](const Mover& each) { return copies_.of_leaf(each.leaf) == copy; });
+            std::ranges::any_of(moment.movers, [&](const Mover& mover) { return copies_.of_leaf(mover.leaf) == copy; });
         const bool of_none = std::ranges::none_of(
-            moment.movers, [&](const Mover& each) { return copies_.of_leaf(each.leaf).has_value(); });
+            moment.movers, [&](const Mover& mover) { return copies_.of_leaf(mover.leaf).has_value(); });
         if (!of_it && !of_none) return copies_.forget_leaves();
     }
 }
@@ -149,9 +149,9 @@ Happening Interpreter::happening_at(const Moment& moment, const std::vector<Comp
     const auto actor = copies_.of_event(whole);
     const auto first = actor && apart.contains(actor) ? apart.find(actor) : apart.begin();
     Happening result = reader_.happening_of(first->second, whole);
-    const auto name_all = [&](Happening& each, std::optional<std::uint32_t> copy) {
-        each.event.component = copies_.name_with_copy(each.event.component, copy);
-        for (Event& other : each.with) other.component = copies_.name_with_copy(other.component, copy);
+    const auto name_all = [&](Happening& happening, std::optional<std::uint32_t> copy) {
+        happening.event.component = copies_.name_with_copy(happening.event.component, copy);
+        for (Event& other : happening.with) other.component = copies_.name_with_copy(other.component, copy);
     };
     name_all(result, first->first);
     for (const auto& [copy, own] : apart) {
@@ -180,7 +180,7 @@ const Machine* Interpreter::last_known(const std::string& component, std::size_t
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
         const auto found =
-            std::ranges::find_if(machines, [&](const Machine& each) { return each.component == component; });
+            std::ranges::find_if(machines, [&](const Machine& machine) { return machine.component == component; });
         if (found != machines.end()) return &*found;
     }
     return nullptr;
@@ -195,8 +195,8 @@ std::vector<Change> Interpreter::collect_changes(std::size_t steps, const std::v
         if (was == nullptr) continue;
         for (const Variable& variable : now.variables) {
             if (variable.kind != VariableKind::variable || !variable.value) continue;
-            const auto old =
-                std::ranges::find_if(was->variables, [&](const Variable& each) { return each.name == variable.name; });
+            const auto old = std::ranges::find_if(
+                was->variables, [&](const Variable& candidate) { return candidate.name == variable.name; });
             const auto value = old == was->variables.end() ? std::nullopt : old->value;
             if (value != variable.value) result.push_back({now.component, variable.name, value, *variable.value});
         }
@@ -285,10 +285,10 @@ std::vector<Machine> Interpreter::machines_described(const std::string& state) {
     const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;
     if (copies == 1 || calls.size() != described_ || calls.size() % copies != 0) return reader_.machines_of({calls});
     std::vector<Machine> result;
-    const auto each = static_cast<std::ptrdiff_t>(calls.size() / copies);
+    const auto calls_per_copy = static_cast<std::ptrdiff_t>(calls.size() / copies);
     for (std::uint32_t copy = 0; copy < copies; ++copy) {
-        const auto begin = calls.begin() + copy * each;
-        for (Machine& machine : reader_.machines_of({std::vector<Call>(begin, begin + each)})) {
+        const auto begin = calls.begin() + copy * calls_per_copy;
+        for (Machine& machine : reader_.machines_of({std::vector<Call>(begin, begin + calls_per_copy)})) {
             machine.component = copies_.name_with_copy(machine.component, copy);
             result.push_back(std::move(machine));
         }
@@ -383,10 +383,10 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
     const TermId term = term_before(raw);
     const auto [found, added] = offers_.try_emplace(term);
     if (added)
-        for (const process::Transition& each : transitions_at(term)) {
+        for (const process::Transition& transition : transitions_at(term)) {
             if (++looked_at_ > most_looked_at) break;
-            if (reader_.meanings().is_memory(reader_.name_of(each.event, each.revealed))) continue;
-            found->second.emplace_back(each, event_of_offer(term, each));
+            if (reader_.meanings().is_memory(reader_.name_of(transition.event, transition.revealed))) continue;
+            found->second.emplace_back(transition, event_of_offer(term, transition));
         }
     const refine::Step& taken = raw_step(raw);
     for (const auto& [transition, event] : found->second) {
@@ -416,9 +416,9 @@ std::vector<Event> Interpreter::offered_at_the_end() {
     if (counterexample_.terms.empty() || counterexample_.kind == ViolationKind::trace || run_.loop_start)
         return events_of_set(counterexample_.offered);
     std::vector<Event> result;
-    for (const process::Transition& each : transitions_at(counterexample_.terms.back())) {
-        if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
-        Event event = event_of_offer(counterexample_.terms.back(), each);
+    for (const process::Transition& transition : transitions_at(counterexample_.terms.back())) {
+        if (transition.event == process::tau || ++looked_at_ > most_looked_at) continue;
+        Event event = event_of_offer(counterexample_.terms.back(), transition);
         if (!is_among(result, event)) result.push_back(std::move(event));
     }
     return result;
@@ -454,7 +454,11 @@ EndKind Interpreter::end_kind() const {
             return obligation_.one_suffices ? EndKind::clock_initialised : EndKind::clock_not_initialised;
         case ir::PropertyKind::event_missed:
             return EndKind::missed;
-        default:
+        case ir::PropertyKind::divergence_free:
+        case ir::PropertyKind::deterministic:
+        case ir::PropertyKind::refines:
+        case ir::PropertyKind::equals:
+        case ir::PropertyKind::conforms:
             break;
     }
     switch (counterexample_.kind) {
@@ -490,10 +494,11 @@ bool Interpreter::writes_are_urgent() const {
 std::vector<Cause> Interpreter::collect_causes() const {
     std::vector<Cause> result;
     for (const Machine& machine : last_machines())
-        for (const Variable& each : machine.variables)
-            if (!each.deadline.empty() && each.value && (*each.value == "0" || each.value->starts_with("-")))
-                result.push_back(
-                    {fmt::format("the deadline of {} has run out", each.deadline), machine.component, each.place});
+        for (const Variable& variable : machine.variables)
+            if (!variable.deadline.empty() && variable.value &&
+                (*variable.value == "0" || variable.value->starts_with("-")))
+                result.push_back({fmt::format("the deadline of {} has run out", variable.deadline), machine.component,
+                                  variable.place});
     for (const Event& offered : run_.end.offered)
         if (offered.kind == Kind::call || (offered.kind == Kind::assignment && writes_are_urgent()))
             result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
@@ -560,10 +565,12 @@ std::string Interpreter::explain_end() const {
                     "internal steps never end, and so allows none",
                     list_events(end.offered));
             std::vector<std::string> alternatives;
-            for (const auto& each : end.required)
-                alternatives.push_back(each.size() < 2    ? list_events(each)
-                                       : each.size() == 2 ? fmt::format("both of {}", list_events(each))
-                                                          : fmt::format("all of {}", list_events(each)));
+            for (const auto& required : end.required) {
+                std::string events = list_events(required);
+                if (required.size() == 2) events = fmt::format("both of {}", events);
+                if (required.size() > 2) events = fmt::format("all of {}", events);
+                alternatives.push_back(std::move(events));
+            }
             return fmt::format("it offers {}, and must offer at least {}", list_events(end.offered),
                                fmt::join(alternatives, ", or "));
         }
@@ -610,7 +617,7 @@ void Interpreter::read_end() {
     end.offered = offered_at_the_end();
     // A step inside a compressed process after the last event does not cause the violation.
     const auto last =
-        std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& each) { return each.count > 0; });
+        std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& step) { return step.count > 0; });
     if (counterexample_.kind == ViolationKind::trace && last != run_.steps.rend()) end.event = last->event;
     if (counterexample_.kind == ViolationKind::nondeterminism && counterexample_.event)
         end.event = reader_.meanings().event_of(name(*counterexample_.event));
@@ -661,13 +668,13 @@ void Interpreter::name_watched() {
     for (Machine& machine : run_.initial) rename(machine.component);
     for (Step& step : run_.steps) {
         rename(step.event.component);
-        for (Event& each : step.with) rename(each.component);
-        for (Event& each : step.offered) rename(each.component);
-        for (Change& each : step.changes) rename(each.component);
-        for (Machine& each : step.machines) rename(each.component);
+        for (Event& event : step.with) rename(event.component);
+        for (Event& event : step.offered) rename(event.component);
+        for (Change& change : step.changes) rename(change.component);
+        for (Machine& machine : step.machines) rename(machine.component);
     }
-    for (Event& each : run_.end.offered) rename(each.component);
-    for (Cause& each : run_.end.causes) rename(each.component);
+    for (Event& event : run_.end.offered) rename(event.component);
+    for (Cause& cause : run_.end.causes) rename(cause.component);
     if (run_.end.event) rename(run_.end.event->component);
 }
 

@@ -75,9 +75,19 @@ std::string with_values(const EventMeaning& event, const std::vector<Value>& val
             return fmt::format("{} = {}", event.text, joined);
         case MeaningKind::call:
             return fmt::format("{}({})", event.text, joined);
-        default:
-            return fmt::format("{} with {}", event.text, joined);
+        case MeaningKind::transition:
+        case MeaningKind::trigger:
+        case MeaningKind::output:
+        case MeaningKind::entered:
+        case MeaningKind::exited:
+        case MeaningKind::terminate:
+        case MeaningKind::step:
+        case MeaningKind::memory:
+        case MeaningKind::tock:
+        case MeaningKind::refusal:
+            break;
     }
+    return fmt::format("{} with {}", event.text, joined);
 }
 
 /// True if the parameter is no longer read, so that the evaluator stores no value for it.
@@ -91,23 +101,25 @@ Call common_meaning(const std::vector<Call>& alternatives) {
     if (alternatives.size() == 1) return result;
     auto merged = std::make_shared<DefinitionMeaning>(*result.definition);
     std::vector<std::string> texts;
-    for (const Call& each : alternatives) {
-        if (std::ranges::find(texts, each.definition->text) == texts.end()) texts.push_back(each.definition->text);
-        const auto& others = each.definition->active;
+    for (const Call& alternative : alternatives) {
+        if (std::ranges::find(texts, alternative.definition->text) == texts.end())
+            texts.push_back(alternative.definition->text);
+        const auto& others = alternative.definition->active;
         std::erase_if(merged->active, [&](const ir::Origin& state) {
             return std::ranges::none_of(others,
                                         [&](const ir::Origin& other) { return other.element == state.element; });
         });
         for (std::size_t i = 0; i < merged->parameters.size() && i < result.arguments.size(); ++i) {
-            const auto& names = each.definition->parameters;
+            const auto& names = alternative.definition->parameters;
             const auto same = static_cast<std::size_t>(std::ranges::find(names, merged->parameters[i]) - names.begin());
-            const bool equal = same < each.arguments.size() && each.arguments[same] == result.arguments[i];
+            const bool equal =
+                same < alternative.arguments.size() && alternative.arguments[same] == result.arguments[i];
             if (!equal) merged->parameters[i].clear();
         }
     }
     std::erase_if(merged->remembered, [&](const std::string& name) {
-        return std::ranges::any_of(alternatives, [&](const Call& each) {
-            const auto& others = each.definition->remembered;
+        return std::ranges::any_of(alternatives, [&](const Call& alternative) {
+            const auto& others = alternative.definition->remembered;
             return std::ranges::find(others, name) == others.end();
         });
     });
@@ -175,8 +187,16 @@ Event Meanings::event_of(const std::string& name) const {
     std::string arguments;
     const EventMeaning* found = meaning_of(name, arguments);
     if (found == nullptr) {
-        result.kind = name == "✓" ? Kind::terminate : name == "τ" ? Kind::internal : Kind::event;
-        result.text = name == "✓" ? "termination" : name == "τ" ? "an internal step" : name;
+        if (name == "✓") {
+            result.kind = Kind::terminate;
+            result.text = "termination";
+        } else if (name == "τ") {
+            result.kind = Kind::internal;
+            result.text = "an internal step";
+        } else {
+            result.kind = Kind::event;
+            result.text = name;
+        }
         return result;
     }
     result.kind = kind_of(found->kind);
@@ -249,8 +269,8 @@ std::vector<Call> Meanings::calls_in(const std::string& description) const {
         const bool grouped = text.size() > 1 && text.front() == '(' && text.back() == ')';
         if (grouped) text = text.substr(1, text.size() - 2);
         std::vector<Call> alternatives;
-        for (const std::string& each : split_outside_brackets(text, "⊓"))
-            if (auto known = call_of(trim_blanks(each))) alternatives.push_back(std::move(*known));
+        for (const std::string& alternative : split_outside_brackets(text, "⊓"))
+            if (auto known = call_of(trim_blanks(alternative))) alternatives.push_back(std::move(*known));
         if (!alternatives.empty()) result.push_back(common_meaning(alternatives));
     }
     return result;

@@ -17,8 +17,8 @@ constexpr std::size_t most_unfoldings = 20;
 /// will still be read.
 void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
     const auto& read = owner.remembered;
-    const auto known =
-        std::ranges::find_if(machine.variables, [&](const Variable& each) { return each.name == variable.name; });
+    const auto known = std::ranges::find_if(machine.variables,
+                                            [&](const Variable& candidate) { return candidate.name == variable.name; });
     if (known == machine.variables.end() && std::ranges::find(read, variable.name) != read.end())
         machine.variables.push_back(std::move(variable));
 }
@@ -35,7 +35,7 @@ bool same_event(const Event& one, const Event& other) {
 }
 
 bool is_among(const std::vector<Event>& events, const Event& event) {
-    return std::ranges::any_of(events, [&](const Event& each) { return same_event(each, event); });
+    return std::ranges::any_of(events, [&](const Event& candidate) { return same_event(candidate, event); });
 }
 
 const std::vector<Call>& StepReader::calls_of(TermId term) {
@@ -83,22 +83,23 @@ Happening StepReader::happening_of(const std::vector<ComponentStep>& steps, cons
             {machine ? meanings_.event_of(move.name, move.before.front(), move.after) : meanings_.event_of(move.name),
              known, machine});
     }
-    const auto rank = [](const Candidate& each) {
-        const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
-        return std::tuple(!each.known, !each.machine, !acts);
+    const auto rank = [](const Candidate& candidate) {
+        const bool acts = candidate.event.kind != Kind::input && candidate.event.kind != Kind::external_write;
+        return std::tuple(!candidate.known, !candidate.machine, !acts);
     };
     std::ranges::stable_sort(candidates,
                              [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
     const auto tock =
-        std::ranges::find_if(candidates, [](const Candidate& each) { return each.event.kind == Kind::tock; });
+        std::ranges::find_if(candidates, [](const Candidate& candidate) { return candidate.event.kind == Kind::tock; });
     if (tock != candidates.end()) return {tock->event, {}};
     if (candidates.empty() || (!candidates.front().known && meanings_.knows_event(whole)))
         return {meanings_.event_of(whole), {}};
     std::vector<Event> with;
     for (std::size_t i = 1; i < candidates.size(); ++i) {
-        const Candidate& each = candidates[i];
-        const bool other = each.known && each.machine && each.event.component != candidates.front().event.component;
-        if (other && !is_among(with, each.event)) with.push_back(each.event);
+        const Candidate& candidate = candidates[i];
+        const bool other =
+            candidate.known && candidate.machine && candidate.event.component != candidates.front().event.component;
+        if (other && !is_among(with, candidate.event)) with.push_back(candidate.event);
     }
     return {candidates.front().event, with};
 }
@@ -112,16 +113,16 @@ std::set<std::string> StepReader::elements_of(const ComponentStep& step) const {
     std::set<std::string> result;
     for (const Call& before : step.before) {
         if (before.definition->memory) continue;
-        for (const std::string& each : meanings_.elements_of(step.name, before, step.after))
-            result.insert(element_in(before.definition->component, each));
+        for (const std::string& element : meanings_.elements_of(step.name, before, step.after))
+            result.insert(element_in(before.definition->component, element));
     }
     return result;
 }
 
 std::vector<ComponentStep> StepReader::taken_apart(TermId whole, const process::Transition& step) {
     std::vector<ComponentStep> steps;
-    for (const process::Move& each : context_.session.split_transition(whole, step))
-        steps.push_back(component_step(each));
+    for (const process::Move& move : context_.session.split_transition(whole, step))
+        steps.push_back(component_step(move));
     return steps;
 }
 

@@ -15,7 +15,8 @@
 namespace robochart::runs {
 
 std::int64_t Stepper::elapsed_time() const {
-    return std::ranges::count_if(way_, [](const Taken& each) { return each.offer.happening.event.kind == Kind::tock; });
+    return std::ranges::count_if(way_,
+                                 [](const Taken& taken) { return taken.offer.happening.event.kind == Kind::tock; });
 }
 
 std::vector<Offer> Stepper::offers_at(process::TermId state) const {
@@ -24,7 +25,7 @@ std::vector<Offer> Stepper::offers_at(process::TermId state) const {
         found.push_back({step, reader_.happening_of(state, step), reader_.name_of(step.event, step.revealed),
                          step.event == process::tau});
     std::stable_partition(found.begin(), found.end(),
-                          [](const Offer& each) { return each.happening.event.kind != Kind::tock; });
+                          [](const Offer& offer) { return offer.happening.event.kind != Kind::tock; });
     return found;
 }
 
@@ -69,7 +70,7 @@ std::vector<Machine> Stepper::current_machines() {
 std::vector<Machine> Stepper::machines_of(const std::vector<Standing>& standing) const {
     std::vector<std::vector<Call>> calls;
     calls.reserve(standing.size());
-    for (const Standing& each : standing) calls.push_back(each.calls);
+    for (const Standing& component : standing) calls.push_back(component.calls);
     return reader_.machines_of(calls);
 }
 
@@ -86,8 +87,8 @@ std::vector<Standing> Stepper::current_components() {
     }
     // Values stored in separate processes are known only from all components together.
     for (const Machine& machine : machines_of(result))
-        for (Standing& each : result)
-            if (each.machine.component == machine.component) each.machine = machine;
+        for (Standing& component : result)
+            if (component.machine.component == machine.component) component.machine = machine;
     return result;
 }
 
@@ -118,9 +119,9 @@ std::string Stepper::absence_reason(const ir::Transition& transition, const Stan
     if (span.is_known())
         text = reader_.context().sources.source_text(span.source).substr(span.begin, span.end - span.begin);
     std::vector<std::string> values;
-    for (const Variable& each : standing.machine.variables)
-        if (each.value && each.kind != VariableKind::countdown && text.find(each.name) != std::string::npos)
-            values.push_back(each.name + " = " + *each.value);
+    for (const Variable& variable : standing.machine.variables)
+        if (variable.value && variable.kind != VariableKind::countdown && text.find(variable.name) != std::string::npos)
+            values.push_back(variable.name + " = " + *variable.value);
     return fmt::format("its condition{} does not hold{}", text.empty() ? "" : " `" + text + "`",
                        values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
 }
@@ -131,8 +132,9 @@ std::vector<Absence> Stepper::blocked_by_process() {
     std::vector<Absence> result;
     const std::optional<process::Behaviour>& whole = current_structure();
     if (!whole) return result;
-    for (const Blocked& each : blocked_events(*whole, most_blocked))
-        result.push_back({each.component, reader_.name_of(each.event, process::no_event), each.reason, std::nullopt});
+    for (const Blocked& blocked : blocked_events(*whole, most_blocked))
+        result.push_back(
+            {blocked.component, reader_.name_of(blocked.event, process::no_event), blocked.reason, std::nullopt});
     return result;
 }
 
@@ -144,15 +146,15 @@ std::vector<Absence> Stepper::explain_absences() {
         const std::vector<std::string>& active = standing.machine.active;
         std::optional<std::set<std::string>> ready;
         for (const ir::Machine& machine : reader_.context().system.machines) {
-            for (const ir::Transition& each : machine.transitions) {
-                const std::string& source = machine.nodes[each.source.index].origin.element;
+            for (const ir::Transition& transition : machine.transitions) {
+                const std::string& source = machine.nodes[transition.source.index].origin.element;
                 if (std::ranges::find(active, source) == active.end()) continue;
-                const std::string element = element_in(standing.machine.component, each.origin.element);
+                const std::string element = element_in(standing.machine.component, transition.origin.element);
                 if (offered.contains(element)) continue;
                 if (!ready) ready = ready_elements(standing);
-                result.push_back({standing.machine.component, ir::text_of(machine, each),
-                                  absence_reason(each, standing, ready->contains(element)),
-                                  reader_.meanings().place_of(each.origin.span)});
+                result.push_back({standing.machine.component, ir::text_of(machine, transition),
+                                  absence_reason(transition, standing, ready->contains(element)),
+                                  reader_.meanings().place_of(transition.origin.span)});
             }
         }
     }
@@ -174,8 +176,8 @@ Run Stepper::run(csp_emit::Time time) const {
     process::TermStore& terms = reader_.context().session.terms();
     way.initial = process::describe(terms, initial_);
     way.terms = {initial_};
-    for (const Taken& each : way_) {
-        const process::Transition& step = each.offer.step;
+    for (const Taken& taken : way_) {
+        const process::Transition& step = taken.offer.step;
         way.steps.push_back({step.event, step.revealed, process::describe(terms, step.target)});
         way.terms.push_back(step.target);
     }

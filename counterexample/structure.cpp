@@ -20,8 +20,8 @@ using Parts = std::vector<const process::Behaviour*>;
 /// The parts that exist in the current state.
 Parts present_parts(const process::Behaviour& whole) {
     Parts result;
-    for (const process::Behaviour& each : whole.parts)
-        if (!each.left) result.push_back(&each);
+    for (const process::Behaviour& part : whole.parts)
+        if (!part.left) result.push_back(&part);
     return result;
 }
 
@@ -33,7 +33,7 @@ bool offers_event(const process::Behaviour& part, process::Event event) {
 void component_names(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
     const Parts parts = present_parts(part);
     if (parts.empty() && (event == nullptr || offers_event(part, *event))) names.push_back(part.state);
-    for (const process::Behaviour* each : parts) component_names(*each, event, names);
+    for (const process::Behaviour* inner : parts) component_names(*inner, event, names);
 }
 
 std::string list_names(const std::vector<std::string>& names) {
@@ -55,8 +55,8 @@ std::string blocking_reason(const process::Behaviour& whole, const process::Beha
     if (whole.op == "[…||…]") return "the parts that share it do not all offer it";
     if (!is_synchronising(whole.op)) return "";
     std::vector<std::string> others;
-    for (const process::Behaviour* each : present_parts(whole))
-        if (each != &part && !offers_event(*each, event)) component_names(*each, nullptr, others);
+    for (const process::Behaviour* other : present_parts(whole))
+        if (other != &part && !offers_event(*other, event)) component_names(*other, nullptr, others);
     if (others.empty()) return "";
     if (event == process::tick)
         return fmt::format("all parts terminate together, and {} cannot yet", list_names(others));

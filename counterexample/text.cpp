@@ -49,13 +49,14 @@ private:
 
 void Writer::name_machines() {
     std::set<std::string> components;
-    for (const Machine& each : run_.initial) components.insert(each.component);
+    for (const Machine& machine : run_.initial) components.insert(machine.component);
     for (const Step& step : run_.steps)
-        for (const Machine& each : step.machines) components.insert(each.component);
+        for (const Machine& machine : step.machines) components.insert(machine.component);
     if (components.size() < 2) return;
     std::map<std::string, int> uses;
-    for (const std::string& each : components) ++uses[last_of(each)];
-    for (const std::string& each : components) short_names_[each] = uses[last_of(each)] == 1 ? last_of(each) : each;
+    for (const std::string& component : components) ++uses[last_of(component)];
+    for (const std::string& component : components)
+        short_names_[component] = uses[last_of(component)] == 1 ? last_of(component) : component;
 }
 
 std::string Writer::short_name(const std::string& component) const {
@@ -119,18 +120,18 @@ std::vector<Line> Writer::lines_of_steps(std::size_t begin, std::size_t end) con
 void Writer::add(const std::vector<Line>& lines) {
     std::size_t names = 0;
     std::size_t words = 0;
-    for (const Line& each : lines) {
-        names = std::max(names, each.who.size());
-        words = std::max(words, each.what.size());
+    for (const Line& line : lines) {
+        names = std::max(names, line.who.size());
+        words = std::max(words, line.what.size());
     }
-    for (const Line& each : lines) {
+    for (const Line& line : lines) {
         out_ += indent_;
-        if (run_.timed) out_ += fmt::format("t={:<4} ", each.time);
-        if (names > 0) out_ += fmt::format("{:<{}}   ", each.who, names);
-        if (each.place.empty())
-            out_ += each.what;
+        if (run_.timed) out_ += fmt::format("t={:<4} ", line.time);
+        if (names > 0) out_ += fmt::format("{:<{}}   ", line.who, names);
+        if (line.place.empty())
+            out_ += line.what;
         else
-            out_ += fmt::format("{:<{}}   {}", each.what, std::min(words, widest_column), each.place);
+            out_ += fmt::format("{:<{}}   {}", line.what, std::min(words, widest_column), line.place);
         out_ += '\n';
     }
 }
@@ -163,7 +164,7 @@ std::string Writer::write() {
     if (run_.time > shown) run.push_back({shown, "", passing_text(run_.time - shown), ""});
     add(run);
     std::vector<std::string> places;
-    for (const Machine& each : at_the_end()) places.push_back(machine_line(each));
+    for (const Machine& machine : at_the_end()) places.push_back(machine_line(machine));
     if (!places.empty()) {
         out_ += run_.timed ? fmt::format("{}now at t={}: ", indent_, run_.time) : fmt::format("{}now ", indent_);
         out_ += fmt::format("{}\n", fmt::join(places, "; "));
@@ -187,9 +188,18 @@ bool is_news(const Step& step) {
         case Kind::exited:
         case Kind::external_write:
             return false;
-        default:
-            return true;
+        case Kind::transition:
+        case Kind::input:
+        case Kind::output:
+        case Kind::call:
+        case Kind::assignment:
+        case Kind::tock:
+        case Kind::terminate:
+        case Kind::refusal:
+        case Kind::event:
+            break;
     }
+    return true;
 }
 
 std::string text_of(const Event& event) {
@@ -205,9 +215,9 @@ std::string text_of(const Event& event, const std::vector<Event>& with) {
 
 std::string values_text(const Machine& machine) {
     std::vector<std::string> values;
-    for (const Variable& each : machine.variables)
-        if (each.kind != VariableKind::constant && each.value)
-            values.push_back(fmt::format("{} = {}", each.name, *each.value));
+    for (const Variable& variable : machine.variables)
+        if (variable.kind != VariableKind::constant && variable.value)
+            values.push_back(fmt::format("{} = {}", variable.name, *variable.value));
     return fmt::format("{}", fmt::join(values, ", "));
 }
 

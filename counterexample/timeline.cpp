@@ -78,7 +78,8 @@ void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& mo
             continue;
         }
         // After the last visible event, there is no later event that the step could precede.
-        const Point before = !any ? entries_.end() : visible_left > 0 ? moments[at] : std::next(moments[at]);
+        Point before = entries_.end();
+        if (any) before = visible_left > 0 ? moments[at] : std::next(moments[at]);
         own.push_back(entries_.insert(before, {any ? moments[at]->raw : 0, false, 0, {}, {}}));
     }
     add(inside, own, span);
@@ -92,7 +93,7 @@ void Builder::add(const Behaviour& part, const std::vector<Point>& moments, Span
                             !part.parts.front().shown_by.empty();
     if (part.parts.empty()) return add_leaf(part, moments, span);
     if (compressed) return add_compressed(part, moments, span);
-    for (const Behaviour& each : part.parts) add(each, moments, span);
+    for (const Behaviour& inner : part.parts) add(inner, moments, span);
 }
 
 Timeline Builder::build_timeline(const Behaviour& whole) {

@@ -71,8 +71,8 @@ std::string Reader::enumeration_text(const ir::Type& type, std::string_view text
     std::vector<std::string> arguments;
     const std::vector<TypeId> types =
         *found < type.literal_args.size() ? type.literal_args[*found] : std::vector<TypeId>{};
-    for (const Value& each : values_of_event(system_, instantiation_, types, text.substr(dot + 1)))
-        arguments.push_back(each.text);
+    for (const Value& argument : values_of_event(system_, instantiation_, types, text.substr(dot + 1)))
+        arguments.push_back(argument.text);
     return fmt::format("{}({})", type.labels[*found], fmt::join(arguments, ", "));
 }
 
@@ -93,11 +93,11 @@ std::string Reader::collection_text(const std::vector<TypeId>& elements, std::st
 }
 
 std::string Reader::record_text(const ir::Type& type, std::string_view text) const {
-    const bool one = type.labels.size() == 1;
-    const std::vector<std::string> parts = one ? std::vector<std::string>{std::string(text)}
-                                           : text.size() > 2
-                                               ? split_outside_brackets(text.substr(1, text.size() - 2), ",")
-                                               : std::vector<std::string>{};
+    std::vector<std::string> parts;
+    if (type.labels.size() == 1)
+        parts.emplace_back(text);
+    else if (text.size() > 2)
+        parts = split_outside_brackets(text.substr(1, text.size() - 2), ",");
     if (parts.size() != type.labels.size() || type.args.size() != type.labels.size()) return std::string(text);
     std::vector<std::string> fields;
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -135,9 +135,16 @@ std::string Reader::read_value(TypeId id, std::string_view text) const {
         case TypeKind::product:
         case TypeKind::vector:
             return text.front() == '(' ? collection_text(type.args, text) : element_text(type.args, text);
-        default:
-            return std::string(text);
+        case TypeKind::boolean:
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::matrix:
+        case TypeKind::unit:
+            break;
     }
+    return std::string(text);
 }
 
 }  // namespace
