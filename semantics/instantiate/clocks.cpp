@@ -12,21 +12,23 @@
 namespace robochart::ir {
 namespace {
 
+const std::vector<std::int64_t>& carrier_of(const Instantiation& instantiation, TypeKind kind) {
+    if (kind == TypeKind::real) return instantiation.real;
+    return kind == TypeKind::integer ? instantiation.integer : instantiation.nat;
+}
+
 /// A whole number that is at least as large as every value of the expression, in time units.
 std::int64_t upper_bound(const System& system, const Instantiation& instantiation, const Machine& machine,
                          const Expr& expr) {
     const TypeKind kind = expr.type.is_valid() ? system.type(expr.type).kind : TypeKind::nat;
-    const bool real = kind == TypeKind::real;
-    const auto& carrier = real                        ? instantiation.real
-                          : kind == TypeKind::integer ? instantiation.integer
-                                                      : instantiation.nat;
+    const auto& carrier = carrier_of(instantiation, kind);
     std::int64_t bound = carrier.empty() ? 0 : carrier.back();
     // A constant may have another value in another context (its component of a controller), so only literals are exact.
     bool exact = true;
     visit_operands(expr, [&](const Expr& part) { exact = exact && part.kind != ExprKind::constant; });
     if (const auto value = evaluate_constant(system, instantiation, &machine, expr))
         bound = exact ? value->number : std::max(bound, value->number);
-    if (!real) return bound;
+    if (kind != TypeKind::real) return bound;
     const std::int64_t down = *floor_divide(bound, instantiation.scale);
     return down + (*floor_modulus(bound, instantiation.scale) != 0 ? 1 : 0);
 }

@@ -255,8 +255,8 @@ void Comparisons::look_at(const Expr& expr, const Machine* machine) {
     if (among) {
         const bool range = right.kind == ExprKind::range;
         if (!range && right.kind != ExprKind::set && right.kind != ExprKind::set_range) return;
-        for (const ExprPtr& each : right.args)
-            if (each) record_comparison(left, *each, machine, range);
+        for (const ExprPtr& value : right.args)
+            if (value) record_comparison(left, *value, machine, range);
         return;
     }
     if (reads_clock(left) || reads_clock(right)) return;

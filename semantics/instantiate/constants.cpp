@@ -114,7 +114,8 @@ std::string suggestion_text(const std::string& name, const std::vector<NamedCons
 
 bool names_constant(const System& system, const std::string& option) {
     const auto constants = named_constants(system);
-    return std::ranges::any_of(constants, [&](const NamedConstant& each) { return refers_to(option, each.path); });
+    return std::ranges::any_of(constants,
+                               [&](const NamedConstant& constant) { return refers_to(option, constant.path); });
 }
 
 GivenConstants not_overridden(const System& system, const GivenConstants& weaker, const GivenConstants& stronger) {
@@ -125,8 +126,8 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
     // An option that sets the machine's own constant also sets it in all controllers that run the machine.
     const auto own = own_constants(system);
     std::set<std::string> set_by_machine;
-    for (const NamedConstant& each : constants)
-        if (named(each.path)) set_by_machine.insert(each.name);
+    for (const NamedConstant& constant : constants)
+        if (named(constant.path)) set_by_machine.insert(constant.name);
     const auto overridden = [&](const NamedConstant& constant) {
         const auto machines = own.find(constant.name);
         return named(constant.path) || (machines != own.end() && set_by_machine.contains(machines->second));
@@ -134,10 +135,10 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
     GivenConstants result;
     for (const auto& [option, text] : weaker) {
         bool known = false, left = false;
-        for (const NamedConstant& each : constants) {
-            if (!refers_to(option, each.path)) continue;
+        for (const NamedConstant& constant : constants) {
+            if (!refers_to(option, constant.path)) continue;
             known = true;
-            left = left || !overridden(each);
+            left = left || !overridden(constant);
         }
         if (left || !known) result.emplace(option, text);
     }

@@ -73,10 +73,13 @@ void read_range_options(const InstantiationOptions& options, Ranges& ranges, Dia
             continue;
         }
         const auto [low, high] = bounds;
-        const char* cause = low > high                              ? "the range is empty"
-                            : low > 0 || high < 0                   ? "the range must hold 0"
-                            : name == std::string("nat") && low < 0 ? "nat has no negative numbers"
-                                                                    : nullptr;
+        const char* cause = nullptr;
+        if (low > high)
+            cause = "the range is empty";
+        else if (low > 0 || high < 0)
+            cause = "the range must hold 0";
+        else if (name == std::string("nat") && low < 0)
+            cause = "nat has no negative numbers";
         if (cause != nullptr)
             diagnostics.report(rules::bad_range, {}, {name, std::to_string(low), std::to_string(high), cause});
         else
@@ -210,11 +213,15 @@ void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instant
         if (!is_size(name)) continue;
         const auto [low, high] = bounds;
         const std::string compared = "the model compares clocks with " + std::to_string(clocks - 1);
-        const char* cause = low != 0                           ? "it is counted from 0"
-                            : high < 0                         ? "the range is empty"
-                            : high >= most_values              ? "it is too large"
-                            : name == "clock" && high < clocks ? compared.c_str()
-                                                               : nullptr;
+        const char* cause = nullptr;
+        if (low != 0)
+            cause = "it is counted from 0";
+        else if (high < 0)
+            cause = "the range is empty";
+        else if (high >= most_values)
+            cause = "it is too large";
+        else if (name == "clock" && high < clocks)
+            cause = compared.c_str();
         if (cause != nullptr)
             diagnostics.report(rules::bad_range, {}, {name, std::to_string(low), std::to_string(high), cause});
         else if (name == "Seq")

@@ -134,15 +134,21 @@ std::string large_type(const System& system, const Instantiation& instantiation,
         sizes.collect_number_types(id, kinds);
         const double size = sizes.size_of_type(id);
         if (size <= most || kinds.empty()) continue;
-        const bool real = kinds.contains(TypeKind::real), whole = kinds.contains(TypeKind::integer);
-        const auto& carrier = real ? instantiation.real : whole ? instantiation.integer : instantiation.nat;
-        const char* const name = real ? "real" : whole ? "int" : "nat";
         // The option must give several ranges, because each carrier contains the one before it.
-        const char* const ranges = real    ? "--range nat=0..2 --range int=-2..2 --range real=-2..2"
-                                   : whole ? "--range nat=0..2 --range int=-2..2"
-                                           : "--range nat=0..2";
+        const char* name = "nat";
+        const char* ranges = "--range nat=0..2";
+        std::size_t values = instantiation.nat.size();
+        if (kinds.contains(TypeKind::real)) {
+            name = "real";
+            ranges = "--range nat=0..2 --range int=-2..2 --range real=-2..2";
+            values = instantiation.real.size();
+        } else if (kinds.contains(TypeKind::integer)) {
+            name = "int";
+            ranges = "--range nat=0..2 --range int=-2..2";
+            values = instantiation.integer.size();
+        }
         return fmt::format("type {} has about {:.2g} values: {} has {}{}; {} narrows it", system.type(id).name, size,
-                           name, carrier.size(), widest_number(system, kinds, sources), ranges);
+                           name, values, widest_number(system, kinds, sources), ranges);
     }
     return "";
 }

@@ -34,8 +34,8 @@ struct ConstantUses {
         if (expr.kind == ExprKind::constant && expr.constant.index < constants.size())
             (time ? times : values).insert(constants[expr.constant.index].name);
         const bool operands_time = compares_clock(expr);
-        for (const ExprPtr& each : expr.args)
-            if (each) add(constants, *each, operands_time);
+        for (const ExprPtr& argument : expr.args)
+            if (argument) add(constants, *argument, operands_time);
     }
 };
 
@@ -43,8 +43,8 @@ struct ConstantUses {
 std::set<const Expr*> values_of(const std::set<std::string>& names, const System& system) {
     std::set<const Expr*> result;
     const auto add = [&](const std::vector<Constant>& constants) {
-        for (const Constant& each : constants)
-            if (each.value && names.contains(each.name)) result.insert(each.value.get());
+        for (const Constant& constant : constants)
+            if (constant.value && names.contains(constant.name)) result.insert(constant.value.get());
     };
     for (const Machine& machine : system.machines) add(machine.constants);
     for (const Controller& controller : system.controllers) add(controller.constants);
@@ -61,10 +61,10 @@ std::set<std::string> constants_of_durations(const System& system) {
             uses.add(machine.constants, expr, role == ExprRole::time);
         });
     const auto declared = [&](const auto& context) {
-        for (const Constant& each : context.constants)
-            if (each.value) uses.add(context.constants, *each.value, false);
-        for (const Variable& each : context.variables)
-            if (each.initial) uses.add(context.constants, *each.initial, false);
+        for (const Constant& constant : context.constants)
+            if (constant.value) uses.add(context.constants, *constant.value, false);
+        for (const Variable& variable : context.variables)
+            if (variable.initial) uses.add(context.constants, *variable.initial, false);
     };
     for (const Controller& controller : system.controllers) declared(controller);
     for (const Module& module : system.modules) declared(module.platform);

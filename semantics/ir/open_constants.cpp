@@ -19,12 +19,12 @@ bool spans_overlap(diagnostics::Span a, diagnostics::Span b) {
 bool is_open(const System& system, const std::string& name) {
     const auto ends = [&](const std::string& path) { return path.ends_with("::" + name); };
     const std::vector<NamedConstant> constants = named_constants(system);
-    return std::ranges::none_of(constants, [&](const NamedConstant& each) {
+    return std::ranges::none_of(constants, [&](const NamedConstant& constant) {
         const auto mentioned = [&](const CspBlock& block) {
             return (block.name == "Instantiations" || block.name == "instantiations") &&
-                   block.text.find(each.name) != std::string::npos;
+                   block.text.find(constant.name) != std::string::npos;
         };
-        return ends(each.path) && (each.has_value || std::ranges::any_of(system.csp_blocks, mentioned));
+        return ends(constant.path) && (constant.has_value || std::ranges::any_of(system.csp_blocks, mentioned));
     });
 }
 

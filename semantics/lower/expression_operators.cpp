@@ -56,20 +56,12 @@ ExprKind kind_of(ast::BinaryOp op) {
     return ExprKind::equal;
 }
 ExprKind binder_kind(ast::ExprKind kind) {
-    switch (kind) {
-        case ast::ExprKind::forall:
-            return ExprKind::forall;
-        case ast::ExprKind::exists:
-            return ExprKind::exists;
-        case ast::ExprKind::exists_unique:
-            return ExprKind::exists_unique;
-        case ast::ExprKind::lambda:
-            return ExprKind::lambda;
-        case ast::ExprKind::the:
-            return ExprKind::the;
-        default:
-            return ExprKind::set_comprehension;
-    }
+    if (kind == ast::ExprKind::forall) return ExprKind::forall;
+    if (kind == ast::ExprKind::exists) return ExprKind::exists;
+    if (kind == ast::ExprKind::exists_unique) return ExprKind::exists_unique;
+    if (kind == ast::ExprKind::lambda) return ExprKind::lambda;
+    if (kind == ast::ExprKind::the) return ExprKind::the;
+    return ExprKind::set_comprehension;
 }
 
 }  // namespace

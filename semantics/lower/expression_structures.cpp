@@ -18,17 +18,18 @@ constexpr std::array toolkits{"set_toolkit", "relation_toolkit", "function_toolk
 ExprPtr Expressions::lower_application(const ast::Expr& source, ExprPtr function) {
     const Type type = lowering_.system.type(function->type);
     Expr expr = start_node(source, type.kind == TypeKind::sequence ? ExprKind::index : ExprKind::apply);
-    std::vector<TypeId> wanted(source.args.size());
+    std::vector<TypeId> operand_types(source.args.size());
     if (type.kind == TypeKind::function) {
         const Type& argument = lowering_.system.type(type.args.at(0));
-        if (wanted.size() == 1)
-            wanted = {type.args[0]};
-        else if (argument.args.size() == wanted.size())
-            wanted = argument.args;
+        if (operand_types.size() == 1)
+            operand_types = {type.args[0]};
+        else if (argument.args.size() == operand_types.size())
+            operand_types = argument.args;
         expr.type = type.args.at(1);
     }
     expr.args.push_back(std::move(function));
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(lower_operand(source, i, wanted[i]));
+    for (std::size_t i = 0; i < source.args.size(); ++i)
+        expr.args.push_back(lower_operand(source, i, operand_types[i]));
     return share_expression(std::move(expr));
 }
 
@@ -103,9 +104,10 @@ ExprPtr Expressions::lower_member(const ast::Expr& source) {
     expr.args = {lower_operand(source, 0)};
     const Type& type = lowering_.system.type(expr.args[0]->type);
     const auto at = std::ranges::find(type.labels, source.text);
-    if (type.kind != TypeKind::record || at == type.labels.end())
-        return lowering_.report_unresolved("field '" + source.text + "'", source.span),
-               share_expression(std::move(expr));
+    if (type.kind != TypeKind::record || at == type.labels.end()) {
+        lowering_.report_unresolved("field '" + source.text + "'", source.span);
+        return share_expression(std::move(expr));
+    }
     expr.number = at - type.labels.begin();
     expr.text = source.text;
     expr.type = type.args[static_cast<std::size_t>(expr.number)];
@@ -246,7 +248,12 @@ std::string remove_quotes(const std::string& written) {
     for (std::size_t i = 1; i + 1 < written.size(); ++i) {
         const bool escaped = written[i] == '\\' && i + 2 < written.size();
         if (escaped) ++i;
-        text += escaped && written[i] == 'n' ? '\n' : escaped && written[i] == 't' ? '\t' : written[i];
+        if (escaped && written[i] == 'n')
+            text += '\n';
+        else if (escaped && written[i] == 't')
+            text += '\t';
+        else
+            text += written[i];
     }
     return text;
 }

@@ -58,13 +58,15 @@ ExprPtr Expressions::lower_number(const ast::Expr& source, const std::string& si
     }
     Expr expr;
     expr.span = source.span;
-    const bool real = source.kind == ast::ExprKind::real;
-    expr.kind = real ? ExprKind::real : ExprKind::integer;
-    expr.type = real ? real_type : decimal->unscaled < 0 ? integer_type : nat_type;
-    if (real)
+    if (source.kind == ast::ExprKind::real) {
+        expr.kind = ExprKind::real;
+        expr.type = real_type;
         expr.decimal = *decimal;
-    else
+    } else {
+        expr.kind = ExprKind::integer;
+        expr.type = decimal->unscaled < 0 ? integer_type : nat_type;
         expr.number = decimal->unscaled;
+    }
     return share_expression(std::move(expr));
 }
 
@@ -72,15 +74,9 @@ namespace {
 
 /// The declared type of the declaration that a name refers to, if it is a value with a written type.
 ast::TypePtr declared_type(const ast::Declaration& target) {
-    switch (target.kind) {
-        case ast::DeclKind::variable:
-        case ast::DeclKind::constant:
-        case ast::DeclKind::parameter:
-        case ast::DeclKind::bound_variable:
-            return static_cast<const ast::Variable&>(target).type;
-        default:
-            return nullptr;
-    }
+    const bool has_type = target.kind == ast::DeclKind::variable || target.kind == ast::DeclKind::constant ||
+                          target.kind == ast::DeclKind::parameter || target.kind == ast::DeclKind::bound_variable;
+    return has_type ? static_cast<const ast::Variable&>(target).type : nullptr;
 }
 
 }  // namespace
@@ -98,18 +94,14 @@ ExprPtr Expressions::name(const ast::Expr& source, TypeId expected) {
         expr.kind = ExprKind::trigger_value;
         expr.variable = {};
     }
-    switch (source.target->kind) {
-        case ast::DeclKind::enum_literal:
-            return enum_literal(source, static_cast<const ast::EnumLiteral&>(*source.target));
-        case ast::DeclKind::function:
-            return function_value(source, static_cast<const ast::Function&>(*source.target));
-        case ast::DeclKind::variable:
-        case ast::DeclKind::constant:
-            if (expr.kind == ExprKind::bound) lowering_.report_unresolved("'" + source.name.text() + "'", source.span);
-            break;
-        default:
-            break;
-    }
+    const ast::DeclKind kind = source.target->kind;
+    if (kind == ast::DeclKind::enum_literal)
+        return enum_literal(source, static_cast<const ast::EnumLiteral&>(*source.target));
+    if (kind == ast::DeclKind::function)
+        return function_value(source, static_cast<const ast::Function&>(*source.target));
+    const bool declared = kind == ast::DeclKind::variable || kind == ast::DeclKind::constant;
+    if (declared && expr.kind == ExprKind::bound)
+        lowering_.report_unresolved("'" + source.name.text() + "'", source.span);
     return share_expression(std::move(expr));
 }
 
@@ -138,8 +130,10 @@ ExprPtr Expressions::enum_literal(const ast::Expr& source, const ast::EnumLitera
     expr.kind = ExprKind::enum_literal;
     expr.span = source.span;
     expr.text = literal.name;
-    if (literal.parent == nullptr)
-        return lowering_.report_unresolved("'" + literal.name + "'", source.span), share_expression(expr);
+    if (literal.parent == nullptr) {
+        lowering_.report_unresolved("'" + literal.name + "'", source.span);
+        return share_expression(expr);
+    }
     const auto& declaration = static_cast<const ast::TypeDeclaration&>(*literal.parent);
     expr.type = lower_declared_type(lowering_, declaration, source.span);
     const Type type = lowering_.system.type(expr.type);
@@ -214,8 +208,17 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
             return reject_construct(source, "inverse(..), whose entries need not be numbers of a finite type,");
         case ast::ExprKind::transpose:
             return lower_transpose(source);
-        default:  // mistakes, and forms of probabilistic assertions, which are not lowered
-            break;
+        case ast::ExprKind::path:
+        case ast::ExprKind::probability:
+        case ast::ExprKind::reward:
+        case ast::ExprKind::all_paths:
+        case ast::ExprKind::some_path:
+        case ast::ExprKind::in_state:
+        case ast::ExprKind::event:
+        case ast::ExprKind::marked:
+        case ast::ExprKind::simulation:
+        case ast::ExprKind::error:
+            break;  // mistakes, and forms of probabilistic assertions, which are not lowered
     }
     lowering_.report_unresolved("an expression", source.span);
     return make_boolean(true, source.span);

@@ -55,18 +55,17 @@ private:
 };
 
 NodeKind kind_of(ast::DeclKind kind) {
-    switch (kind) {
-        case ast::DeclKind::initial:
-            return NodeKind::initial;
-        case ast::DeclKind::junction:
-            return NodeKind::junction;
-        case ast::DeclKind::probabilistic:
-            return NodeKind::probabilistic;
-        case ast::DeclKind::final:
-            return NodeKind::final;
-        default:
-            return NodeKind::state;
-    }
+    if (kind == ast::DeclKind::initial) return NodeKind::initial;
+    if (kind == ast::DeclKind::junction) return NodeKind::junction;
+    if (kind == ast::DeclKind::probabilistic) return NodeKind::probabilistic;
+    if (kind == ast::DeclKind::final) return NodeKind::final;
+    return NodeKind::state;
+}
+
+/// The action of the node for this kind of action.
+StmtPtr& action_of(Node& node, ast::ActionKind kind) {
+    if (kind == ast::ActionKind::entry) return node.entry;
+    return kind == ast::ActionKind::during ? node.during : node.exit;
 }
 
 void MachineLowering::declare_members() {
@@ -130,10 +129,8 @@ void MachineLowering::collect_transitions(const ast::NodeContainer& container, c
 
 void MachineLowering::lower_actions(const ast::State& source, Node& node) {
     for (const auto& action : source.actions) {
-        StmtPtr& slot = action.kind == ast::ActionKind::entry    ? node.entry
-                        : action.kind == ast::ActionKind::during ? node.during
-                                                                 : node.exit;
-        if (action.statement) slot = lower_action(lowering_, names_, *action.statement, node.origin.element);
+        if (action.statement)
+            action_of(node, action.kind) = lower_action(lowering_, names_, *action.statement, node.origin.element);
     }
 }
 

@@ -43,8 +43,8 @@ FoundComponent machine_at(const Lowering& lowering, std::uint32_t index) {
 }
 
 template <class Source>
-std::optional<std::uint32_t> index_of(const std::vector<const Source*>& sources, const ast::Declaration* wanted) {
-    const auto at = std::ranges::find(sources, wanted);
+std::optional<std::uint32_t> index_of(const std::vector<const Source*>& sources, const ast::Declaration* declaration) {
+    const auto at = std::ranges::find(sources, declaration);
     if (at == sources.end()) return std::nullopt;
     return static_cast<std::uint32_t>(at - sources.begin());
 }
@@ -80,14 +80,18 @@ void enter_machine(const Lowering& lowering, FoundComponent& at, MachineId id, c
 
 /// Enters a machine of a controller, or an operation that it defines, by the name of the reference or operation.
 bool enter_part(const Lowering& lowering, FoundComponent& at, const std::string& name) {
-    for (const auto& part : at.controller->machines)
-        if (part.name == name) return enter_machine(lowering, at, part.machine, name, name), true;
+    for (const auto& part : at.controller->machines) {
+        if (part.name != name) continue;
+        enter_machine(lowering, at, part.machine, name, name);
+        return true;
+    }
     for (std::size_t i = 0; i < at.controller->definitions.size(); ++i) {
         const MachineId id = at.controller->definitions[i];
         const Machine& machine = lowering.system.machine(id);
         const std::string& reference = at.controller->definition_names[i];
-        if (reference == name || machine.name == name || process_name(machine) == name)
-            return enter_machine(lowering, at, id, reference, process_name(machine)), true;
+        if (reference != name && machine.name != name && process_name(machine) != name) continue;
+        enter_machine(lowering, at, id, reference, process_name(machine));
+        return true;
     }
     return false;
 }

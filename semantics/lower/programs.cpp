@@ -259,8 +259,10 @@ ExprPtr lower_duration(Lowering& lowering, const Names& names, const ast::Expr& 
     const ExprPtr duration = lower_expression(lowering, names, source);
     const TypeKind kind = lowering.system.type(duration->type).kind;
     if (kind == TypeKind::nat || kind == TypeKind::integer) return duration;
-    if (kind != TypeKind::real)
-        return lowering.report_unsupported("a duration that is not a number", source.span), duration;
+    if (kind != TypeKind::real) {
+        lowering.report_unsupported("a duration that is not a number", source.span);
+        return duration;
+    }
     const bool whole = duration->kind != ExprKind::real || duration->decimal.decimals == 0;
     if (!whole) lowering.report_unsupported("a duration that is not a whole number of time units", source.span);
     Expr cast;

@@ -158,12 +158,17 @@ std::optional<std::uint32_t> position_of(const std::vector<Declaration>& items, 
     return std::nullopt;
 }
 
+/// The constants of the innermost component.
+const std::vector<Constant>& constants_of(const FoundComponent& context) {
+    if (context.machine != nullptr) return context.machine->constants;
+    if (context.controller != nullptr) return context.controller->constants;
+    return context.module->platform.constants;
+}
+
 /// Sets the constant, by the name of its process parameter in the component that determines its value.
 void Properties::lower_constant(const ast::AssertionParameter& source, const FoundComponent& context,
                                 Property& property) {
-    const auto& constants = context.machine != nullptr      ? context.machine->constants
-                            : context.controller != nullptr ? context.controller->constants
-                                                            : context.module->platform.constants;
+    const std::vector<Constant>& constants = constants_of(context);
     const auto at = position_of(constants, source.name.parts.back());
     if (!at) return lowering_.report_unresolved(source.name.text(), source.name.span);
     std::string name = constant_name(context.ref.package, context.ref.path, source.name.parts.back());

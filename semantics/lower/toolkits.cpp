@@ -101,7 +101,18 @@ void Bindings::bind_variables(const ast::TypePtr& formal, TypeId actual) {
             else
                 bind_parts(formal->args, type_at(actual).args);
             break;
-        default:
+        case TypeForm::any:
+        case TypeForm::boolean:
+        case TypeForm::nat:
+        case TypeForm::integer:
+        case TypeForm::real:
+        case TypeForm::string:
+        case TypeForm::given:
+        case TypeForm::enumeration:
+        case TypeForm::record:
+        case TypeForm::sequence:
+        case TypeForm::vector:
+        case TypeForm::matrix:
             bind_parts(formal->args, type_at(actual).args);
             break;
     }
@@ -131,9 +142,21 @@ TypeId Bindings::instantiate_type(const ast::TypePtr& formal) {
             return composed_type(TypeKind::function, std::move(args));
         case TypeForm::relation:
             return composed_type(TypeKind::relation, std::move(args));
-        default:
-            return lower_type(lowering_, formal, {});  // rejects vectors and matrices of a type variable
+        case TypeForm::any:
+        case TypeForm::boolean:
+        case TypeForm::nat:
+        case TypeForm::integer:
+        case TypeForm::real:
+        case TypeForm::string:
+        case TypeForm::given:
+        case TypeForm::enumeration:
+        case TypeForm::record:
+        case TypeForm::variable:
+        case TypeForm::vector:
+        case TypeForm::matrix:
+            break;
     }
+    return lower_type(lowering_, formal, {});  // rejects vectors and matrices of a type variable
 }
 
 void Bindings::collect_variables(const ast::TypePtr& formal, std::vector<std::string>& names) const {

@@ -181,12 +181,17 @@ TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& 
 }
 
 TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnostics::Span where) {
-    if (!source) return lowering.report_unresolved("a type", where), nat_type;
+    if (!source) {
+        lowering.report_unresolved("a type", where);
+        return nat_type;
+    }
     if (source->declaration != nullptr) return lower_declared_type(lowering, *source->declaration, where);
     if (source->form == TypeForm::variable && lowering.type_variables.contains(source->name))
         return lowering.type_variables.at(source->name);
-    if (source->form == TypeForm::variable)
-        return lowering.report_unsupported("type variable ?" + source->name, where), nat_type;
+    if (source->form == TypeForm::variable) {
+        lowering.report_unsupported("type variable ?" + source->name, where);
+        return nat_type;
+    }
     // The front end types the argument of a function with one parameter as a product of one.
     if (source->form == TypeForm::product && source->args.size() == 1)
         return lower_type(lowering, source->args[0], where);
@@ -198,7 +203,10 @@ TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnosti
     type.origin.element = type.name;
     const bool sized =
         std::ranges::all_of(type.sizes, [](std::int64_t size) { return size >= 1 && size <= largest_size; });
-    if (!sized) return lowering.report_unsupported("type " + type.name + " of this size", where), nat_type;
+    if (!sized) {
+        lowering.report_unsupported("type " + type.name + " of this size", where);
+        return nat_type;
+    }
     return intern_type(lowering, std::move(type));
 }
 
