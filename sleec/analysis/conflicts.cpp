@@ -20,8 +20,8 @@ struct Events {
 Events events_of(const std::vector<Obligation>& obligations) {
     Events result;
     for (const Obligation& obligation : obligations)
-        for (const Demand& each : obligation.any)
-            (each.forbids ? result.forbidden : result.demanded).insert(each.event);
+        for (const Demand& demand : obligation.any)
+            (demand.forbids ? result.forbidden : result.demanded).insert(demand.event);
     return result;
 }
 
@@ -47,8 +47,8 @@ bool may_clash(const Question& question) {
 std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligations) {
     std::set<std::size_t> result;
     for (const Obligation& obligation : obligations)
-        for (const Demand& each : obligation.any)
-            if (!each.forbids && each.end == 0) result.insert(each.event);
+        for (const Demand& demand : obligation.any)
+            if (!demand.forbids && demand.end == 0) result.insert(demand.event);
     return result;
 }
 
@@ -56,12 +56,12 @@ std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligation
 /// trigger.
 using Answers = std::vector<std::vector<std::size_t>>;
 
-Answers find_answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
+Answers find_answers(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers,
                      const std::vector<std::set<std::size_t>>& at_once) {
-    Answers result(asked.size());
-    for (std::size_t i = 0; i < asked.size(); ++i)
-        for (std::size_t k = 0; k < asked.size(); ++k)
-            if (at_once[i].contains(rules.rules[asked[k]].trigger)) result[i].push_back(k);
+    Answers result(rule_numbers.size());
+    for (std::size_t i = 0; i < rule_numbers.size(); ++i)
+        for (std::size_t k = 0; k < rule_numbers.size(); ++k)
+            if (at_once[i].contains(rules.rules[rule_numbers[k]].trigger)) result[i].push_back(k);
     return result;
 }
 
@@ -105,7 +105,7 @@ private:
 
 bool may_be_endless(const CheckedRules& rules, const Question& question) {
     std::vector<std::set<std::size_t>> at_once;
-    for (const auto& each : question.obligations) at_once.push_back(demanded_at_once(each));
+    for (const auto& obligations : question.obligations) at_once.push_back(demanded_at_once(obligations));
     return !Cycles(find_answers(rules, question.rules, at_once)).found().empty();
 }
 
@@ -117,7 +117,7 @@ public:
     Conflict make_conflict(const std::vector<refine::Step>& steps) {
         for (const refine::Step& step : steps) replay_event(step.event);
         std::vector<OpenObligation> open;
-        for (const Opened& each : open_) open.push_back(each.open);
+        for (const Opened& opened : open_) open.push_back(opened.open);
         const Clash found = find_clash(question_, open).value();
         Conflict result;
         result.instant = now_;
@@ -139,11 +139,11 @@ public:
         result.instant = now_;
         result.endless = true;
         std::set<std::size_t> triggers;
-        for (const Opened& each : open_)
-            for (const Demand* demand :
-                 due_now(question_.find_obligation(each.open), each.open.progress, [](std::size_t) { return false; })) {
-                result.due.push_back(make_side(each.open, demand->event, false));
-                triggers.insert(each.id);
+        for (const Opened& opened : open_)
+            for (const Demand* demand : due_now(question_.find_obligation(opened.open), opened.open.progress,
+                                                [](std::size_t) { return false; })) {
+                result.due.push_back(make_side(opened.open, demand->event, false));
+                triggers.insert(opened.id);
             }
         note_besides(triggers, result);
         return result;
@@ -169,12 +169,12 @@ private:
     void replay_event(lts::Event event) {
         const auto occurrence = system_.occurrence_of(event);
         std::vector<Opened> left;
-        for (Opened each : open_) {
-            const Obligation& obligation = question_.find_obligation(each.open);
+        for (Opened opened : open_) {
+            const Obligation& obligation = question_.find_obligation(opened.open);
             const Effect effect =
-                occurrence ? take_event(obligation, each.open.progress, question_.occurrences[*occurrence].event)
-                           : take_tock(obligation, each.open.progress);
-            if (effect == Effect::open) left.push_back(each);
+                occurrence ? take_event(obligation, opened.open.progress, question_.occurrences[*occurrence].event)
+                           : take_tock(obligation, opened.open.progress);
+            if (effect == Effect::open) left.push_back(opened);
         }
         open_ = std::move(left);
         if (!occurrence) {
@@ -189,7 +189,7 @@ private:
     }
 
     [[nodiscard]] const Opened& find(const OpenObligation& open) const {
-        return *std::ranges::find_if(open_, [&](const Opened& each) { return each.open == open; });
+        return *std::ranges::find_if(open_, [&](const Opened& opened) { return opened.open == open; });
     }
 
     [[nodiscard]] Side make_side(const OpenObligation& open, std::size_t event, bool forbids) const {
@@ -197,8 +197,8 @@ private:
         Side result{
             question_.rules[open.rule], opened.began, question_.occurrences[opened.occurrence].sample.values, {}};
         // The last demand about the event; the windows of earlier ones are over.
-        for (const Demand& each : question_.find_obligation(open).any)
-            if (each.event == event && each.forbids == forbids) result.demand = each;
+        for (const Demand& demand : question_.find_obligation(open).any)
+            if (demand.event == event && demand.forbids == forbids) result.demand = demand;
         return result;
     }
 
@@ -228,11 +228,11 @@ std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const
             passes[state] = true;
             waiting.push_back(state);
         }
-        for (const lts::Edge& each : graph.edges(state)) {
-            if (!known[each.target]) reached[each.target] = {state, each.event};
-            known[each.target] = true;
-            before[each.target].push_back(state);
-            if (!system.is_tock(each.event) || passes[state]) continue;
+        for (const lts::Edge& edge : graph.edges(state)) {
+            if (!known[edge.target]) reached[edge.target] = {state, edge.event};
+            known[edge.target] = true;
+            before[edge.target].push_back(state);
+            if (!system.is_tock(edge.event) || passes[state]) continue;
             passes[state] = true;
             waiting.push_back(state);
         }
@@ -240,10 +240,10 @@ std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const
     while (!waiting.empty()) {
         const lts::StateIndex state = waiting.back();
         waiting.pop_back();
-        for (const lts::StateIndex each : before[state]) {
-            if (passes[each]) continue;
-            passes[each] = true;
-            waiting.push_back(each);
+        for (const lts::StateIndex predecessor : before[state]) {
+            if (passes[predecessor]) continue;
+            passes[predecessor] = true;
+            waiting.push_back(predecessor);
         }
     }
     const auto found = std::ranges::find(passes, false);
@@ -294,16 +294,16 @@ public:
         for (std::size_t rule = 0; rule < rules_.rules.size(); ++rule)
             if (!rules_.rules[rule].assumed) prepare_rule(rule);
         std::size_t most = 2;
-        for (const Known& each : known_) {
-            ask_conflict({each.rule});
-            most = std::max(most, each.alternatives + 1);
+        for (const Known& known : known_) {
+            ask_conflict({known.rule});
+            most = std::max(most, known.alternatives + 1);
         }
         const std::set<std::vector<std::size_t>> cycles = at_once();
         for (std::size_t size = 2; size <= std::max(most, Cycles::longest + 1); ++size) {
             for (std::size_t due = 0; due < known_.size(); ++due)
                 if (size == 2 || known_[due].alternatives + 1 >= size) with_forbidding(due, size);
-            for (const auto& each : cycles)
-                if (each.size() == size) ask_conflict(each);
+            for (const auto& cycle : cycles)
+                if (cycle.size() == size) ask_conflict(cycle);
         }
     }
 
@@ -334,9 +334,9 @@ private:
     std::set<std::vector<std::size_t>> at_once() {
         std::vector<std::size_t> rules;
         std::vector<std::set<std::size_t>> events;
-        for (const Known& each : known_) {
-            rules.push_back(each.rule);
-            events.push_back(each.at_once);
+        for (const Known& known : known_) {
+            rules.push_back(known.rule);
+            events.push_back(known.at_once);
         }
         const Answers all = find_answers(rules_, rules, events);
         const Cycles cycles(all);
@@ -349,11 +349,11 @@ private:
                 demanded.insert(known_[place].at_once.begin(), known_[place].at_once.end());
             }
             result.insert(cycle);
-            for (const Known& each : known_) {
-                if (!have_common(demanded, each.events.forbidden)) continue;
+            for (const Known& known : known_) {
+                if (!have_common(demanded, known.events.forbidden)) continue;
                 std::vector<std::size_t> more = cycle;
-                if (std::ranges::find(more, each.rule) != more.end()) continue;
-                more.push_back(each.rule);
+                if (std::ranges::find(more, known.rule) != more.end()) continue;
+                more.push_back(known.rule);
                 std::ranges::sort(more);
                 result.insert(std::move(more));
             }
@@ -384,14 +384,14 @@ private:
         }
     }
 
-    void ask_conflict(std::vector<std::size_t> asked) {
-        const bool smaller =
-            std::ranges::any_of(conflicts_, [&](const auto& each) { return std::ranges::includes(asked, each); });
-        if ((smaller && asked.size() > 2) || !asked_.insert(asked).second) return;
-        ConflictAnswer answer = find_conflict(rules_, asked, options_);
+    void ask_conflict(std::vector<std::size_t> rule_numbers) {
+        const bool smaller = std::ranges::any_of(
+            conflicts_, [&](const auto& conflict) { return std::ranges::includes(rule_numbers, conflict); });
+        if ((smaller && rule_numbers.size() > 2) || !asked_.insert(rule_numbers).second) return;
+        ConflictAnswer answer = find_conflict(rules_, rule_numbers, options_);
         if (answer.conflict == Answer::yes && answer.example->endless && smaller)
-            answer = {asked, Answer::no, {}, {}, 0};
-        if (answer.conflict == Answer::yes) conflicts_.push_back(std::move(asked));
+            answer = {rule_numbers, Answer::no, {}, {}, 0};
+        if (answer.conflict == Answer::yes) conflicts_.push_back(std::move(rule_numbers));
         take_(answer);
     }
 

@@ -23,8 +23,8 @@ std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
 
 std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
     std::string events;
-    for (const Side& each : conflict.due)
-        events += (events.empty() ? "" : " or ") + rules.event_name(each.demand.event);
+    for (const Side& side : conflict.due)
+        events += (events.empty() ? "" : " or ") + rules.event_name(side.demand.event);
     if (conflict.endless)
         return fmt::format("second {} never ends: {} has to come, and calls for the next, whatever is done",
                            conflict.instant, events);
@@ -44,8 +44,8 @@ std::string side_text(const Side& side, const CheckedRules& rules, const diagnos
 
 std::string values_text(const CheckedRules& rules, std::size_t rule, const Valuation& values) {
     std::string text;
-    for (const std::size_t each : measures_of(rules.rules[rule]))
-        text += (text.empty() ? "" : ", ") + value_text(rules.measure(each), values[each]);
+    for (const std::size_t measure : measures_of(rules.rules[rule]))
+        text += (text.empty() ? "" : ", ") + value_text(rules.measure(measure), values[measure]);
     return text;
 }
 
@@ -61,14 +61,15 @@ std::vector<std::string> history_lines(const std::vector<Happening>& history, co
     constexpr std::size_t most = 7;
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < std::min(most, history.size()); ++i) {
-        const Happening& each = history[i];
-        const bool during = property.during == each.event && each.event != property.trigger;
+        const Happening& happening = history[i];
+        const bool during = property.during == happening.event && happening.event != property.trigger;
         const auto& condition = during ? property.during_condition : property.condition;
         std::string values;
-        if (each.named && condition)
+        if (happening.named && condition)
             for (const std::size_t measure : measures_of({0, condition, nullptr, false, nullptr}))
-                values += (values.empty() ? " with " : ", ") + value_text(rules.measure(measure), each.values[measure]);
-        lines.push_back(fmt::format("{} at second {}{}", rules.event_name(each.event), each.second, values));
+                values +=
+                    (values.empty() ? " with " : ", ") + value_text(rules.measure(measure), happening.values[measure]);
+        lines.push_back(fmt::format("{} at second {}{}", rules.event_name(happening.event), happening.second, values));
     }
     if (history.size() > most) lines.push_back(fmt::format("and {} more events", history.size() - most));
     return lines;
@@ -77,11 +78,11 @@ std::vector<std::string> history_lines(const std::vector<Happening>& history, co
 std::vector<std::string> explain_conflict(const Conflict& conflict, const CheckedRules& rules,
                                           const diagnostics::SourceManager& sources) {
     std::vector<const Side*> sides;
-    for (const auto* each : {&conflict.due, &conflict.forbidding})
-        for (const Side& side : *each) sides.push_back(&side);
+    for (const auto* group : {&conflict.due, &conflict.forbidding})
+        for (const Side& side : *group) sides.push_back(&side);
     std::ranges::stable_sort(sides, [](const Side* a, const Side* b) { return a->began < b->began; });
     std::vector<std::string> lines;
-    for (const Side* each : sides) lines.push_back(side_text(*each, rules, sources));
+    for (const Side* side : sides) lines.push_back(side_text(*side, rules, sources));
     if (!conflict.besides.empty())
         lines.push_back(fmt::format("to keep the rules before, {}", besides_text(conflict, rules)));
     lines.push_back(end_text(conflict, rules));

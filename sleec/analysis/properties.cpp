@@ -55,8 +55,8 @@ CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& pro
     nothing.forbids = true;
     nothing.event = rules.file->events.size();
     nothing.to = 0;
-    const DutyPtr asked = property.duty ? property.duty : std::make_shared<const Duty>(nothing);
-    result.rules.push_back({property.trigger, property.condition, asked, false, nullptr});
+    const DutyPtr duty = property.duty ? property.duty : std::make_shared<const Duty>(nothing);
+    result.rules.push_back({property.trigger, property.condition, duty, false, nullptr});
     if (property.during)
         result.rules.push_back(
             {*property.during, property.during_condition, std::make_shared<const Duty>(nothing), false, nullptr});
@@ -109,8 +109,8 @@ private:
                     if (!obligation) continue;
                     if (obligation->any.size() > most_demands)
                         throw NotDecided("a rule has too many responses behind each other");
-                    for (const Demand& each : obligation->any)
-                        if (!each.forbids || fate_ == Fate::broken) waiting.push_back(each.event);
+                    for (const Demand& demand : obligation->any)
+                        if (!demand.forbids || fate_ == Fate::broken) waiting.push_back(demand.event);
                     waiting.insert(waiting.end(), obligation->ended_by.begin(), obligation->ended_by.end());
                 }
         }
@@ -152,9 +152,9 @@ private:
             const Effect effect = take_event(obligations_[state.to_break->obligation], progress, event);
             if (effect == Effect::broken || progress != state.to_break->progress) return true;
         }
-        return std::ranges::any_of(state.open, [&](const OpenDuty& each) {
-            Progress progress = each.progress;
-            return take_event(obligations_[each.obligation], progress, event) == Effect::fulfilled;
+        return std::ranges::any_of(state.open, [&](const OpenDuty& duty) {
+            Progress progress = duty.progress;
+            return take_event(obligations_[duty.obligation], progress, event) == Effect::fulfilled;
         });
     }
 
@@ -162,10 +162,10 @@ private:
     void add_occurrences(StateIndex at, const State& state, std::size_t event, const Sample& sample) {
         State next = state;
         next.open.clear();
-        for (OpenDuty each : state.open) {
-            const Effect effect = take_event(obligations_[each.obligation], each.progress, event);
+        for (OpenDuty duty : state.open) {
+            const Effect effect = take_event(obligations_[duty.obligation], duty.progress, event);
             if (effect == Effect::broken) return;
-            if (effect == Effect::open) next.open.push_back(each);
+            if (effect == Effect::open) next.open.push_back(duty);
         }
         const auto by_event = [&](const Obligation& obligation, Progress& progress) {
             return take_event(obligation, progress, event);
@@ -238,10 +238,10 @@ private:
         State next = state;
         next.open.clear();
         if (!break_on(next, take_tock)) return;
-        for (OpenDuty each : state.open) {
-            const Effect effect = take_tock(obligations_[each.obligation], each.progress);
+        for (OpenDuty duty : state.open) {
+            const Effect effect = take_tock(obligations_[duty.obligation], duty.progress);
             if (effect == Effect::broken) return;
-            if (effect == Effect::open) next.open.push_back(each);
+            if (effect == Effect::open) next.open.push_back(duty);
         }
         std::ranges::sort(next.open);
         next.open.erase(std::unique(next.open.begin(), next.open.end()), next.open.end());
@@ -254,7 +254,8 @@ private:
         if (fresh) {
             const bool start = states_.empty();
             states_.push_back(state);
-            seconds_.push_back(start ? 0 : seconds_[before] + (happening ? 0 : 1));
+            const std::int64_t passed = happening ? 0 : 1;
+            seconds_.push_back(start ? 0 : seconds_[before] + passed);
             if (happening) happening->second = seconds_[before];
             from_.emplace_back(before, happening);
             steps_.emplace_back();
@@ -278,7 +279,7 @@ private:
     /// there is none.
     std::optional<StateIndex> endless_state() {
         const lts::GraphView view{states_.size(), [&](StateIndex state, std::vector<StateIndex>& targets) {
-                                      for (const Step& each : steps_[state]) targets.push_back(each.target);
+                                      for (const Step& step : steps_[state]) targets.push_back(step.target);
                                   }};
         const std::vector<StateIndex> roots{0};
         std::optional<StateIndex> found;
@@ -298,13 +299,13 @@ private:
         const std::set<StateIndex> inside(members.begin(), members.end());
         bool time = false;
         std::vector<OpenDuty> left;  // duties that no step so far has ended or changed
-        for (const OpenDuty& each : states_[members.front()].open)
-            if (without_limit(each)) left.push_back(each);
+        for (const OpenDuty& duty : states_[members.front()].open)
+            if (without_limit(duty)) left.push_back(duty);
         for (const StateIndex state : members)
             for (const Step& step : steps_[state]) {
                 if (!inside.contains(step.target)) continue;
                 time = time || !step.happening;
-                std::erase_if(left, [&](const OpenDuty& each) { return !leaves_unchanged(step, each); });
+                std::erase_if(left, [&](const OpenDuty& duty) { return !leaves_unchanged(step, duty); });
             }
         return time && left.empty();
     }
@@ -322,11 +323,11 @@ private:
     [[nodiscard]] bool without_limit(const OpenDuty& duty) const {
         const Obligation& obligation = obligations_[duty.obligation];
         for (std::size_t i = 0; i < obligation.any.size(); ++i) {
-            const Demand& each = obligation.any[i];
-            if (each.forbids && (duty.progress.broken >> i & 1U) == 0) return false;
+            const Demand& demand = obligation.any[i];
+            if (demand.forbids && (duty.progress.broken >> i & 1U) == 0) return false;
         }
         return std::ranges::any_of(obligation.any,
-                                   [](const Demand& each) { return !each.forbids && each.end == forever; });
+                                   [](const Demand& demand) { return !demand.forbids && demand.end == forever; });
     }
 
     CheckedRules rules_;  ///< followed by the property
@@ -369,11 +370,11 @@ PropertyAnswer check_possible(const CheckedRules& rules, const CheckedProperty& 
 }
 
 Implication check_implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
-    const CheckedRule& asked = rules.rules[rule];
+    const CheckedRule& subject = rules.rules[rule];
     CheckedProperty broken;
-    broken.trigger = asked.trigger;
-    broken.condition = asked.condition;
-    broken.duty = asked.duty;
+    broken.trigger = subject.trigger;
+    broken.condition = subject.condition;
+    broken.duty = subject.duty;
     CheckedProperty comes = broken;
     comes.duty = nullptr;
     comes.exists = true;
@@ -409,8 +410,8 @@ std::vector<std::size_t> excluding_rules(const CheckedRules& rules, const Checke
     for (std::size_t i = 0; i < rules.rules.size(); ++i) {
         CheckedRules fewer = rules;
         fewer.rules.clear();
-        for (const std::size_t each : needed)
-            if (each != i) fewer.rules.push_back(rules.rules[each]);
+        for (const std::size_t other : needed)
+            if (other != i) fewer.rules.push_back(rules.rules[other]);
         if (check_possible(fewer, property, options).possible == Answer::no) std::erase(needed, i);
     }
     return needed;

@@ -19,8 +19,8 @@ constexpr std::uint32_t kind_bits = 12;
 void check_sizes(const Obligation& obligation) {
     if (obligation.any.size() > most_demands)
         throw NotDecided(fmt::format("a rule has more than {} responses behind each other", most_demands));
-    for (const Demand& each : obligation.any)
-        if (each.begin > 0x7fffffff || (each.end != forever && each.end > 0x7fffffff))
+    for (const Demand& demand : obligation.any)
+        if (demand.begin > 0x7fffffff || (demand.end != forever && demand.end > 0x7fffffff))
             throw NotDecided("a limit is longer than 68 years");
 }
 
@@ -96,30 +96,30 @@ bool forbids_event(const Question& question, const OpenObligation& open, std::si
 std::vector<OpenObligation> forbidding_obligations(const Question& question, const std::vector<OpenObligation>& open,
                                                    std::size_t event, bool for_ever) {
     std::vector<OpenObligation> result;
-    for (const OpenObligation& each : open) {
-        if (each.rule >= question.judged || (!result.empty() && result.back().rule == each.rule)) continue;
-        if (forbids_event(question, each, event) &&
-            (!for_ever || forbids_forever(question.find_obligation(each), each.progress, event)))
-            result.push_back(each);
+    for (const OpenObligation& obligation : open) {
+        if (obligation.rule >= question.judged || (!result.empty() && result.back().rule == obligation.rule)) continue;
+        if (forbids_event(question, obligation, event) &&
+            (!for_ever || forbids_forever(question.find_obligation(obligation), obligation.progress, event)))
+            result.push_back(obligation);
     }
     return result;
 }
 
-/// Selects one obligation for each demand, such that all rules in the bit set `wanted` take part in the clash.
-bool choose_obligations(std::uint32_t wanted, const std::vector<std::vector<OpenObligation>>& choices, Clash& clash,
+/// Selects one obligation for each demand, such that all rules in the bit set `required` take part in the clash.
+bool choose_obligations(std::uint32_t required, const std::vector<std::vector<OpenObligation>>& choices, Clash& clash,
                         std::uint32_t involved) {
     const std::size_t at = clash.by.size();
-    if (at == choices.size()) return (involved & wanted) == wanted;
-    for (const OpenObligation& each : choices[at]) {
-        clash.by.push_back(each);
-        if (choose_obligations(wanted, choices, clash, involved | 1U << each.rule)) return true;
+    if (at == choices.size()) return (involved & required) == required;
+    for (const OpenObligation& obligation : choices[at]) {
+        clash.by.push_back(obligation);
+        if (choose_obligations(required, choices, clash, involved | 1U << obligation.rule)) return true;
         clash.by.pop_back();
     }
     return false;
 }
 
 std::optional<Clash> clash_of(const Question& question, const std::vector<OpenObligation>& open,
-                              const OpenObligation& due, std::uint32_t wanted) {
+                              const OpenObligation& due, std::uint32_t required) {
     const auto never_again = [&](std::size_t event) {
         return !forbidding_obligations(question, open, event, true).empty();
     };
@@ -129,16 +129,16 @@ std::optional<Clash> clash_of(const Question& question, const std::vector<OpenOb
         choices.push_back(forbidding_obligations(question, open, demand->event, demand->end == forever));
         result.events.push_back(demand->event);
     }
-    if (choices.empty() || !choose_obligations(wanted, choices, result, 1U << due.rule)) return std::nullopt;
+    if (choices.empty() || !choose_obligations(required, choices, result, 1U << due.rule)) return std::nullopt;
     return result;
 }
 
 }  // namespace
 
-std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open, std::uint32_t wanted) {
+std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open, std::uint32_t required) {
     for (const OpenObligation& due : open)
         if (due.rule < question.judged)
-            if (auto found = clash_of(question, open, due, wanted)) return found;
+            if (auto found = clash_of(question, open, due, required)) return found;
     return std::nullopt;
 }
 
@@ -151,8 +151,8 @@ std::size_t last_alternatives(const std::vector<Obligation>& obligations) {
     for (const Obligation& obligation : obligations)
         for (const Demand& last : obligation.any) {
             std::set<std::size_t> events;
-            for (const Demand& each : obligation.any)
-                if (!each.forbids && each.end == last.end) events.insert(each.event);
+            for (const Demand& demand : obligation.any)
+                if (!demand.forbids && demand.end == last.end) events.insert(demand.event);
             most = std::max(most, events.size());
         }
     return most;
@@ -162,10 +162,10 @@ std::size_t unasked_occurrences(const Question& question) {
     std::size_t breakable = 0, alternatives = 1;
     for (std::size_t rule = 0; rule < question.obligations.size(); ++rule) {
         alternatives = std::max(alternatives, last_alternatives(question.obligations[rule]));
-        for (const Obligation& each : question.obligations[rule]) {
+        for (const Obligation& obligation : question.obligations[rule]) {
             const auto forbidding =
-                std::ranges::count_if(each.any, [](const Demand& demand) { return demand.forbids; });
-            if (each.any.size() > 1) breakable = std::max(breakable, static_cast<std::size_t>(forbidding));
+                std::ranges::count_if(obligation.any, [](const Demand& demand) { return demand.forbids; });
+            if (obligation.any.size() > 1) breakable = std::max(breakable, static_cast<std::size_t>(forbidding));
         }
     }
     return (1 + alternatives) * (1 + breakable);
@@ -244,17 +244,17 @@ void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
 void RuleSystem::add_event_successor(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
     const Occurrence& taken = question_.occurrences[occurrence];
     State next;
-    bool asked = false;
+    bool fulfilled = false;
     for (OpenObligation open : state.open) {
         const Effect effect = take_event(question_.find_obligation(open), open.progress, taken.event);
         if (effect == Effect::broken) return;
         if (effect == Effect::fulfilled)
-            asked = true;
+            fulfilled = true;
         else
             next.open.push_back(open);
     }
-    if (!asked && state.unasked == 0) return;
-    next.unasked = state.unasked - (asked ? 0 : 1);
+    if (!fulfilled && state.unasked == 0) return;
+    next.unasked = state.unasked - (fulfilled ? 0 : 1);
     for (std::size_t rule = 0; rule < question_.rules.size(); ++rule)
         if (const auto opened = question_.opened_by(taken, rule)) next.open.push_back(*opened);
     remove_dominated(next.open);
@@ -287,10 +287,11 @@ void RuleSystem::remove_dominated(std::vector<OpenObligation>& open) const {
     std::ranges::sort(open);
     open.erase(std::unique(open.begin(), open.end()), open.end());
     std::vector<OpenObligation> left;
-    for (const OpenObligation& each : open)
-        if (std::ranges::none_of(
-                open, [&](const OpenObligation& other) { return !(other == each) && is_dominated(each, other); }))
-            left.push_back(each);
+    for (const OpenObligation& obligation : open)
+        if (std::ranges::none_of(open, [&](const OpenObligation& other) {
+                return !(other == obligation) && is_dominated(obligation, other);
+            }))
+            left.push_back(obligation);
     open = std::move(left);
 }
 

@@ -30,7 +30,7 @@ Candidate make_candidate(std::string text, Condition condition) {
 }
 
 /// Adds conditions on one measure, for the values that the rules distinguish.
-void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t index,
+void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers, std::size_t index,
                     std::vector<Candidate>& result) {
     const Measure& measure = rules.measure(index);
     const std::string& name = measure.name.text;
@@ -50,11 +50,11 @@ void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& a
         return;
     }
     std::set<std::int64_t> constants;
-    for (const std::size_t rule : asked)
-        for (const std::int64_t each : constants_of(rules.rules[rule], index)) constants.insert(each);
-    for (const std::int64_t each : constants)
+    for (const std::size_t rule : rule_numbers)
+        for (const std::int64_t constant : constants_of(rules.rules[rule], index)) constants.insert(constant);
+    for (const std::int64_t constant : constants)
         for (const Op op : {Op::greater, Op::greater_equal, Op::less, Op::less_equal, Op::equal})
-            if (each >= 0) compared(op, each, std::to_string(each));
+            if (constant >= 0) compared(op, constant, std::to_string(constant));
 }
 
 Candidate on_event(const CheckedRules& rules, std::size_t event) {
@@ -72,29 +72,29 @@ CheckedRules with_defeater(const CheckedRules& rules, std::size_t rule, const Ch
 
 class Search {
 public:
-    Search(const CheckedRules& rules, const std::vector<std::size_t>& asked, const AnalysisOptions& options)
-        : rules_(rules), asked_(asked), options_(options) {}
+    Search(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers, const AnalysisOptions& options)
+        : rules_(rules), rule_numbers_(rule_numbers), options_(options) {}
 
     std::vector<Suggestion> suggest_one() {
         std::set<std::size_t> measures, events;
-        for (const std::size_t rule : asked_) {
-            for (const std::size_t each : measures_of(rules_.rules[rule])) measures.insert(each);
+        for (const std::size_t rule : rule_numbers_) {
+            for (const std::size_t measure : measures_of(rules_.rules[rule])) measures.insert(measure);
             events.insert(rules_.rules[rule].trigger);
         }
-        for (const std::size_t rule : asked_) {
+        for (const std::size_t rule : rule_numbers_) {
             std::vector<Candidate> candidates;
-            for (const std::size_t each : measures) add_conditions(rules_, asked_, each, candidates);
-            for (const std::size_t each : events)
-                if (each != rules_.rules[rule].trigger) candidates.push_back(on_event(rules_, each));
-            for (const Candidate& each : candidates)
-                if (resolves_conflict(with_defeater(rules_, rule, each.defeater))) return {{rule, each.text}};
+            for (const std::size_t measure : measures) add_conditions(rules_, rule_numbers_, measure, candidates);
+            for (const std::size_t event : events)
+                if (event != rules_.rules[rule].trigger) candidates.push_back(on_event(rules_, event));
+            for (const Candidate& candidate : candidates)
+                if (resolves_conflict(with_defeater(rules_, rule, candidate.defeater))) return {{rule, candidate.text}};
         }
         return {};
     }
 
     std::vector<Suggestion> suggest_two() {
-        for (const std::size_t first : asked_)
-            for (const std::size_t second : asked_) {
+        for (const std::size_t first : rule_numbers_)
+            for (const std::size_t second : rule_numbers_) {
                 const std::size_t a = rules_.rules[first].trigger, b = rules_.rules[second].trigger;
                 if (first >= second || a == b) continue;
                 const Candidate to_first = on_event(rules_, b), to_second = on_event(rules_, a);
@@ -109,16 +109,16 @@ private:
     /// True if the rules and all subsets of them are no longer in conflict.
     bool resolves_conflict(const CheckedRules& changed) {
         try {
-            for (const std::size_t rule : asked_)
+            for (const std::size_t rule : rule_numbers_)
                 if (makes_no_demand(changed, rule, options_)) return false;
         } catch (const NotDecided&) {
             return false;
         }
-        return find_conflict(changed, asked_, options_).conflict == Answer::no;
+        return find_conflict(changed, rule_numbers_, options_).conflict == Answer::no;
     }
 
     const CheckedRules& rules_;
-    const std::vector<std::size_t>& asked_;
+    const std::vector<std::size_t>& rule_numbers_;
     const AnalysisOptions& options_;
 };
 

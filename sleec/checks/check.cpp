@@ -41,8 +41,8 @@ public:
     std::optional<CheckedRules> run() {
         declare();
         for (const Rule& rule : file_.rules) result_.rules.push_back(check_clause(rule));
-        for (const Property& each : file_.concerns) result_.concerns.push_back(check_clause(each));
-        for (const Property& each : file_.purposes) result_.purposes.push_back(check_clause(each));
+        for (const Property& concern : file_.concerns) result_.concerns.push_back(check_clause(concern));
+        for (const Property& purpose : file_.purposes) result_.purposes.push_back(check_clause(purpose));
         check_mappings();
         if (!diagnostics_.ok()) return std::nullopt;
         return std::move(result_);
@@ -64,7 +64,7 @@ private:
             }
         }
         for (std::size_t i = 0; i < file_.constants.size(); ++i) declare(file_.constants[i].name, constants_, i);
-        for (const Constant& each : file_.constants) refuse_circle(each);
+        for (const Constant& constant : file_.constants) refuse_circle(constant);
         std::map<std::string, Span> named;
         for (const Rule& rule : file_.rules) {
             const auto [first, added] = named.emplace(rule.name.text, rule.name.span);
@@ -99,7 +99,7 @@ private:
         }
         std::vector<std::string> names;
         for (const auto* table : tables)
-            for (const auto& [each, index] : *table) names.push_back(each);
+            for (const auto& [declared, index] : *table) names.push_back(declared);
         const std::string noun = kind.substr(kind.find(' ') + 1);
         auto& finding = diagnostics_.report(rules::unknown_name, span, {noun, name});
         const std::string meant = diagnostics::nearest_spelling(name, names);
@@ -115,9 +115,9 @@ private:
     }
 
     void check_mappings() {
-        for (const Mapping& each : file_.mappings)
-            if (!events_.contains(each.name.text) && !measures_.contains(each.name.text))
-                not_found(each.name.text, each.name.span, "an event or measure", {&events_, &measures_});
+        for (const Mapping& mapping : file_.mappings)
+            if (!events_.contains(mapping.name.text) && !measures_.contains(mapping.name.text))
+                not_found(mapping.name.text, mapping.name.span, "an event or measure", {&events_, &measures_});
     }
 
     // numbers
@@ -202,9 +202,20 @@ private:
             case Op::subtract:
             case Op::multiply:
                 return check_operands(expr, Type::number, Type::number);
-            default:
-                return check_comparison(expr);
+            case Op::less:
+            case Op::less_equal:
+            case Op::greater:
+            case Op::greater_equal:
+            case Op::equal:
+            case Op::unequal:
+                break;
         }
+        return check_comparison(expr);
+    }
+
+    static Type type_of(MeasureType type) {
+        if (type == MeasureType::boolean) return Type::truth;
+        return type == MeasureType::numeric ? Type::number : Type::scale;
     }
 
     Typed check_name(const ExprPtr& expr) {
@@ -213,10 +224,7 @@ private:
         if (const auto found = measures_.find(expr->text); found != measures_.end()) {
             result.condition.op = Op::name;
             result.condition.measure = found->second;
-            const MeasureType type = file_.measures[found->second].type;
-            result.type = type == MeasureType::boolean   ? Type::truth
-                          : type == MeasureType::numeric ? Type::number
-                                                         : Type::scale;
+            result.type = type_of(file_.measures[found->second].type);
         } else if (constants_.contains(expr->text)) {
             result.condition.value = constant_value(expr);
             result.type = Type::number;
@@ -228,24 +236,24 @@ private:
         return result;
     }
 
-    Typed check_operands(const ExprPtr& expr, Type wanted, Type made) {
+    Typed check_operands(const ExprPtr& expr, Type expected, Type made) {
         Typed result;
         result.condition.op = expr->op;
         result.condition.written = expr.get();
         result.type = made;
         for (const ExprPtr& part : expr->parts) {
-            Typed each = check_expression(part);
-            expect_type(each, wanted, *part);
-            result.condition.parts.push_back(std::move(each.condition));
+            Typed operand = check_expression(part);
+            expect_type(operand, expected, *part);
+            result.condition.parts.push_back(std::move(operand.condition));
         }
         return result;
     }
 
-    void expect_type(const Typed& part, Type wanted, const Expr& written) {
-        if (part.type == wanted || part.type == Type::wrong) return;
+    void expect_type(const Typed& part, Type expected, const Expr& written) {
+        if (part.type == expected || part.type == Type::wrong) return;
         diagnostics_.report(rules::wrong_type, written.span,
                             {fmt::format("'{}' is {}, not {}", written.text.empty() ? "this" : written.text,
-                                         type_text(part.type), type_text(wanted))});
+                                         type_text(part.type), type_text(expected))});
     }
 
     Typed check_comparison(const ExprPtr& expr) {
@@ -287,7 +295,7 @@ private:
             return;
         }
         std::vector<std::string> values;
-        for (const Name& each : scale.literals) values.push_back(each.text);
+        for (const Name& candidate : scale.literals) values.push_back(candidate.text);
         for (const Measure& other : file_.measures) {
             const auto elsewhere = place_on(other, written.text);
             if (file_.dialect != Dialect::legos || !elsewhere || *elsewhere >= static_cast<int>(values.size()))
@@ -304,7 +312,8 @@ private:
     }
 
     static std::optional<int> place_on(const Measure& scale, const std::string& literal) {
-        const auto found = std::ranges::find_if(scale.literals, [&](const Name& each) { return each.text == literal; });
+        const auto found =
+            std::ranges::find_if(scale.literals, [&](const Name& candidate) { return candidate.text == literal; });
         if (found == scale.literals.end()) return std::nullopt;
         return static_cast<int>(found - scale.literals.begin());
     }
@@ -325,7 +334,7 @@ private:
         result.event = find_event(written.event);
         if (written.limit) check_limit(*written.limit, result);
         if (written.otherwise) result.otherwise = check_duty(*written.otherwise);
-        for (const Defeater& each : written.defeaters) result.defeaters.push_back(check_defeater(each));
+        for (const Defeater& defeater : written.defeaters) result.defeaters.push_back(check_defeater(defeater));
         return std::make_shared<const Duty>(std::move(result));
     }
 

@@ -22,11 +22,11 @@ std::vector<std::uint32_t> components_of(const Graph& graph) {
     std::vector<std::uint32_t> result(graph.size(), nowhere);
     std::uint32_t next = 0;
     const lts::GraphView view{graph.size(), [&](StateIndex state, std::vector<StateIndex>& targets) {
-                                  for (const Edge& each : graph.edges(state)) targets.push_back(each.target);
+                                  for (const Edge& edge : graph.edges(state)) targets.push_back(edge.target);
                               }};
     const std::vector<StateIndex> roots{0};
     lts::strong_components(view, roots, [&](std::span<const StateIndex> members, bool) {
-        for (const StateIndex each : members) result[each] = next;
+        for (const StateIndex member : members) result[member] = next;
         ++next;
     });
     return result;
@@ -43,10 +43,10 @@ std::vector<std::pair<StateIndex, Edge>> find_way(const Graph& graph, StateIndex
     while (!waiting.empty() && reached[to].first == nowhere) {
         const StateIndex state = waiting.front();
         waiting.pop_front();
-        for (const Edge& each : graph.edges(state)) {
-            if (each.target == from || reached[each.target].first != nowhere || !admitted(each.target)) continue;
-            reached[each.target] = {state, each};
-            waiting.push_back(each.target);
+        for (const Edge& edge : graph.edges(state)) {
+            if (edge.target == from || reached[edge.target].first != nowhere || !admitted(edge.target)) continue;
+            reached[edge.target] = {state, edge};
+            waiting.push_back(edge.target);
         }
     }
     for (StateIndex at = to; at != from; at = reached[at].first) result.push_back(reached[at]);
@@ -57,17 +57,17 @@ std::vector<std::pair<StateIndex, Edge>> find_way(const Graph& graph, StateIndex
 /// Collects the hidden events of the taus of one state.
 class Revealing final : public lts::SuccessorSink {
 public:
-    Revealing(const lts::StateStore& states, const Edge& wanted) : states_(states), wanted_(wanted) {}
+    Revealing(const lts::StateStore& states, const Edge& edge) : states_(states), edge_(edge) {}
     void add(lts::Event event, lts::StateView target, lts::Event revealed) override {
-        const lts::StateView view = states_[wanted_.target];
-        if (!found_ && event == wanted_.event && std::equal(target.begin(), target.end(), view.begin(), view.end()))
+        const lts::StateView view = states_[edge_.target];
+        if (!found_ && event == edge_.event && std::equal(target.begin(), target.end(), view.begin(), view.end()))
             found_ = revealed;
     }
-    [[nodiscard]] lts::Event revealed_event() const { return found_.value_or(wanted_.event); }
+    [[nodiscard]] lts::Event revealed_event() const { return found_.value_or(edge_.event); }
 
 private:
     const lts::StateStore& states_;
-    const Edge& wanted_;
+    const Edge& edge_;
     std::optional<lts::Event> found_;
 };
 
@@ -88,11 +88,11 @@ std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event 
         return result;
     };
     for (StateIndex state = 0; state < graph.size(); ++state)
-        for (const Edge& each : graph.edges(state)) {
-            if (each.event != event || component[each.target] != component[state]) continue;
-            std::vector<std::pair<StateIndex, Edge>> loop{{state, each}};
+        for (const Edge& edge : graph.edges(state)) {
+            if (edge.event != event || component[edge.target] != component[state]) continue;
+            std::vector<std::pair<StateIndex, Edge>> loop{{state, edge}};
             const auto back =
-                find_way(graph, each.target, state, [&](StateIndex at) { return component[at] == component[state]; });
+                find_way(graph, edge.target, state, [&](StateIndex at) { return component[at] == component[state]; });
             loop.insert(loop.end(), back.begin(), back.end());
             return EndlessRun{revealed(find_way(graph, 0, state, [](StateIndex) { return true; })), revealed(loop)};
         }

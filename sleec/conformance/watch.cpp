@@ -52,28 +52,30 @@ Tree within_window(const Demand& demand) {
 /// True if a demand for an event can still be fulfilled.
 Tree can_still_be_met(const Obligation& obligation) {
     Exprs conditions;
-    for (const Demand& each : obligation.any) {
-        if (each.forbids) continue;
-        if (each.end == forever) return build::boolean(true);
-        conditions.push_back(at_most(each.end));
+    for (const Demand& demand : obligation.any) {
+        if (demand.forbids) continue;
+        if (demand.end == forever) return build::boolean(true);
+        conditions.push_back(at_most(demand.end));
     }
     return build::any_of(std::move(conditions));
 }
 
 bool waits_forever(const Obligation& obligation) {
-    return std::ranges::any_of(obligation.any, [](const Demand& each) { return !each.forbids && each.end == forever; });
+    return std::ranges::any_of(obligation.any,
+                               [](const Demand& demand) { return !demand.forbids && demand.end == forever; });
 }
 
 const Demand* find_prohibition(const Obligation& obligation) {
-    for (const Demand& each : obligation.any)
-        if (each.forbids) return &each;
+    for (const Demand& demand : obligation.any)
+        if (demand.forbids) return &demand;
     return nullptr;
 }
 
 /// After this second, only windows without end are open.
 std::int64_t last_second(const Obligation& obligation) {
     std::int64_t last = 0;
-    for (const Demand& each : obligation.any) last = std::max(last, each.end == forever ? each.begin : each.end + 1);
+    for (const Demand& demand : obligation.any)
+        last = std::max(last, demand.end == forever ? demand.begin : demand.end + 1);
     return last;
 }
 
@@ -125,7 +127,11 @@ void Watch::find_classes() {
         followed.constants = constants_of(rule, measure);
         for (std::size_t i = 0; i <= followed.constants.size(); ++i) {
             const bool first = i == 0, last = i == followed.constants.size();
-            const std::int64_t between = first ? (last ? 0 : followed.constants[0] - 1) : followed.constants[i - 1] + 1;
+            std::int64_t between = 0;
+            if (!first)
+                between = followed.constants[i - 1] + 1;
+            else if (!last)
+                between = followed.constants[0] - 1;
             if (first || last || between < followed.constants[i]) {
                 followed.classes.push_back(static_cast<std::int64_t>(2 * i));
                 followed.representatives.push_back(between);
@@ -163,7 +169,7 @@ Tree Watch::class_of(const Followed& followed, const Tree& value) const {
 std::size_t Watch::number_obligation(const Obligation& obligation) {
     const auto found = std::ranges::find(obligations_, obligation);
     if (found != obligations_.end()) return static_cast<std::size_t>(found - obligations_.begin());
-    if (std::ranges::count_if(obligation.any, [](const Demand& each) { return each.forbids; }) > 1)
+    if (std::ranges::count_if(obligation.any, [](const Demand& demand) { return demand.forbids; }) > 1)
         throw NotDecided("a rule with several prohibitions behind each other");
     obligations_.push_back(obligation);
     return obligations_.size() - 1;
@@ -175,8 +181,8 @@ void Watch::find_ways() {
     for (;;) {
         Valuation values(rules_.file->measures.size(), 0);
         for (std::size_t i = 0; i < at.size(); ++i) values[followed_[i].measure] = followed_[i].representatives[at[i]];
-        const auto asked = obligation_of(rules_.rules[rule_], values, WithoutLimit::eventually);
-        ways_.push_back({values, asked ? number_obligation(*asked) : obligations_.max_size()});
+        const auto obligation = obligation_of(rules_.rules[rule_], values, WithoutLimit::eventually);
+        ways_.push_back({values, obligation ? number_obligation(*obligation) : obligations_.max_size()});
         if (ways_.size() > most_ways)
             throw NotDecided(fmt::format("the measures have more than {} combinations of values", most_ways));
         std::size_t i = at.size();
@@ -189,18 +195,18 @@ void Watch::find_ways() {
 
 std::vector<std::size_t> Watch::event_indices() const {
     std::set<std::size_t> events{rules_.rules[rule_].trigger};
-    for (const Obligation& each : obligations_) {
-        for (const Demand& demand : each.any) events.insert(demand.event);
-        events.insert(each.ended_by.begin(), each.ended_by.end());
+    for (const Obligation& obligation : obligations_) {
+        for (const Demand& demand : obligation.any) events.insert(demand.event);
+        events.insert(obligation.ended_by.begin(), obligation.ended_by.end());
     }
     return {events.begin(), events.end()};
 }
 
 Tree Watch::named_events() const {
     Exprs items;
-    for (const std::size_t each : event_indices()) items.push_back(build::name(linking_.events[each].value()));
-    for (const Followed& each : followed_)
-        if (const auto& linked = linking_.measures[each.measure]) items.push_back(build::name(linked->channel));
+    for (const std::size_t event : event_indices()) items.push_back(build::name(linking_.events[event].value()));
+    for (const Followed& followed : followed_)
+        if (const auto& linked = linking_.measures[followed.measure]) items.push_back(build::name(linked->channel));
     items.push_back(build::name("tock"));
     return build::productions(std::move(items));
 }
@@ -223,14 +229,14 @@ Tree Watch::start_call(std::size_t from, Valuation classes) const {
     }
     Tree result;
     const auto& known = followed_[from].classes;
-    for (auto each = known.rbegin(); each != known.rend(); ++each) {
-        classes.push_back(*each);
+    for (auto at = known.rbegin(); at != known.rend(); ++at) {
+        classes.push_back(*at);
         const Tree then = start_call(from + 1, classes);
         classes.pop_back();
-        result =
-            result ? build::if_(build::binary(ExprKind::equal, build::name(class_variable(from)), build::number(*each)),
-                                then, result)
-                   : then;
+        result = result
+                     ? build::if_(build::binary(ExprKind::equal, build::name(class_variable(from)), build::number(*at)),
+                                  then, result)
+                     : then;
     }
     return result;
 }
@@ -247,7 +253,7 @@ std::vector<DeclPtr> Watch::start_definitions() const {
         for (std::size_t k = 0; k < i; ++k) parameters.push_back(fmt::format("a{}", k));
         const auto with = [&](const Tree& value, const Tree& assumed) {
             Exprs arguments;
-            for (const std::string& each : parameters) arguments.push_back(build::name(each));
+            for (const std::string& parameter : parameters) arguments.push_back(build::name(parameter));
             if (i < count) arguments[i] = value;
             arguments.push_back(assumed);
             return build::call(named(i + 1), std::move(arguments));
@@ -257,8 +263,8 @@ std::vector<DeclPtr> Watch::start_definitions() const {
             body = start_call(0, {});
         } else {
             Exprs assumed;
-            for (const std::int64_t each : followed_[i].classes)
-                assumed.push_back(with(build::number(each), build::number(each)));
+            for (const std::int64_t class_value : followed_[i].classes)
+                assumed.push_back(with(build::number(class_value), build::number(class_value)));
             const Tree value = build::name(class_variable(i));
             const bool compared = readings_ == Readings::one_value;
             body = build::if_(build::binary(ExprKind::equal, value, build::number(unknown)),
@@ -297,8 +303,8 @@ std::vector<DeclPtr> Watch::idle_definitions() const {
     };
     Exprs choices;
     const std::string trigger = linking_.events[rules_.rules[rule_].trigger].value();
-    for (const std::size_t each : event_indices())
-        choices.push_back(any_of_channel(linking_.events[each].value(), build::call(idle_process, measures)));
+    for (const std::size_t event : event_indices())
+        choices.push_back(any_of_channel(linking_.events[event].value(), build::call(idle_process, measures)));
     const Tree start = build::call("sleec_Start0", measures);
     const bool guarded = readings_ == Readings::one_value && !changes.empty();
     choices.push_back(any_of_channel(
@@ -353,11 +359,11 @@ std::vector<DeclPtr> Watch::wrong_definitions() const {
         parameters.push_back(class_variable(i));
         same.push_back(build::name(class_variable(i)));
     }
-    for (const std::size_t each : event_indices())
-        choices.push_back(
-            build::replicated(ExprKind::replicated_external,
-                              {build::generator("x", build::productions({build::name(linking_.events[each].value())}))},
-                              build::prefix(build::name("x"), build::call(wrong_process, same))));
+    for (const std::size_t event : event_indices())
+        choices.push_back(build::replicated(
+            ExprKind::replicated_external,
+            {build::generator("x", build::productions({build::name(linking_.events[event].value())}))},
+            build::prefix(build::name("x"), build::call(wrong_process, same))));
     for (std::size_t i = 0; i < followed_.size(); ++i)
         if (linking_.measures[followed_[i].measure])
             choices.push_back(compare_reading(i, build::call(wrong_process, arguments_after_reading(i))));
@@ -380,8 +386,8 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
             build::if_(can_still_be_met(obligation), build::call(open_process(index, true), same), violation_process()),
             result);
     Exprs fulfilled;
-    for (const Demand& each : obligation.any)
-        if (!each.forbids && each.event == event) fulfilled.push_back(within_window(each));
+    for (const Demand& demand : obligation.any)
+        if (!demand.forbids && demand.event == event) fulfilled.push_back(within_window(demand));
     return fulfilled.empty() ? result
                              : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
 }
@@ -395,17 +401,17 @@ Tree Watch::on_tock(std::size_t index, bool broken) const {
         build::if_(build::binary(ExprKind::less, time_variable(), build::number(last)), next, time_variable())};
     for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::number(unknown));
     Tree result = build::call(open_process(index, broken), std::move(arguments));
-    const auto ends_now = [&](const Demand& each) {
-        return build::binary(ExprKind::less_equal, build::number(each.end), time_variable());
+    const auto ends_now = [&](const Demand& demand) {
+        return build::binary(ExprKind::less_equal, build::number(demand.end), time_variable());
     };
     const Demand* forbidden = find_prohibition(obligation);
     if (forbidden != nullptr && !broken)
         return forbidden->end == forever ? result : build::if_(ends_now(*forbidden), build::name(free_process), result);
     Exprs over;
-    for (const Demand& each : obligation.any) {
-        if (each.forbids) continue;
-        if (each.end == forever) return result;
-        over.push_back(ends_now(each));
+    for (const Demand& demand : obligation.any) {
+        if (demand.forbids) continue;
+        if (demand.end == forever) return result;
+        over.push_back(ends_now(demand));
     }
     return build::if_(build::all_of(std::move(over)), break_process(), result);
 }
@@ -422,11 +428,11 @@ std::vector<DeclPtr> Watch::open_definitions(std::size_t index) const {
     for (const bool broken : {false, true}) {
         if (broken && find_prohibition(obligations_[index]) == nullptr) continue;
         Exprs choices;
-        for (const std::size_t each : event_indices())
+        for (const std::size_t event : event_indices())
             choices.push_back(build::replicated(
                 ExprKind::replicated_external,
-                {build::generator("x", build::productions({build::name(linking_.events[each].value())}))},
-                build::prefix(build::name("x"), on_event(index, broken, each))));
+                {build::generator("x", build::productions({build::name(linking_.events[event].value())}))},
+                build::prefix(build::name("x"), on_event(index, broken, event))));
         for (std::size_t i = 0; i < followed_.size(); ++i) {
             if (!linking_.measures[followed_[i].measure]) continue;
             Exprs arguments = arguments_after_reading(i);
@@ -466,8 +472,8 @@ bool Watch::has_demand_without_limit() const {
 }
 
 bool Watch::reads_measures() const {
-    return std::ranges::any_of(followed_,
-                               [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
+    return std::ranges::any_of(
+        followed_, [&](const Followed& followed) { return linking_.measures[followed.measure].has_value(); });
 }
 
 /// A terminated component has no further steps, but time continues.
@@ -499,8 +505,8 @@ DeclPtr Watch::obeyed_assertion() const {
 
 DeclPtr Watch::never_asked_assertion(const std::vector<std::size_t>& ways) const {
     Exprs events;
-    for (const std::size_t each : ways)
-        events.push_back(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(each))}));
+    for (const std::size_t way : ways)
+        events.push_back(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(way))}));
     return build::assert_refines(build::stop(), cspm::Model::traces, both_showing(build::set(std::move(events))));
 }
 

@@ -31,20 +31,21 @@ CppNames names_of(const RuleFile& file) {
     CppNames result;
     cpp_emit::NameScope events, measures;
     cpp_emit::NameScope types({"Demands", "Duties", "Duty", "Event", "Measures", "Monitor", "demands", "rules"});
-    for (const Event& each : file.events) result.events.push_back(events.unique_name(each.name.text));
-    for (const Measure& each : file.measures) {
-        result.measures.push_back(measures.unique_name(each.name.text));
+    for (const Event& event : file.events) result.events.push_back(events.unique_name(event.name.text));
+    for (const Measure& measure : file.measures) {
+        result.measures.push_back(measures.unique_name(measure.name.text));
         types.reserve_name(result.measures.back());
     }
-    for (const Measure& each : file.measures) {
+    for (const Measure& measure : file.measures) {
         result.literals.emplace_back();
-        if (each.type != MeasureType::scale) {
-            result.types.emplace_back(each.type == MeasureType::boolean ? "bool" : "std::int64_t");
+        if (measure.type != MeasureType::scale) {
+            result.types.emplace_back(measure.type == MeasureType::boolean ? "bool" : "std::int64_t");
             continue;
         }
-        result.types.push_back(types.unique_name(each.name.text + "_scale"));
+        result.types.push_back(types.unique_name(measure.name.text + "_scale"));
         cpp_emit::NameScope literals;
-        for (const Name& literal : each.literals) result.literals.back().push_back(literals.unique_name(literal.text));
+        for (const Name& literal : measure.literals)
+            result.literals.back().push_back(literals.unique_name(literal.text));
     }
     return result;
 }
@@ -82,9 +83,9 @@ private:
         const bool beyond = is_beyond_scale(left, right) || is_beyond_scale(right, left);
         if (beyond || (same && (left.op == Op::number || left.op == Op::name)))
             return evaluate_condition(condition, Valuation(rules_.file->measures.size(), 0)) != 0 ? "true" : "false";
-        const std::string op = condition.op == Op::equal     ? "=="
-                               : condition.op == Op::unequal ? "!="
-                                                             : symbol_of(condition.op);
+        std::string op = symbol_of(condition.op);
+        if (condition.op == Op::equal) op = "==";
+        if (condition.op == Op::unequal) op = "!=";
         return fmt::format("{} {} {}", compared_operand(condition, 0), op, compared_operand(condition, 1));
     }
     [[nodiscard]] bool is_beyond_scale(const Condition& number, const Condition& measure) const {
@@ -151,9 +152,9 @@ private:
 
     /// Responses form a tree, so each is visited once.
     void visit(const DutyPtr& duty, Way way) {
-        for (const CheckedDefeater& each : duty->defeaters) way.endings += each.event ? 1U : 0U;
-        for (const CheckedDefeater& each : duty->defeaters)
-            if (each.duty) visit(each.duty, way);
+        for (const CheckedDefeater& defeater : duty->defeaters) way.endings += defeater.event ? 1U : 0U;
+        for (const CheckedDefeater& defeater : duty->defeaters)
+            if (defeater.duty) visit(defeater.duty, way);
         add_demand(*duty, way);
     }
 
@@ -224,10 +225,10 @@ private:
         out_ += "};\n\n";
         if (rules_.rules.empty()) return;
         out_ += "inline constexpr robochart::RuleText rules[] = {\n";
-        for (const CheckedRule& each : rules_.rules)
-            out_ += fmt::format("    {{{}, {}, {}}},\n", diagnostics::cpp_string(each.written->name.text),
-                                diagnostics::cpp_string(print(*each.written)),
-                                diagnostics::cpp_string(place_text(each.written->span)));
+        for (const CheckedRule& rule : rules_.rules)
+            out_ += fmt::format("    {{{}, {}, {}}},\n", diagnostics::cpp_string(rule.written->name.text),
+                                diagnostics::cpp_string(print(*rule.written)),
+                                diagnostics::cpp_string(place_text(rule.written->span)));
         out_ += "};\n\n";
     }
 
@@ -290,8 +291,8 @@ private:
     /// Writes the responses that a response leads to, then the response itself; returns its number.
     std::size_t write_responses(const DutyPtr& duty) {
         std::vector<std::optional<std::size_t>> defeaters;
-        for (const CheckedDefeater& each : duty->defeaters)
-            defeaters.push_back(each.duty ? std::optional(write_responses(each.duty)) : std::nullopt);
+        for (const CheckedDefeater& defeater : duty->defeaters)
+            defeaters.push_back(defeater.duty ? std::optional(write_responses(defeater.duty)) : std::nullopt);
         const bool open = !duty->to && without_ == WithoutLimit::eventually;
         std::optional<std::size_t> otherwise;
         if (duty->otherwise && !open) otherwise = write_responses(duty->otherwise);
@@ -300,8 +301,8 @@ private:
             "    static bool response_{}([[maybe_unused]] Duty& duty, [[maybe_unused]] const Measures& now) noexcept "
             "{{\n",
             number);
-        for (const CheckedDefeater& each : duty->defeaters)
-            if (each.event) out_ += fmt::format("        duty.ended_by({});\n", *each.event);
+        for (const CheckedDefeater& defeater : duty->defeaters)
+            if (defeater.event) out_ += fmt::format("        duty.ended_by({});\n", *defeater.event);
         // The last true defeater decides.
         for (std::size_t i = defeaters.size(); i-- > 0;)
             if (!duty->defeaters[i].event)

@@ -19,9 +19,9 @@ void events_of(const DutyPtr& duty, std::set<std::size_t>& events) {
     if (!duty) return;
     events.insert(duty->event);
     events_of(duty->otherwise, events);
-    for (const CheckedDefeater& each : duty->defeaters) {
-        if (each.event) events.insert(*each.event);
-        events_of(each.duty, events);
+    for (const CheckedDefeater& defeater : duty->defeaters) {
+        if (defeater.event) events.insert(*defeater.event);
+        events_of(defeater.duty, events);
     }
 }
 
@@ -44,8 +44,8 @@ public:
 private:
     /// The name in the model: the one given by `map`, without the component.
     [[nodiscard]] std::string model_name(const std::string& name) const {
-        for (const Mapping& each : rules_.file->mappings)
-            if (each.name.text == name) return each.element.text.substr(each.element.text.rfind(':') + 1);
+        for (const Mapping& mapping : rules_.file->mappings)
+            if (mapping.name.text == name) return mapping.element.text.substr(mapping.element.text.rfind(':') + 1);
         return name;
     }
 
@@ -128,10 +128,10 @@ ComponentLinking link_rules(const CheckedRules& rules, const csp_emit::Emission&
 std::string not_applicable(const CheckedRules& rules, std::size_t rule, const ComponentLinking& linking) {
     std::set<std::size_t> events{rules.rules[rule].trigger};
     events_of(rules.rules[rule].duty, events);
-    for (const std::size_t each : events)
-        if (!linking.missing_events[each].empty()) return linking.missing_events[each];
-    for (const std::size_t each : measures_of(rules.rules[rule]))
-        if (!linking.missing_measures[each].empty()) return linking.missing_measures[each];
+    for (const std::size_t event : events)
+        if (!linking.missing_events[event].empty()) return linking.missing_events[event];
+    for (const std::size_t measure : measures_of(rules.rules[rule]))
+        if (!linking.missing_measures[measure].empty()) return linking.missing_measures[measure];
     return "";
 }
 

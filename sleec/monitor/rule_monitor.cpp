@@ -27,19 +27,19 @@ std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const Chec
         if (readings[measure]) continue;
         if (values.empty()) values = representative_values(rules, {rule});
         std::vector<Valuation> more;
-        for (const Valuation& each : all)
+        for (const Valuation& valuation : all)
             for (const std::int64_t value : values[measure]) {
-                more.push_back(each);
+                more.push_back(valuation);
                 more.back()[measure] = value;
                 if (more.size() > most) throw NotDecided("a rule distinguishes too many values of measures");
             }
         all = std::move(more);
     }
     std::vector<std::pair<Valuation, std::optional<Obligation>>> result;
-    for (Valuation& each : all) {
-        auto asked = obligation_of(rules.rules[rule], each, without);
-        const bool known = std::ranges::any_of(result, [&](const auto& other) { return other.second == asked; });
-        if (!known) result.emplace_back(std::move(each), std::move(asked));
+    for (Valuation& valuation : all) {
+        auto obligation = obligation_of(rules.rules[rule], valuation, without);
+        const bool known = std::ranges::any_of(result, [&](const auto& other) { return other.second == obligation; });
+        if (!known) result.emplace_back(std::move(valuation), std::move(obligation));
     }
     return result;
 }
@@ -48,9 +48,9 @@ std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const Chec
 
 void RuleMonitor::observe_event(std::size_t event, const MeasureReadings& values) {
     std::vector<Open> left;
-    for (Open& each : open_) {
-        const Effect effect = take_event(each.obligation, each.progress, event);
-        update_open(std::move(each), effect, event, left);
+    for (Open& open : open_) {
+        const Effect effect = take_event(open.obligation, open.progress, event);
+        update_open(std::move(open), effect, event, left);
     }
     open_ = std::move(left);
     for (std::size_t i = 0; i < rules_.rules.size(); ++i)
@@ -63,17 +63,17 @@ void RuleMonitor::start_rule(std::size_t rule, const MeasureReadings& values) {
         if (std::ranges::find(open_triggers_, rule) == open_triggers_.end()) open_triggers_.push_back(rule);
         return;
     }
-    auto& [valuation, asked] = all.front();
-    if (!asked) return;
-    if (asked->any.size() > most_demands) throw NotDecided("a rule has too many responses behind each other");
-    keep_distinct({rule, std::move(*asked), {}, now_, std::move(valuation)}, open_);
+    auto& [valuation, obligation] = all.front();
+    if (!obligation) return;
+    if (obligation->any.size() > most_demands) throw NotDecided("a rule has too many responses behind each other");
+    keep_distinct({rule, std::move(*obligation), {}, now_, std::move(valuation)}, open_);
 }
 
 void RuleMonitor::end_second() {
     std::vector<Open> left;
-    for (Open& each : open_) {
-        const Effect effect = take_tock(each.obligation, each.progress);
-        update_open(std::move(each), effect, std::nullopt, left);
+    for (Open& open : open_) {
+        const Effect effect = take_tock(open.obligation, open.progress);
+        update_open(std::move(open), effect, std::nullopt, left);
     }
     open_ = std::move(left);
     ++now_;
@@ -95,7 +95,7 @@ void RuleMonitor::keep_distinct(Open open, std::vector<Open>& open_now) const {
 
 std::vector<std::pair<Obligation, Progress>> RuleMonitor::open_duties() const {
     std::vector<std::pair<Obligation, Progress>> result;
-    for (const Open& each : open_) result.emplace_back(each.obligation, each.progress);
+    for (const Open& open : open_) result.emplace_back(open.obligation, open.progress);
     return result;
 }
 

@@ -35,11 +35,11 @@ private:
     DutyPtr in_force(DutyPtr duty) {
         while (duty) {
             const CheckedDefeater* last = nullptr;
-            for (const CheckedDefeater& each : duty->defeaters) {
-                if (each.event)
-                    result_.ended_by.push_back(*each.event);
-                else if (evaluate_condition(each.condition, values_) != 0)
-                    last = &each;
+            for (const CheckedDefeater& defeater : duty->defeaters) {
+                if (defeater.event)
+                    result_.ended_by.push_back(*defeater.event);
+                else if (evaluate_condition(defeater.condition, values_) != 0)
+                    last = &defeater;
             }
             if (last == nullptr) return duty;
             duty = last->duty;
@@ -59,10 +59,10 @@ struct Window {
 /// True if these windows together cover `window`.
 bool is_covered(Window window, std::vector<Window> by) {
     std::ranges::sort(by, [](const Window& a, const Window& b) { return a.begin < b.begin; });
-    for (const Window& each : by) {
-        if (each.begin > window.begin) return false;
-        if (each.end == forever || each.end >= window.end) return true;
-        window.begin = std::max(window.begin, each.end + 1);
+    for (const Window& covering : by) {
+        if (covering.begin > window.begin) return false;
+        if (covering.end == forever || covering.end >= window.end) return true;
+        window.begin = std::max(window.begin, covering.end + 1);
     }
     return window.begin > window.end;
 }
@@ -70,8 +70,8 @@ bool is_covered(Window window, std::vector<Window> by) {
 /// The windows of the demands of one kind for an event.
 std::vector<Window> demand_windows(const Obligation& obligation, bool forbids, std::size_t event) {
     std::vector<Window> result;
-    for (const Demand& each : obligation.any)
-        if (each.forbids == forbids && each.event == event) result.push_back({each.begin, each.end});
+    for (const Demand& demand : obligation.any)
+        if (demand.forbids == forbids && demand.event == event) result.push_back({demand.begin, demand.end});
     return result;
 }
 
@@ -81,14 +81,14 @@ bool some_prohibition_within(const Obligation& of, std::size_t event, const std:
     std::vector<Window> closed = demand_windows(of, false, event);
     closed.insert(closed.end(), assumed.begin(), assumed.end());
     const std::vector<Window> prohibitions = demand_windows(of, true, event);
-    return std::ranges::any_of(prohibitions, [&](Window each) { return is_covered(each, closed); });
+    return std::ranges::any_of(prohibitions, [&](Window prohibition) { return is_covered(prohibition, closed); });
 }
 
 }  // namespace
 
 bool always_fulfilled(const Obligation& obligation) {
-    return std::ranges::any_of(obligation.any, [&](const Demand& each) {
-        return each.forbids && some_prohibition_within(obligation, each.event, {});
+    return std::ranges::any_of(obligation.any, [&](const Demand& demand) {
+        return demand.forbids && some_prohibition_within(obligation, demand.event, {});
     });
 }
 
@@ -110,9 +110,9 @@ bool implies(const Obligation& stronger, const Obligation& weaker) {
     if (always_fulfilled(weaker)) return true;
     for (const std::size_t event : stronger.ended_by)
         if (std::ranges::find(weaker.ended_by, event) == weaker.ended_by.end()) return false;
-    return std::ranges::all_of(stronger.any, [&](const Demand& each) {
-        if (!each.forbids) return is_covered({each.begin, each.end}, demand_windows(weaker, false, each.event));
-        return some_prohibition_within(weaker, each.event, {{each.begin, each.end}});
+    return std::ranges::all_of(stronger.any, [&](const Demand& demand) {
+        if (!demand.forbids) return is_covered({demand.begin, demand.end}, demand_windows(weaker, false, demand.event));
+        return some_prohibition_within(weaker, demand.event, {{demand.begin, demand.end}});
     });
 }
 

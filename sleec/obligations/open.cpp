@@ -10,7 +10,8 @@ namespace {
 /// After this second, only windows without end can still change.
 std::int64_t horizon(const Obligation& obligation) {
     std::int64_t last = 0;
-    for (const Demand& each : obligation.any) last = std::max(last, each.end == forever ? each.begin : each.end + 1);
+    for (const Demand& demand : obligation.any)
+        last = std::max(last, demand.end == forever ? demand.begin : demand.end + 1);
     return last;
 }
 
@@ -42,8 +43,8 @@ Effect take_tock(const Obligation& obligation, Progress& progress) {
     progress.elapsed = std::min(progress.elapsed + 1, horizon(obligation));
     for (std::size_t i = 0; i < obligation.any.size(); ++i) {
         const Demand& demand = obligation.any[i];
-        const bool kept = demand.forbids && (progress.broken >> i & 1U) == 0;
-        if (kept && demand.end < progress.elapsed) return Effect::fulfilled;
+        const bool respected = demand.forbids && (progress.broken >> i & 1U) == 0;
+        if (respected && demand.end < progress.elapsed) return Effect::fulfilled;
     }
     return some_can_hold(obligation, progress) ? Effect::open : Effect::broken;
 }

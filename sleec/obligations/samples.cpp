@@ -16,28 +16,28 @@ constexpr std::uint64_t most_valuations = 1U << 22U;
 
 using Visit = std::function<void(const Condition&)>;
 
-void visit(const Condition& condition, const Visit& each) {
-    each(condition);
-    for (const Condition& part : condition.parts) visit(part, each);
+void visit(const Condition& condition, const Visit& on_condition) {
+    on_condition(condition);
+    for (const Condition& part : condition.parts) visit(part, on_condition);
 }
 
-void visit(const DutyPtr& duty, const Visit& each) {
+void visit(const DutyPtr& duty, const Visit& on_condition) {
     if (!duty) return;
-    visit(duty->otherwise, each);
+    visit(duty->otherwise, on_condition);
     for (const CheckedDefeater& defeater : duty->defeaters) {
-        if (!defeater.event) visit(defeater.condition, each);
-        visit(defeater.duty, each);
+        if (!defeater.event) visit(defeater.condition, on_condition);
+        visit(defeater.duty, on_condition);
     }
 }
 
-void visit(const CheckedRule& rule, const Visit& each) {
-    if (rule.condition) visit(*rule.condition, each);
-    visit(rule.duty, each);
+void visit(const CheckedRule& rule, const Visit& on_condition) {
+    if (rule.condition) visit(*rule.condition, on_condition);
+    visit(rule.duty, on_condition);
 }
 
 bool has_measure(const Condition& condition) {
     bool found = false;
-    visit(condition, [&](const Condition& each) { found = found || each.op == Op::name; });
+    visit(condition, [&](const Condition& part) { found = found || part.op == Op::name; });
     return found;
 }
 
@@ -87,11 +87,11 @@ public:
         : values_(values), measures_(std::move(measures)), at_(measures_.size(), 0) {
         current_.assign(values.size(), 0);
         std::uint64_t count = 1;
-        for (const std::size_t each : measures_) {
-            count *= values_[each].size();
+        for (const std::size_t measure : measures_) {
+            count *= values_[measure].size();
             if (count > most_valuations)
                 throw NotDecided(fmt::format("the measures have more than {} combinations of values", most_valuations));
-            current_[each] = values_[each][0];
+            current_[measure] = values_[measure][0];
         }
     }
     [[nodiscard]] const Valuation& current() const { return current_; }
@@ -116,9 +116,9 @@ private:
 
 std::vector<std::size_t> measures_of(const CheckedRule& rule) {
     std::vector<std::size_t> result;
-    visit(rule, [&](const Condition& each) {
-        if (each.op == Op::name && std::ranges::find(result, each.measure) == result.end())
-            result.push_back(each.measure);
+    visit(rule, [&](const Condition& condition) {
+        if (condition.op == Op::name && std::ranges::find(result, condition.measure) == result.end())
+            result.push_back(condition.measure);
     });
     return result;
 }
@@ -126,18 +126,19 @@ std::vector<std::size_t> measures_of(const CheckedRule& rule) {
 std::vector<std::int64_t> constants_of(const CheckedRule& rule, std::size_t measure) {
     Comparisons found;
     found.constants.resize(measure + 1);
-    visit(rule, [&](const Condition& each) {
-        for (const Condition& part : each.parts)
+    visit(rule, [&](const Condition& condition) {
+        for (const Condition& part : condition.parts)
             if (part.op == Op::name && part.measure >= found.constants.size()) found.constants.resize(part.measure + 1);
-        note_comparisons(each, found);
+        note_comparisons(condition, found);
     });
     return {found.constants[measure].begin(), found.constants[measure].end()};
 }
 
 bool compares_measures(const CheckedRule& rule) {
     bool found = false;
-    visit(rule, [&](const Condition& each) {
-        found = found || (is_comparison(each.op) && each.parts[0].op == Op::name && each.parts[1].op == Op::name);
+    visit(rule, [&](const Condition& condition) {
+        found = found ||
+                (is_comparison(condition.op) && condition.parts[0].op == Op::name && condition.parts[1].op == Op::name);
     });
     return found;
 }
@@ -146,15 +147,15 @@ bool compares_measures(const CheckedRule& rule) {
 /// order of numbers that are compared with each other. Between two constants, n numbers have at most n different
 /// values, so n values are sufficient.
 std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
-                                                             const std::vector<std::size_t>& asked) {
+                                                             const std::vector<std::size_t>& rule_numbers) {
     const std::vector<Measure>& measures = rules.file->measures;
     Comparisons found;
     found.constants.resize(measures.size());
-    for (const std::size_t rule : asked)
-        visit(rules.rules[rule], [&](const Condition& each) { note_comparisons(each, found); });
+    for (const std::size_t rule : rule_numbers)
+        visit(rules.rules[rule], [&](const Condition& condition) { note_comparisons(condition, found); });
     std::set<std::int64_t> shared;
-    for (const std::size_t each : found.together)
-        shared.insert(found.constants[each].begin(), found.constants[each].end());
+    for (const std::size_t measure : found.together)
+        shared.insert(found.constants[measure].begin(), found.constants[measure].end());
     std::vector<std::vector<std::int64_t>> result(measures.size());
     for (std::size_t i = 0; i < measures.size(); ++i) {
         if (measures[i].type == MeasureType::boolean) {
@@ -171,14 +172,14 @@ std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules&
     return result;
 }
 
-std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<std::size_t>& asked, std::size_t event,
-                                 WithoutLimit without, diagnostics::Budget* budget) {
+std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers,
+                                 std::size_t event, WithoutLimit without, diagnostics::Budget* budget) {
     std::vector<std::size_t> triggered, measures;
-    for (const std::size_t rule : asked) {
+    for (const std::size_t rule : rule_numbers) {
         if (rules.rules[rule].trigger != event) continue;
         triggered.push_back(rule);
-        for (const std::size_t each : measures_of(rules.rules[rule]))
-            if (std::ranges::find(measures, each) == measures.end()) measures.push_back(each);
+        for (const std::size_t measure : measures_of(rules.rules[rule]))
+            if (std::ranges::find(measures, measure) == measures.end()) measures.push_back(measure);
     }
     const auto values = representative_values(rules, triggered);
     Valuations valuations(values, measures);
@@ -186,7 +187,7 @@ std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<st
     do {
         if (budget != nullptr) budget->poll();
         Sample sample{valuations.current(), {}};
-        for (const std::size_t rule : asked)
+        for (const std::size_t rule : rule_numbers)
             sample.obligations.push_back(rules.rules[rule].trigger == event
                                              ? obligation_of(rules.rules[rule], sample.values, without)
                                              : std::nullopt);

@@ -20,12 +20,12 @@ struct Sample {
 /// demand. Numbers are represented by the constants that they are compared with, by their neighbours, and by as many
 /// values in between as there are numbers compared with each other. Throws NotDecided if measures occur in arithmetic,
 /// or if there are too many values.
-[[nodiscard]] std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<std::size_t>& asked,
+[[nodiscard]] std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers,
                                                std::size_t event, WithoutLimit, diagnostics::Budget* budget);
 
 /// Values for each measure of the file that represent every valuation with respect to these rules.
-[[nodiscard]] std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
-                                                                           const std::vector<std::size_t>& asked);
+[[nodiscard]] std::vector<std::vector<std::int64_t>> representative_values(
+    const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers);
 /// The measures in the conditions of a rule and its defeaters, without duplicates, in textual order.
 [[nodiscard]] std::vector<std::size_t> measures_of(const CheckedRule& rule);
 /// The constants that a rule compares a measure with, ascending.

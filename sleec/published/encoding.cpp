@@ -29,7 +29,7 @@ void events_in(const DutyPtr& duty, std::vector<std::size_t>& events) {
     if (!duty) return;
     if (std::ranges::find(events, duty->event) == events.end()) events.push_back(duty->event);
     events_in(duty->otherwise, events);
-    for (const CheckedDefeater& each : duty->defeaters) events_in(each.duty, events);
+    for (const CheckedDefeater& defeater : duty->defeaters) events_in(defeater.duty, events);
 }
 
 ExprKind kind_of(Op op) {
@@ -48,9 +48,17 @@ ExprKind kind_of(Op op) {
             return ExprKind::greater_equal;
         case Op::equal:
             return ExprKind::equal;
-        default:
-            return ExprKind::not_equal;
+        case Op::unequal:
+        case Op::truth:
+        case Op::number:
+        case Op::name:
+        case Op::negation:
+        case Op::add:
+        case Op::subtract:
+        case Op::multiply:
+            break;
     }
+    return ExprKind::not_equal;
 }
 
 /// All names of timing events are reserved; names of rule events have a prefix.
@@ -89,7 +97,7 @@ std::vector<DeclPtr> Encoding::channel_declarations() const {
         Tree type = build::name("Bool");
         if (rules_.measure(i).type != MeasureType::boolean) {
             Exprs items;
-            for (const std::int64_t each : values_[i]) items.push_back(build::number(each));
+            for (const std::int64_t value : values_[i]) items.push_back(build::number(value));
             type = build::set(std::move(items));
         }
         result.push_back(build::channel({measure_name(i), "i_" + measure_name(i)}, type));
@@ -118,7 +126,14 @@ Tree Encoding::condition_expression(const Condition& condition) const {
         case Op::subtract:
         case Op::multiply:
             return build::number(evaluate_condition(condition, {}));
-        default:
+        case Op::disjunction:
+        case Op::conjunction:
+        case Op::less:
+        case Op::less_equal:
+        case Op::greater:
+        case Op::greater_equal:
+        case Op::equal:
+        case Op::unequal:
             break;
     }
     ExprKind kind = kind_of(condition.op);
@@ -130,9 +145,9 @@ Tree Encoding::condition_expression(const Condition& condition) const {
 /// The measures are read without delay, in textual order, once for each mention.
 Tree Encoding::read_measures(const std::vector<const Condition*>& conditions, Tree then) const {
     std::vector<std::size_t> order;
-    for (const Condition* each : conditions) collect_mentions(*each, order);
-    for (auto each = order.rbegin(); each != order.rend(); ++each) {
-        const std::string measure = measure_name(*each);
+    for (const Condition* condition : conditions) collect_mentions(*condition, order);
+    for (auto at = order.rbegin(); at != order.rend(); ++at) {
+        const std::string measure = measure_name(*at);
         then = build::call(name("StartBy"), {build::prefix(build::name(measure), {build::input("v_" + measure)}, then),
                                              build::number(0)});
     }
@@ -150,7 +165,7 @@ Tree Encoding::trigger_process(const CheckedRule& rule, const std::string& self)
     Exprs choices{build::prefix(build::name(event_name(rule.trigger)), then)};
     std::vector<std::size_t> free;
     events_in(rule.duty, free);
-    for (const std::size_t each : free) choices.push_back(build::prefix(build::name(event_name(each)), again));
+    for (const std::size_t event : free) choices.push_back(build::prefix(build::name(event_name(event)), again));
     return build::choice(std::move(choices));
 }
 
@@ -179,16 +194,16 @@ Tree Encoding::response_process(const DutyPtr& duty) const {
 Tree Encoding::monitoring_process(const CheckedRule& rule) const {
     std::vector<const Condition*> conditions;
     Tree decided = response_process(rule.duty);
-    for (const CheckedDefeater& each : rule.duty->defeaters) {
-        if (each.event) throw NotDecided("SLEEC-TK has no events behind 'unless'");
-        conditions.push_back(&each.condition);
-        decided = build::if_(condition_expression(each.condition),
-                             each.duty ? response_process(each.duty) : build::skip(), decided);
+    for (const CheckedDefeater& defeater : rule.duty->defeaters) {
+        if (defeater.event) throw NotDecided("SLEEC-TK has no events behind 'unless'");
+        conditions.push_back(&defeater.condition);
+        decided = build::if_(condition_expression(defeater.condition),
+                             defeater.duty ? response_process(defeater.duty) : build::skip(), decided);
     }
     return read_measures(conditions, decided);
 }
 
-std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_t>& asked) const {
+std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_t>& rule_numbers) const {
     const auto var = [](const char* text) { return build::name(text); };
     const Tree stop = build::call(name("TimeStops"));
     const Tree tocks = build::set({build::name(tock)});
@@ -207,13 +222,13 @@ std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_
     Decls timed{
         build::function_decl(name("StartBy"), build::variables({"P", "d"}),
                              build::choice({var("P"), build::sequential({build::call("WAIT", {var("d")}), stop})}))};
-    for (const std::size_t rule : asked) {
-        const CheckedRule& each = rules_.rules[rule];
+    for (const std::size_t rule : rule_numbers) {
+        const CheckedRule& checked_rule = rules_.rules[rule];
         const std::string trigger_name = name(fmt::format("Trigger{}", rule));
         const std::string whole = name(fmt::format("Whole{}", rule));
-        timed.push_back(build::value(trigger_name, trigger_process(each, trigger_name)));
-        timed.push_back(build::value(
-            whole, build::sequential({build::name(trigger_name), monitoring_process(each), build::name(whole)})));
+        timed.push_back(build::value(trigger_name, trigger_process(checked_rule, trigger_name)));
+        timed.push_back(build::value(whole, build::sequential({build::name(trigger_name),
+                                                               monitoring_process(checked_rule), build::name(whole)})));
         timed.push_back(build::value(process_name(rule), build::call("timed_priority", {build::name(whole)})));
     }
     result.push_back(build::timed(build::name("OneStep"), std::move(timed)));
@@ -230,8 +245,8 @@ std::vector<std::size_t> Encoding::events_of(std::size_t rule) const {
 
 std::vector<std::size_t> Encoding::measures_of_pair(std::size_t first, std::size_t second) const {
     std::vector<std::size_t> result = measures_of(rules_.rules[first]);
-    for (const std::size_t each : measures_of(rules_.rules[second]))
-        if (std::ranges::find(result, each) == result.end()) result.push_back(each);
+    for (const std::size_t measure : measures_of(rules_.rules[second]))
+        if (std::ranges::find(result, measure) == result.end()) result.push_back(measure);
     std::ranges::sort(result);
     return result;
 }
@@ -246,13 +261,13 @@ bool Encoding::are_related(std::size_t first, std::size_t second) const {
 
 Tree Encoding::measure_events(const std::vector<std::size_t>& measures) const {
     Exprs items;
-    for (const std::size_t each : measures) items.push_back(build::name(measure_name(each)));
+    for (const std::size_t measure : measures) items.push_back(build::name(measure_name(measure)));
     return build::productions(std::move(items));
 }
 
 Tree Encoding::event_set(const std::vector<std::size_t>& events) const {
     Exprs items;
-    for (const std::size_t each : events) items.push_back(build::name(event_name(each)));
+    for (const std::size_t event : events) items.push_back(build::name(event_name(event)));
     return build::set(std::move(items));
 }
 
@@ -262,19 +277,19 @@ Tree Encoding::event_set(const std::vector<std::size_t>& events) const {
 std::vector<DeclPtr> Encoding::conflict_declarations(std::size_t first, std::size_t second) const {
     std::vector<std::size_t> common;
     const std::vector<std::size_t> others = events_of(second);
-    for (const std::size_t each : events_of(first))
-        if (std::ranges::find(others, each) != others.end()) common.push_back(each);
+    for (const std::size_t event : events_of(first))
+        if (std::ranges::find(others, event) != others.end()) common.push_back(event);
     const std::string id = fmt::format("{}_{}", first, second);
     Decls timed;
     Exprs environment;
     const std::vector<std::size_t> measures = measures_of_pair(first, second);
-    for (const std::size_t each : measures) {
-        const std::string fixed = name(fmt::format("Fixed{}_{}", id, each));
-        const Tree measure = build::name(measure_name(each));
+    for (const std::size_t measure : measures) {
+        const std::string fixed = name(fmt::format("Fixed{}_{}", id, measure));
+        const Tree channel = build::name(measure_name(measure));
         timed.push_back(build::function_decl(
             fixed, build::variables({"x"}),
-            build::prefix(measure, {build::output(build::name("x"))}, build::call(fixed, {build::name("x")}))));
-        environment.push_back(build::prefix(measure, {build::input("x")}, build::call(fixed, {build::name("x")})));
+            build::prefix(channel, {build::output(build::name("x"))}, build::call(fixed, {build::name("x")}))));
+        environment.push_back(build::prefix(channel, {build::input("x")}, build::call(fixed, {build::name("x")})));
     }
     const auto whole = [&](std::size_t rule) { return build::name(name(fmt::format("Whole{}", rule))); };
     Tree both = build::parallel(whole(first), event_set(common), whole(second));
@@ -304,24 +319,24 @@ std::vector<DeclPtr> Encoding::memory_declarations(std::size_t first, std::size_
                                                    const std::string& called) const {
     const std::vector<std::size_t> measures = measures_of_pair(first, second);
     std::vector<std::size_t> events = events_of(first);
-    for (const std::size_t each : events_of(second))
-        if (std::ranges::find(events, each) == events.end()) events.push_back(each);
+    for (const std::size_t event : events_of(second))
+        if (std::ranges::find(events, event) == events.end()) events.push_back(event);
     const std::string provide = "Provide" + called;
     Exprs parameters, offered, types;
     std::vector<std::string> variables;
     std::vector<cspm::Field> fields;
-    for (const std::size_t each : measures) {
-        const std::string variable = "v_" + measure_name(each);
+    for (const std::size_t measure : measures) {
+        const std::string variable = "v_" + measure_name(measure);
         variables.push_back(variable);
         parameters.push_back(build::name(variable));
         fields.push_back(build::input(variable));
-        offered.push_back(build::dot({build::name("i_" + measure_name(each)), build::name(variable)}));
+        offered.push_back(build::dot({build::name("i_" + measure_name(measure)), build::name(variable)}));
         Exprs items;
-        for (const std::int64_t value : values_[each]) items.push_back(build::number(value));
-        types.push_back(rules_.measure(each).type == MeasureType::boolean ? build::name("Bool")
-                                                                          : build::set(std::move(items)));
+        for (const std::int64_t value : values_[measure]) items.push_back(build::number(value));
+        types.push_back(rules_.measure(measure).type == MeasureType::boolean ? build::name("Bool")
+                                                                             : build::set(std::move(items)));
     }
-    for (const std::size_t each : events) offered.push_back(build::name(event_name(each)));
+    for (const std::size_t event : events) offered.push_back(build::name(event_name(event)));
     const Tree again = build::call(provide, parameters);
     const Tree some = build::replicated(ExprKind::replicated_external,
                                         {build::generator(build::variable("x"), build::set(std::move(offered)))},
@@ -346,9 +361,9 @@ DeclPtr Encoding::with_memory(std::size_t rule, std::size_t other, const std::st
                               const std::string& called) const {
     std::vector<cspm::Link> links;
     Exprs internal;
-    for (const std::size_t each : measures_of_pair(rule, other)) {
-        links.push_back({build::name(measure_name(each)), build::name("i_" + measure_name(each))});
-        internal.push_back(build::name("i_" + measure_name(each)));
+    for (const std::size_t measure : measures_of_pair(rule, other)) {
+        links.push_back({build::name(measure_name(measure)), build::name("i_" + measure_name(measure))});
+        internal.push_back(build::name("i_" + measure_name(measure)));
     }
     Tree process = build::name(this->process_name(rule));
     if (!links.empty()) process = build::rename(process, std::move(links));
@@ -362,7 +377,7 @@ std::vector<DeclPtr> Encoding::pair_declarations(std::size_t first, std::size_t 
     Decls result = conflict_declarations(first, second);
     const std::string id = fmt::format("{}_{}", first, second);
     const std::string shared = name("Memory" + id);
-    for (DeclPtr& each : memory_declarations(first, second, shared)) result.push_back(std::move(each));
+    for (DeclPtr& declaration : memory_declarations(first, second, shared)) result.push_back(std::move(declaration));
     const std::string one = name("First" + id), two = name("Second" + id);
     result.push_back(build::timed(build::name("OneStep"),
                                   {with_memory(first, second, shared, one), with_memory(second, first, shared, two)}));
@@ -372,15 +387,15 @@ std::vector<DeclPtr> Encoding::pair_declarations(std::size_t first, std::size_t 
 }
 
 cspm::Script Encoding::make_script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
-    std::vector<std::size_t> asked;
+    std::vector<std::size_t> rule_numbers;
     for (const auto& [first, second] : pairs)
-        for (const std::size_t each : {first, second})
-            if (std::ranges::find(asked, each) == asked.end()) asked.push_back(each);
-    std::ranges::sort(asked);
+        for (const std::size_t rule : {first, second})
+            if (std::ranges::find(rule_numbers, rule) == rule_numbers.end()) rule_numbers.push_back(rule);
+    std::ranges::sort(rule_numbers);
     cspm::Script script;
     const auto add = [&](Decls decls) { script.decls.insert(script.decls.end(), decls.begin(), decls.end()); };
     add(channel_declarations());
-    add(process_declarations(asked));
+    add(process_declarations(rule_numbers));
     for (const auto& [first, second] : pairs) add(pair_declarations(first, second));
     return script;
 }

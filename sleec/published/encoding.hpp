@@ -26,7 +26,7 @@ public:
     /// The channels of events, measures and time.
     [[nodiscard]] std::vector<cspm::DeclPtr> channel_declarations() const;
     /// The timing operators, and the process of each of these rules.
-    [[nodiscard]] std::vector<cspm::DeclPtr> process_declarations(const std::vector<std::size_t>& asked) const;
+    [[nodiscard]] std::vector<cspm::DeclPtr> process_declarations(const std::vector<std::size_t>& rule_numbers) const;
     /// The name of a rule's process, in which events have priority over time.
     [[nodiscard]] std::string process_name(std::size_t rule) const;
 

@@ -40,7 +40,7 @@ std::string_view shown_text(const Token& token) {
 
 std::vector<std::string_view> words_of(const std::vector<Token>& tokens) {
     std::vector<std::string_view> result;
-    for (const Token& each : tokens) result.push_back(shown_text(each));
+    for (const Token& token : tokens) result.push_back(shown_text(token));
     return result;
 }
 
@@ -49,10 +49,10 @@ class Layout {
 public:
     Layout(std::string_view text, const std::vector<Token>& tokens, const RuleFile& file)
         : text_(text), tokens_(tokens) {
-        for (const Rule& each : file.rules) begins_.insert(each.span.begin);
+        for (const Rule& rule : file.rules) begins_.insert(rule.span.begin);
         for (const auto* properties : {&file.concerns, &file.purposes})
-            for (const Property& each : *properties) begins_.insert(each.span.begin);
-        for (const Mapping& each : file.mappings) mapped_.insert(each.name.span.begin);
+            for (const Property& property : *properties) begins_.insert(property.span.begin);
+        for (const Mapping& mapping : file.mappings) mapped_.insert(mapping.name.span.begin);
         // A comment on a separate line before an item, or before another such comment, is laid out as an item.
         begins_item_.assign(tokens.size(), true);
         for (std::size_t i = tokens.size() - 1; i-- > 0;)
@@ -99,7 +99,7 @@ private:
         if (block && word.ends_with("_end")) inside_ = false;
         const std::string indent(inside_ ? 4 : 0, ' ');
         if (block && word.ends_with("_start")) inside_ = true;
-        const auto is_comment = [](const Token& each) { return each.kind == Tok::comment; };
+        const auto is_comment = [](const Token& token) { return token.kind == Tok::comment; };
         const auto begin = tokens_.begin() + static_cast<std::ptrdiff_t>(from);
         const bool comments = std::any_of(begin, tokens_.begin() + static_cast<std::ptrdiff_t>(to) - 1, is_comment);
         std::string line = indent + join_tokens(from, to, " ");

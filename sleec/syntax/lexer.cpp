@@ -156,9 +156,9 @@ bool is_reserved(std::string_view word) {
 
 std::vector<std::string_view> language_words() {
     std::vector<std::string_view> result(reserved.begin(), reserved.end());
-    for (const std::string_view each : {"seconds", "minutes", "hours", "days", "eventually", "else", "exists", "while",
+    for (const std::string_view word : {"seconds", "minutes", "hours", "days", "eventually", "else", "exists", "while",
                                         "assume", "after", "at", "least", "map", "to"})
-        result.push_back(each);
+        result.push_back(word);
     return result;
 }
 

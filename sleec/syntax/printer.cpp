@@ -142,23 +142,23 @@ std::string print(const Rule& rule) {
 
 std::string print(const RuleFile& file) {
     std::string text = "def_start\n";
-    for (const Event& each : file.events) text += fmt::format("    event {}\n", each.name.text);
-    for (const Measure& each : file.measures)
-        text += fmt::format("    measure {} : {}\n", each.name.text, measure_text(each));
-    for (const Constant& each : file.constants)
-        text += fmt::format("    constant {} = {}\n", each.name.text, print(each.value));
-    for (const Mapping& each : file.mappings)
-        text += fmt::format("    map {} to {}\n", each.name.text, each.element.text);
+    for (const Event& event : file.events) text += fmt::format("    event {}\n", event.name.text);
+    for (const Measure& measure : file.measures)
+        text += fmt::format("    measure {} : {}\n", measure.name.text, measure_text(measure));
+    for (const Constant& constant : file.constants)
+        text += fmt::format("    constant {} = {}\n", constant.name.text, print(constant.value));
+    for (const Mapping& mapping : file.mappings)
+        text += fmt::format("    map {} to {}\n", mapping.name.text, mapping.element.text);
     text += "def_end\nrule_start\n";
     const Printer printer(file.dialect, "\n        ");
-    for (const Rule& each : file.rules)
-        text += fmt::format("    {}{} {}\n", each.assumed ? "assume " : "", each.name.text, printer.rule_text(each));
+    for (const Rule& rule : file.rules)
+        text += fmt::format("    {}{} {}\n", rule.assumed ? "assume " : "", rule.name.text, printer.rule_text(rule));
     text += "rule_end\n";
     const auto properties = [&](const std::vector<Property>& all, const char* word) {
         if (all.empty()) return;
         text += fmt::format("{}_start\n", word);
-        for (const Property& each : all)
-            text += fmt::format("    {} {}\n", each.name.text, printer.property_text(each));
+        for (const Property& property : all)
+            text += fmt::format("    {} {}\n", property.name.text, printer.property_text(property));
         text += fmt::format("{}_end\n", word);
     };
     properties(file.concerns, "concern");
